@@ -1,0 +1,147 @@
+#pragma once
+// Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
+// the creep coefficient, and the compliance number Lambda of the plane model. Dimensionless: a = G = V = 1.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+namespace detail {
+
+template <std::floating_point Scalar>
+void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
+    require(poisson_ratio >= Scalar(0) && poisson_ratio <= Scalar(0.5), who, "poisson_ratio", poisson_ratio,
+            "lie in [0, 0.5]");
+}
+
+}  // namespace detail
+
+/// Steady creep coefficient c11 = pi/(2(1-nu)) of Eq. (30), per unit width of a rectangle (or of an infinitely long
+/// contact). Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
+template <std::floating_point Scalar>
+Scalar steady_c11(Scalar poisson_ratio) {
+    detail::require_poisson_ratio("steady_c11", poisson_ratio);
+    return std::numbers::pi_v<Scalar> / (2 * (1 - poisson_ratio));
+}
+
+/// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by
+/// F = -a b G C11 xi; an ellipse has pi a b of area where the rectangle has 4 a b and chords that shorten towards its
+/// tips, hence the factor pi/2 to steady_c11. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
+template <std::floating_point Scalar>
+Scalar ellipse_limit_c11(Scalar poisson_ratio) {
+    return std::numbers::pi_v<Scalar> / 2 * steady_c11(poisson_ratio);
+}
+
+/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over that of its first harmonics. Non-steady
+/// plane problems are stable only while Lambda > 0. `aspect` is b/a. Throws std::invalid_argument unless aspect is
+/// positive and finite and 0 <= poisson_ratio <= 0.5.
+template <std::floating_point Scalar>
+Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
+    detail::require_poisson_ratio("plane_lambda", poisson_ratio);
+    detail::require(aspect > Scalar(0) && std::isfinite(aspect), "plane_lambda", "aspect", aspect,
+                    "be positive and finite (only steady problems have a limit for an infinite aspect)");
+    return std::log(4 * aspect) + poisson_ratio / (1 - poisson_ratio);
+}
+
+/// A position in the contact by its distances from both edges, over a: trailing = 1 + x/a, leading = 1 - x/a. Near an
+/// edge these keep the digits that x/a has lost. Invariant: trailing >= 0, leading >= 0, trailing + leading = 2.
+template <std::floating_point Scalar>
+struct EdgeDistances {
+    Scalar trailing;
+    Scalar leading;
+};
+
+/// An interval of the contact: `trailing` is the distance of its trailing end from the trailing edge of the contact,
+/// `leading` that of its leading end from the leading edge, all over a. Invariant: trailing >= 0, leading >= 0,
+/// width > 0, trailing + width + leading = 2.
+template <std::floating_point Scalar>
+struct ContactInterval {
+    Scalar trailing;
+    Scalar width;
+    Scalar leading;
+};
+
+/// Carter's traction p/(G xi) = -sqrt((a-x)/(a+x))/(2(1-nu)) (negative; minus infinity at the trailing edge).
+/// Throws std::invalid_argument for negative distances or distances whose sum is not 2.
+template <std::floating_point Scalar>
+Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_ratio) {
+    using std::abs, std::sqrt;
+    detail::require_poisson_ratio("carter_traction", poisson_ratio);
+    detail::require(position.trailing >= Scalar(0), "carter_traction", "trailing", position.trailing,
+                    "be at least 0");
+    detail::require(position.leading >= Scalar(0), "carter_traction", "leading", position.leading,
+                    "be at least 0");
+    const Scalar sum = position.trailing + position.leading;
+    detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_traction",
+                    "trailing + leading", sum, "be 2");
+    return -sqrt(position.leading / position.trailing) / (2 * (1 - poisson_ratio));
+}
+
+/// Carter's traction p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+template <std::floating_point Scalar>
+Scalar carter_traction(Scalar x_over_a, Scalar poisson_ratio) {
+    detail::require(x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_traction", "x/a", x_over_a,
+                    "lie in [-1, 1]");
+    return carter_traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a}, poisson_ratio);
+}
+
+/// Exact mean of Carter's traction p/(G xi) over an interval, to a few units in the last place of the given distances
+/// however short the interval and however close to an edge. Throws std::invalid_argument for a bad interval.
+template <std::floating_point Scalar>
+Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar poisson_ratio) {
+    using std::abs, std::atan2, std::sqrt;
+    detail::require_poisson_ratio("carter_mean_traction", poisson_ratio);
+    detail::require(interval.trailing >= Scalar(0), "carter_mean_traction", "trailing", interval.trailing,
+                    "be at least 0");
+    detail::require(interval.leading >= Scalar(0), "carter_mean_traction", "leading", interval.leading,
+                    "be at least 0");
+    detail::require(interval.width > Scalar(0), "carter_mean_traction", "width", interval.width, "be positive");
+    const Scalar sum = interval.trailing + interval.width + interval.leading;
+    detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_mean_traction",
+                    "trailing + width + leading", sum, "be 2");
+
+    // With x = -cos(theta) the integral of sqrt((1-x)/(1+x)) is theta + sin(theta). Between theta_1 and theta_2, with
+    // their mean m and half difference h, that is 2 (h - sin h) + 2 sin(h) (1 + cos m): a sum of positive terms. All
+    // functions of m and h follow from sines and cosines of theta/2, which are roots of the edge distances.
+    const Scalar sine_1 = sqrt(interval.trailing / 2);
+    const Scalar cosine_1 = sqrt((interval.leading + interval.width) / 2);
+    const Scalar sine_2 = sqrt((interval.trailing + interval.width) / 2);
+    const Scalar cosine_2 = sqrt(interval.leading / 2);
+    const Scalar sine_mean = sine_2 * cosine_1 + cosine_2 * sine_1;
+    const Scalar cosine_mean = cosine_1 * cosine_2 - sine_1 * sine_2;
+    const Scalar sine_half = interval.width / (2 * sine_mean);
+    const Scalar half = atan2(sine_half, cosine_1 * cosine_2 + sine_1 * sine_2);
+    const Scalar one_plus_cosine_mean =
+        cosine_mean >= 0 ? 1 + cosine_mean : sine_mean * sine_mean / (1 - cosine_mean);
+
+    Scalar half_minus_sine = half - sine_half;
+    if (half < Scalar(0.5)) {  // Taylor series: eight terms leave less than 0.5^19/19!, below long double's epsilon
+        Scalar term = half * half * half / 6;
+        half_minus_sine = term;
+        for (int k = 4; k <= 16; k += 2) {
+            term *= -half * half / Scalar(k * (k + 1));
+            half_minus_sine += term;
+        }
+    }
+    const Scalar integral = 2 * (half_minus_sine + sine_half * one_plus_cosine_mean);
+    return -integral / (interval.width * 2 * (1 - poisson_ratio));
+}
+
+/// Exact mean of Carter's traction p/(G xi) over [x1, x2], both over a. Throws std::invalid_argument unless
+/// -1 <= x1 < x2 <= 1.
+template <std::floating_point Scalar>
+Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_ratio) {
+    detail::require(x1_over_a >= Scalar(-1) && x1_over_a < x2_over_a, "carter_mean_traction", "x1/a", x1_over_a,
+                    "lie in [-1, x2/a)");
+    detail::require(x2_over_a <= Scalar(1), "carter_mean_traction", "x2/a", x2_over_a, "lie in (x1/a, 1]");
+    return carter_mean_traction(ContactInterval<Scalar>{1 + x1_over_a, x2_over_a - x1_over_a, 1 - x2_over_a},
+                                poisson_ratio);
+}
+
+}  // namespace rollbem

@@ -1,0 +1,183 @@
+// Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction, and one maker per topology.
+// Elements are numbered from the trailing edge (index 0) to the leading edge (index n-1).
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+/// A mesh of n elements, all lengths in units of the half-length a.
+///
+/// Invariant: n >= 1, every width > 0, edges strictly increasing from -1 to 1. Distances from the trailing and from the
+/// leading edge are kept beside the coordinates because 1 + x and 1 - x lose their digits near an edge, where a graded
+/// mesh has its smallest elements.
+template <class Scalar_ = double>
+class Mesh {
+public:
+    using Scalar = Scalar_;
+    using Array = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+
+    /// What a maker computes, each number in closed form rather than as a difference of others.
+    struct Data {
+        Array widths;               ///< n element widths dx/a
+        Array edges_from_trailing;  ///< n+1 values 1 + x of the edges, increasing from 0 to 2
+        Array edges_from_leading;   ///< n+1 values 1 - x of the edges, decreasing from 2 to 0
+        bool uniform = false;       ///< all widths equal
+    };
+
+    /// Throws std::invalid_argument where the invariant is broken.
+    explicit Mesh(Data data) : data_(std::move(data)) {
+        const Eigen::Index n = data_.widths.size();
+        detail::require(n >= 1, "Mesh", "number of elements", n, "be at least 1");
+        detail::require(data_.edges_from_trailing.size() == n + 1 && data_.edges_from_leading.size() == n + 1, "Mesh",
+                        "number of edges", data_.edges_from_trailing.size(), "be one more than the number of elements");
+        for (Eigen::Index i = 0; i < n; ++i) {
+            detail::require(data_.widths[i] > 0 && std::isfinite(data_.widths[i]), "Mesh", "element width",
+                            data_.widths[i], "be positive and finite");
+        }
+        from_trailing_ = (data_.edges_from_trailing.head(n) + data_.edges_from_trailing.tail(n)) / 2;
+        from_leading_ = (data_.edges_from_leading.head(n) + data_.edges_from_leading.tail(n)) / 2;
+        centres_ = (from_trailing_ - from_leading_) / 2;
+    }
+
+    Eigen::Index size() const { return data_.widths.size(); }  ///< n
+    bool is_uniform() const { return data_.uniform; }
+    const Array& widths() const { return data_.widths; }           ///< n widths
+    const Array& centres() const { return centres_; }              ///< n centres x
+    const Array& from_trailing() const { return from_trailing_; }  ///< n values 1 + x of the centres
+    const Array& from_leading() const { return from_leading_; }    ///< n values 1 - x of the centres
+    const Array& edges_from_trailing() const { return data_.edges_from_trailing; }  ///< n+1 values 1 + x
+    const Array& edges_from_leading() const { return data_.edges_from_leading; }    ///< n+1 values 1 - x
+    Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
+
+private:
+    Data data_;
+    Array from_trailing_, from_leading_, centres_;
+};
+
+namespace detail {
+
+inline void require_elements(const char* who, Eigen::Index n, Eigen::Index least, const char* rule) {
+    require(n >= least, who, "n", n, rule);
+}
+
+/// The data of a mesh from a function edge(j) = distance of edge j from the trailing edge, and its mirror image.
+template <class Scalar, class FromTrailing, class FromLeading, class Width>
+typename Mesh<Scalar>::Data mesh_data(Eigen::Index n, const FromTrailing& from_trailing,
+                                      const FromLeading& from_leading, const Width& width) {
+    typename Mesh<Scalar>::Data data;
+    data.widths.resize(n);
+    data.edges_from_trailing.resize(n + 1);
+    data.edges_from_leading.resize(n + 1);
+    for (Eigen::Index j = 0; j <= n; ++j) {
+        data.edges_from_trailing[j] = from_trailing(j);
+        data.edges_from_leading[j] = from_leading(j);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) data.widths[i] = width(i);
+    return data;
+}
+
+}  // namespace detail
+
+/// A: n equal elements. Throws for n < 1.
+template <class Scalar = double>
+Mesh<Scalar> uniform_mesh(Eigen::Index n) {
+    detail::require_elements("uniform_mesh", n, 1, "be at least 1");
+    const Scalar count = static_cast<Scalar>(n);
+    typename Mesh<Scalar>::Data data = detail::mesh_data<Scalar>(
+        n, [=](Eigen::Index j) { return Scalar(2 * j) / count; },
+        [=](Eigen::Index j) { return Scalar(2 * (n - j)) / count; }, [=](Eigen::Index) { return 2 / count; });
+    data.uniform = true;
+    return Mesh<Scalar>(std::move(data));
+}
+
+/// B: widths in geometric progression, Eq. (32); size_ratio = dx_trailing / dx_leading. Throws for n < 2 or a ratio
+/// that is not positive and finite.
+template <class Scalar = double>
+Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
+    detail::require_elements("geometric_mesh", n, 2, "be at least 2");
+    detail::require(size_ratio > 0 && std::isfinite(size_ratio), "geometric_mesh", "size_ratio", size_ratio,
+                    "be positive and finite");
+    // width i is proportional to exp(i * growth); expm1 keeps the sums accurate when growth is small
+    const Scalar growth = -std::log(size_ratio) / static_cast<Scalar>(n - 1);
+    if (growth == 0) return uniform_mesh<Scalar>(n);
+    const Scalar count = static_cast<Scalar>(n);
+    const Scalar forward = 2 / std::expm1(count * growth);
+    const Scalar backward = 2 / std::expm1(-count * growth);
+    return Mesh<Scalar>(detail::mesh_data<Scalar>(
+        n, [=](Eigen::Index j) { return j == n ? Scalar(2) : forward * std::expm1(static_cast<Scalar>(j) * growth); },
+        [=](Eigen::Index j) { return j == 0 ? Scalar(2) : backward * std::expm1(static_cast<Scalar>(j - n) * growth); },
+        [=](Eigen::Index i) { return forward * std::expm1(growth) * std::exp(static_cast<Scalar>(i) * growth); }));
+}
+
+/// C: Knothe and Gross-Thebing's mesh, both end elements epsilon times an inner one. Throws for n < 3 or an epsilon
+/// that is not positive and finite.
+template <class Scalar = double>
+Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
+    detail::require_elements("knothe_mesh", n, 3, "be at least 3");
+    detail::require(epsilon > 0 && std::isfinite(epsilon), "knothe_mesh", "epsilon", epsilon,
+                    "be positive and finite");
+    const Scalar inner = 2 / (static_cast<Scalar>(n - 2) + 2 * epsilon);
+    const auto edge = [=](Eigen::Index j) {
+        return j == 0 ? Scalar(0) : j == n ? Scalar(2) : inner * (epsilon + static_cast<Scalar>(j - 1));
+    };
+    return Mesh<Scalar>(detail::mesh_data<Scalar>(
+        n, edge, [=](Eigen::Index j) { return edge(n - j); },
+        [=](Eigen::Index i) { return i == 0 || i == n - 1 ? epsilon * inner : inner; }));
+}
+
+/// D: modified Knothe mesh, the trailing element epsilon times any other. Throws for n < 2 or an epsilon that is not
+/// positive and finite.
+template <class Scalar = double>
+Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
+    detail::require_elements("modified_knothe_mesh", n, 2, "be at least 2");
+    detail::require(epsilon > 0 && std::isfinite(epsilon), "modified_knothe_mesh", "epsilon", epsilon,
+                    "be positive and finite");
+    const Scalar inner = 2 / (static_cast<Scalar>(n - 1) + epsilon);
+    return Mesh<Scalar>(detail::mesh_data<Scalar>(
+        n,
+        [=](Eigen::Index j) {
+            return j == 0 ? Scalar(0) : j == n ? Scalar(2) : inner * (epsilon + static_cast<Scalar>(j - 1));
+        },
+        [=](Eigen::Index j) { return j == 0 ? Scalar(2) : inner * static_cast<Scalar>(n - j); },
+        [=](Eigen::Index i) { return i == 0 ? epsilon * inner : inner; }));
+}
+
+/// E: cosine mesh, edges x_j = -cos(pi j / n): small elements at both edges, where the traction is singular or has a
+/// vertical tangent. Throws for n < 1.
+template <class Scalar = double>
+Mesh<Scalar> cosine_mesh(Eigen::Index n) {
+    detail::require_elements("cosine_mesh", n, 1, "be at least 1");
+    const Scalar quarter = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * n);
+    const auto sine = [=](Eigen::Index k) { return std::sin(static_cast<Scalar>(k) * quarter); };
+    // 1 + x_j = 2 sin^2(pi j / 2n); the width is a product of two sines: no subtraction anywhere. Arguments are kept
+    // below pi/2 so that the rounding of pi does not reach the small results at the leading edge.
+    const auto edge = [=](Eigen::Index j) { return 2 * sine(j) * sine(j); };
+    return Mesh<Scalar>(detail::mesh_data<Scalar>(
+        n, edge, [=](Eigen::Index j) { return edge(n - j); },
+        [=](Eigen::Index i) { return 2 * sine(2 * i + 1 <= n ? 2 * i + 1 : 2 * (n - i) - 1) * sine(1); }));
+}
+
+/// Any mesh from its n+1 edges x/a, strictly increasing from -1 to 1. Throws naming the first edge that breaks this.
+template <class Scalar, class Derived>
+Mesh<Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
+    const Eigen::Index n = edges.size() - 1;
+    detail::require(n >= 1, "mesh_from_edges", "number of edges", edges.size(), "be at least 2");
+    detail::require(edges(0) == Scalar(-1), "mesh_from_edges", "first edge", edges(0), "be -1");
+    detail::require(edges(n) == Scalar(1), "mesh_from_edges", "last edge", edges(n), "be 1");
+    for (Eigen::Index j = 0; j < n; ++j) {
+        detail::require(edges(j + 1) > edges(j), "mesh_from_edges", "edge", edges(j + 1),
+                        "be larger than the edge before it");
+    }
+    return Mesh<Scalar>(detail::mesh_data<Scalar>(
+        n, [&](Eigen::Index j) { return 1 + edges(j); }, [&](Eigen::Index j) { return 1 - edges(j); },
+        [&](Eigen::Index i) { return edges(i + 1) - edges(i); }));
+}
+
+}  // namespace rollbem

@@ -1,0 +1,60 @@
+// Contact: the scene of two-dimensional tangential rolling contact.
+// Half-length a, half-width b, shear modulus G and Poisson's ratio nu, checked once and then trusted.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+/// Sizes and material of a contact area 2a x 2b. Invariant: 0 < a < inf, 0 < b <= inf, 0 < G < inf, 0 <= nu <= 0.5.
+///
+/// The contact is -a <= x <= a with the leading edge at x = +a and the trailing edge at x = -a. Any consistent set of
+/// units will do; SI is meant. The shape of every solution depends on nu and b/a alone: a and G only set its scale.
+template <class Scalar_ = double>
+class Contact {
+public:
+    using Scalar = Scalar_;
+
+    struct Parameters {
+        Scalar half_length;                                            ///< a [m], in the rolling direction x
+        Scalar half_width = std::numeric_limits<Scalar>::infinity();   ///< b [m]; infinite for steady problems only
+        Scalar shear_modulus;                                          ///< G [Pa] of both (equal) bodies
+        Scalar poisson_ratio;                                          ///< nu [-]
+    };
+
+    /// Throws std::invalid_argument naming the parameter that breaks the invariant.
+    explicit Contact(const Parameters& parameters) : parameters_(parameters) {
+        const Parameters& p = parameters_;
+        detail::require(p.half_length > 0 && std::isfinite(p.half_length), "Contact", "half_length", p.half_length,
+                        "be positive and finite");
+        detail::require(p.half_width > 0, "Contact", "half_width", p.half_width, "be positive");
+        detail::require(p.shear_modulus > 0 && std::isfinite(p.shear_modulus), "Contact", "shear_modulus",
+                        p.shear_modulus, "be positive and finite");
+        detail::require(p.poisson_ratio >= 0 && p.poisson_ratio <= Scalar(0.5), "Contact", "poisson_ratio",
+                        p.poisson_ratio, "lie in [0, 0.5]");
+        detail::require(aspect() > 0, "Contact", "half_width / half_length", aspect(), "be positive");
+    }
+
+    /// The contact with a = G = 1 and b = `aspect`.
+    static Contact dimensionless(Scalar aspect, Scalar poisson_ratio) {
+        detail::require(aspect > 0, "Contact", "aspect", aspect, "be positive");
+        return Contact({.half_length = 1, .half_width = aspect, .shear_modulus = 1, .poisson_ratio = poisson_ratio});
+    }
+
+    Scalar half_length() const { return parameters_.half_length; }
+    Scalar half_width() const { return parameters_.half_width; }
+    Scalar shear_modulus() const { return parameters_.shear_modulus; }
+    Scalar poisson_ratio() const { return parameters_.poisson_ratio; }
+    Scalar aspect() const { return parameters_.half_width / parameters_.half_length; }  ///< b/a [-]
+
+private:
+    Parameters parameters_;
+};
+
+template <class Scalar>
+Contact(typename Contact<Scalar>::Parameters) -> Contact<Scalar>;
+
+}  // namespace rollbem
