@@ -5,11 +5,12 @@
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
+
+#include "../support/catch.hpp"
 
 namespace {
 

@@ -1,0 +1,133 @@
+#pragma once
+// Coulomb friction under Hertz pressure p0 sqrt(1 - x^2/a^2), in elementary functions: Carter's steady rolling with
+// partial slip and Cattaneo's shift from rest. Dimensionless: x in a, tractions in mu p0, forces in mu N.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include "../detail/require.hpp"
+#include "carter.hpp"
+
+namespace rollbem {
+
+/// Carter's steady creep-force law: force_ratio = -F/(mu N) = 2 delta - delta^2 up to full sliding at delta = 1 and 1
+/// beyond, odd in delta. delta = xi G/(2 (1-nu) mu p0) is the creepage ratio. Throws std::invalid_argument for a nan.
+template <std::floating_point Scalar>
+Scalar carter_force_ratio(Scalar creepage_ratio) {
+    detail::require(!std::isnan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio,
+                    "be a number");
+    const Scalar delta = std::min(std::abs(creepage_ratio), Scalar(1));
+    return std::copysign(delta * (2 - delta), creepage_ratio);
+}
+
+/// The creepage ratio delta that carries a force ratio -F/(mu N): the inverse of carter_force_ratio. Throws
+/// std::invalid_argument unless |force_ratio| <= 1.
+template <std::floating_point Scalar>
+Scalar carter_creepage_ratio(Scalar force_ratio) {
+    detail::require(std::abs(force_ratio) <= Scalar(1), "carter_creepage_ratio", "force_ratio", force_ratio,
+                    "lie in [-1, 1]");
+    return force_ratio / (1 + std::sqrt(1 - std::abs(force_ratio)));
+}
+
+/// x/a at which stick begins in Carter's steady solution: min(2 |delta|, 2) - 1. Stick reaches from there to the
+/// leading edge; slip lies behind. Throws std::invalid_argument for a nan.
+template <std::floating_point Scalar>
+Scalar carter_stick_border(Scalar creepage_ratio) {
+    detail::require(!std::isnan(creepage_ratio), "carter_stick_border", "creepage_ratio", creepage_ratio,
+                    "be a number");
+    return std::min(2 * std::abs(creepage_ratio), Scalar(2)) - 1;
+}
+
+/// Traction p/(mu p0) of Carter's steady solution with slip, at x/a; its sign is opposite to that of creepage_ratio.
+/// Throws std::invalid_argument unless -1 <= x/a <= 1, or for a nan.
+template <std::floating_point Scalar>
+Scalar carter_friction_traction(Scalar x_over_a, Scalar creepage_ratio) {
+    using std::sqrt;
+    detail::require(x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_friction_traction", "x/a", x_over_a,
+                    "lie in [-1, 1]");
+    const Scalar border = carter_stick_border(creepage_ratio);
+    const Scalar trailing = sqrt(1 + x_over_a);
+    const Scalar leading = sqrt(1 - x_over_a);
+    if (x_over_a <= border) {
+        return -std::copysign(leading * trailing, creepage_ratio);
+    }
+    // difference of two half ellipses, freed of its cancellation; for small delta it is Carter's full adhesion
+    return -2 * creepage_ratio * leading / (trailing + sqrt(x_over_a - border));
+}
+
+/// Cattaneo: half-length c/a of the stick zone |x| < c when a force F acts without rolling, F/(mu N) = 1 - c^2/a^2 in
+/// absolute value. Throws std::invalid_argument unless |force_ratio| <= 1.
+template <std::floating_point Scalar>
+Scalar cattaneo_stick_half_length(Scalar force_ratio) {
+    detail::require(std::abs(force_ratio) <= Scalar(1), "cattaneo_stick_half_length", "force_ratio", force_ratio,
+                    "lie in [-1, 1]");
+    return std::sqrt(1 - std::abs(force_ratio));
+}
+
+/// Cattaneo: |force_ratio| = 1 - c^2/a^2 from the half-length c/a of the stick zone. Throws std::invalid_argument
+/// unless 0 <= c/a <= 1.
+template <std::floating_point Scalar>
+Scalar cattaneo_force_ratio_from_stick(Scalar stick_half_length) {
+    detail::require(stick_half_length >= Scalar(0) && stick_half_length <= Scalar(1), "cattaneo_force_ratio_from_stick",
+                    "stick_half_length", stick_half_length, "lie in [0, 1]");
+    return (1 - stick_half_length) * (1 + stick_half_length);
+}
+
+/// Traction p/(mu p0) of Cattaneo's solution at x/a for force_ratio = -F/(mu N); its sign is opposite to force_ratio.
+/// Throws std::invalid_argument unless -1 <= x/a <= 1 and |force_ratio| <= 1.
+template <std::floating_point Scalar>
+Scalar cattaneo_traction(Scalar x_over_a, Scalar force_ratio) {
+    using std::abs, std::sqrt;
+    detail::require(abs(x_over_a) <= Scalar(1), "cattaneo_traction", "x/a", x_over_a, "lie in [-1, 1]");
+    const Scalar stick = cattaneo_stick_half_length(force_ratio);
+    const Scalar bound = sqrt((1 - x_over_a) * (1 + x_over_a));
+    if (abs(x_over_a) >= stick) {
+        return -std::copysign(bound, force_ratio);
+    }
+    return -force_ratio / (bound + sqrt((stick - x_over_a) * (stick + x_over_a)));
+}
+
+/// Cattaneo's rigid shift W in units of mu p0 a/G for force_ratio = -F/(mu N) (W and force_ratio share their sign),
+/// plane kernel: W = (a^2 B(a) - c^2 B(c)) mu p0/(a G), B(c) = (1-nu)(ln(4b/c) + 1/2) + nu. Throws
+/// std::invalid_argument unless |force_ratio| <= 1, 0 <= poisson_ratio <= 0.5 and `aspect` b/a is positive and finite.
+template <std::floating_point Scalar>
+Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
+    const Scalar lambda = plane_lambda(poisson_ratio, aspect);
+    detail::require(std::abs(force_ratio) <= Scalar(1), "cattaneo_shift", "force_ratio", force_ratio,
+                    "lie in [-1, 1]");
+    // c^2 = 1 - f; written in f so that a small force keeps its digits. The last term vanishes at c = 0.
+    const Scalar f = std::abs(force_ratio);
+    const Scalar logarithm = f < 1 ? (1 - f) / 2 * std::log1p(-f) : Scalar(0);
+    return std::copysign((1 - poisson_ratio) * ((lambda + Scalar(0.5)) * f + logarithm), force_ratio);
+}
+
+/// The force ratio -F/(mu N) that a rigid shift W (in mu p0 a/G) from rest gives: the inverse of cattaneo_shift, and
+/// 1 in absolute value where the shift exceeds that of full sliding. Throws std::invalid_argument for a nan, a bad
+/// poisson_ratio or aspect, or Lambda <= 0 (the plane model's shift is not monotonic there).
+template <std::floating_point Scalar>
+Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
+    const Scalar lambda = plane_lambda(poisson_ratio, aspect);
+    detail::require(lambda > Scalar(0), "cattaneo_force_ratio", "Lambda = ln(4b/a) + nu/(1-nu)", lambda,
+                    "be positive; use the strip kernel for so small an aspect b/a");
+    detail::require(!std::isnan(shift), "cattaneo_force_ratio", "shift", shift, "be a number");
+    const Scalar target = std::abs(shift);
+    if (target >= cattaneo_shift(Scalar(1), poisson_ratio, aspect)) {
+        return std::copysign(Scalar(1), shift);
+    }
+    // The shift is convex and increasing in f: Newton's method from above falls monotonically to the root. Rounding
+    // ends it: the first step that does not fall any more.
+    Scalar f = std::min(target / ((1 - poisson_ratio) * lambda), 1 - std::numeric_limits<Scalar>::epsilon());
+    while (true) {
+        const Scalar residual = cattaneo_shift(f, poisson_ratio, aspect) - target;
+        const Scalar slope = (1 - poisson_ratio) * (lambda - std::log1p(-f) / 2);
+        const Scalar next = f - residual / slope;
+        if (!(next < f)) {
+            return std::copysign(f, shift);
+        }
+        f = next;
+    }
+}
+
+}  // namespace rollbem
