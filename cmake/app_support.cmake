@@ -1,0 +1,27 @@
+# rollbem_app_support: what every study program and every test of apps/support needs, with the facts of the build in
+# <build_info.hpp>. The git revision is looked up at each build; when it changes, one small file is compiled again.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type_upper)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type_upper}}" build_info_flags)
+string(REPLACE "\\" "\\\\" build_info_flags "${build_info_flags}")
+string(REPLACE "\"" "\\\"" build_info_flags "${build_info_flags}")
+set(generated_dir "${PROJECT_BINARY_DIR}/generated")
+configure_file(cmake/build_info.hpp.in "${generated_dir}/build_info.hpp" @ONLY)
+
+add_custom_target(rollbem_git_revision
+    COMMAND ${CMAKE_COMMAND}
+        "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}"
+        "-DOUTPUT=${generated_dir}/git_revision.cpp"
+        -P "${PROJECT_SOURCE_DIR}/cmake/git_revision.cmake"
+    BYPRODUCTS "${generated_dir}/git_revision.cpp"
+    VERBATIM)
+
+add_library(rollbem_build_info STATIC "${generated_dir}/git_revision.cpp")
+add_dependencies(rollbem_build_info rollbem_git_revision)
+target_compile_features(rollbem_build_info PUBLIC cxx_std_20)
+target_include_directories(rollbem_build_info PUBLIC "${generated_dir}")
+target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
+
+add_library(rollbem_app_support INTERFACE)
+target_include_directories(rollbem_app_support INTERFACE "${PROJECT_SOURCE_DIR}/apps")
+target_link_libraries(rollbem_app_support INTERFACE
+    rollbem::reference rollbem_build_info CLI11::CLI11 Threads::Threads)

@@ -1,0 +1,99 @@
+#!/bin/sh
+# check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
+# Folders are stages; a header includes its own stage and earlier ones only, and there is no cycle. The kernels know no
+# mesh, the reference shares nothing with the assembly, the umbrella and everything outside reference/ need no GSL, the
+# time stepper costs no eigenvalue headers, and nothing prints.
+set -eu
+cd "$1"
+
+find rollbem -name '*.hpp' | LC_ALL=C sort | xargs awk '
+function complain(text) { print text; ++complaints }
+function stage(file,  parts) { return split(file, parts, "/") > 2 ? parts[2] : "umbrella" }
+
+# The path "directory/target" without its "." and ".." parts.
+function resolve(directory, target,  parts, count, kept, i, path) {
+    count = split(directory "/" target, parts, "/")
+    kept = 0
+    for (i = 1; i <= count; ++i) {
+        if (parts[i] == "..") --kept
+        else if (parts[i] != "." && parts[i] != "") parts[++kept] = parts[i]
+    }
+    path = parts[1]
+    for (i = 2; i <= kept; ++i) path = path "/" parts[i]
+    return path
+}
+
+# Depth first: 1 while a header is open, 2 when it is done.
+function find_cycle(file, trail,  list, count, i) {
+    state[file] = 1
+    count = split(includes[file], list, " ")
+    for (i = 1; i <= count; ++i) {
+        if (state[list[i]] == 1) complain("include cycle: " trail " -> " list[i])
+        else if (!state[list[i]] && list[i] in known) find_cycle(list[i], trail " -> " list[i])
+    }
+    state[file] = 2
+}
+
+# Fills reached[] with all that `file` includes, directly or not; the value is the way there.
+function reach(file, trail,  list, count, i) {
+    count = split(includes[file], list, " ")
+    for (i = 1; i <= count; ++i) if (!(list[i] in reached)) {
+        reached[list[i]] = trail " -> " list[i]
+        reach(list[i], reached[list[i]])
+    }
+}
+
+# Complains when something that `file` reaches matches `pattern`.
+function forbid(file, pattern, reason,  target) {
+    split("", reached)
+    reach(file, file)
+    for (target in reached) if (target ~ pattern) complain(reason ": " reached[target])
+}
+
+BEGIN {
+    count = split("detail scene discretisation elasticity assembly problem spectral closed_form reference umbrella", order, " ")
+    for (i = 1; i <= count; ++i) rank[order[i]] = i
+}
+
+FNR == 1 {
+    known[FILENAME] = 1
+    directory = FILENAME
+    sub(/\/[^\/]*$/, "", directory)
+}
+
+/^[ \t]*#[ \t]*include/ {
+    line = $0
+    sub(/^[ \t]*#[ \t]*include[ \t]*/, "", line)
+    quoted = line ~ /^"/
+    target = line
+    sub(/^["<]/, "", target)
+    sub(/[">].*$/, "", target)
+    if (quoted) target = resolve(directory, target)
+    includes[FILENAME] = includes[FILENAME] " " target
+}
+
+END {
+    for (file in known) {
+        from = stage(file)
+        if (!(from in rank)) complain(file ": folder " from " is none of the stages")
+        count = split(includes[file], list, " ")
+        for (i = 1; i <= count; ++i) {
+            target = list[i]
+            if (target ~ /^rollbem\//) {
+                if (!(target in known)) complain(file " includes " target ", which does not exist")
+                else if (stage(target) == "umbrella") complain(file " includes the umbrella header")
+                else if (rank[stage(target)] > rank[from]) complain(file " includes a later stage: " target)
+            }
+            else if (target ~ /^gsl\// && from != "reference") complain(file " includes GSL: " target)
+            else if (target ~ /^(iostream|print)$/) complain(file " could print: it includes <" target ">")
+            else if (target ~ /\// && target !~ /^(Eigen|gsl)\//) complain(file " needs more than Eigen: " target)
+        }
+        if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
+        if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
+        if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference)/", "the umbrella needs GSL")
+        if (file ~ /\/transient\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
+    }
+    for (file in known) if (!state[file]) find_cycle(file, file)
+    if (complaints) exit 1
+}
+'

@@ -1,0 +1,28 @@
+# Installs the headers, the CMake package with its component `reference`, and a pkg-config file. All of it is
+# independent of the machine's architecture and of where it is moved to.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/rollbem")
+set(pkgconfig_dir "${CMAKE_INSTALL_DATADIR}/pkgconfig")
+
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/rollbem")
+
+install(TARGETS rollbem EXPORT rollbem_targets INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(EXPORT rollbem_targets FILE rollbemTargets.cmake NAMESPACE rollbem:: DESTINATION "${package_dir}")
+configure_package_config_file(cmake/rollbemConfig.cmake.in "${PROJECT_BINARY_DIR}/rollbemConfig.cmake"
+    INSTALL_DESTINATION "${package_dir}"
+    NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollbemConfigVersion.cmake"
+    COMPATIBILITY SameMinorVersion
+    ARCH_INDEPENDENT)
+install(FILES
+    "${PROJECT_BINARY_DIR}/rollbemConfig.cmake"
+    "${PROJECT_BINARY_DIR}/rollbemConfigVersion.cmake"
+    DESTINATION "${package_dir}")
+
+file(RELATIVE_PATH pc_to_prefix "/${pkgconfig_dir}" "/")
+string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+configure_file(cmake/rollbem.pc.in "${PROJECT_BINARY_DIR}/rollbem.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/rollbem.pc" DESTINATION "${pkgconfig_dir}")

@@ -1,0 +1,8 @@
+# Warnings for the programs and tests of this project; never exported.
+add_library(rollbem_warnings INTERFACE)
+if(MSVC)
+    target_compile_options(rollbem_warnings INTERFACE /W4 $<$<BOOL:${ROLLBEM_WARNINGS_AS_ERRORS}>:/WX>)
+else()
+    target_compile_options(rollbem_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+        $<$<BOOL:${ROLLBEM_WARNINGS_AS_ERRORS}>:-Werror>)
+endif()

@@ -1,0 +1,1 @@
+#include <rollbem/rollbem.hpp>
