@@ -1,0 +1,192 @@
+// Influence matrices: G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and kernel.
+// Everything after this stage sees only these matrices and the widths of the elements.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "../detail/gauss_legendre.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../elasticity/line_kernel.hpp"
+#include "line_integrals.hpp"
+
+namespace rollbem {
+
+template <class Scalar>
+using MatrixX = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using VectorX = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// Both matrices of Eq. (12) in the form G' p - (1/V) G dp/dt = xi; row = equation, column = unknown element.
+template <class Scalar>
+struct InfluenceMatrices {
+    MatrixX<Scalar> G;        ///< displacement per traction [a/G]
+    MatrixX<Scalar> G_prime;  ///< du/dx per traction [1/G]
+};
+
+namespace detail {
+
+// How a scheme takes its rows: at points alpha + nodes (in widths of the row's element), averaged `averages` times over
+// that width; a finite difference is one more average. `guard` keeps points off the edges of elements.
+template <class Scalar>
+struct Sampling {
+    double alpha_L, alpha_T;
+    QuadratureRule<Scalar> rule;
+    int averages;
+    bool guard;
+};
+
+template <class Scalar>
+QuadratureRule<Scalar> single_point() {
+    QuadratureRule<Scalar> rule;
+    rule.nodes.setZero(1);
+    rule.weights.setConstant(1, Scalar(2));
+    return rule;
+}
+
+template <class Scalar>
+Sampling<Scalar> sampling(const Collocation& scheme, Quantity quantity) {
+    const double shift = quantity == Quantity::slope ? 1 : scheme.lambda;
+    const bool differenced = quantity == Quantity::slope && scheme.derivative == Derivative::finite_difference;
+    return {shift * scheme.alpha_L, shift * scheme.alpha_T, single_point<Scalar>(), differenced ? 1 : 0,
+            quantity == Quantity::slope && !differenced};
+}
+
+template <class Scalar>
+Sampling<Scalar> sampling(const Galerkin& scheme, Quantity quantity) {
+    const Collocation points{scheme.alpha_L, scheme.alpha_T, scheme.derivative, scheme.lambda};
+    Sampling<Scalar> result = sampling<Scalar>(points, quantity);
+    if (scheme.quadrature == exact_quadrature) {
+        ++result.averages;
+        result.guard = false;  // the mean over an interval has no singularity
+    } else {
+        result.rule = gauss_legendre<Scalar>(scheme.quadrature);
+    }
+    return result;
+}
+
+template <class Scalar>
+Sampling<Scalar> sampling(const KnotheBoundary& scheme, Quantity quantity) {
+    return sampling<Scalar>(Collocation{0, 0, scheme.derivative, 1}, quantity);
+}
+
+inline Eigen::Index first_equation(const Collocation&) { return 0; }
+inline Eigen::Index first_equation(const Galerkin&) { return 0; }
+inline Eigen::Index first_equation(const KnotheBoundary&) { return 1; }
+
+// Offset from the centre of element `own` of the point `position` widths ahead of it, moved to 0.001 dx from any edge
+// it lies nearer to; dx is the width of the element the point lies in, on an edge the one on the trailing side.
+template <class Scalar>
+Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar position) {
+    const auto& widths = mesh.widths();
+    const Scalar half = Scalar(0.5), inside = Scalar(0.499), outside = Scalar(0.501);
+    Eigen::Index e = own;
+    while (position > half && e + 1 < mesh.size()) {
+        position = (position - half) * widths[e] / widths[e + 1] - half;
+        ++e;
+    }
+    while (position <= -half && e > 0) {
+        position = half - (-half - position) * widths[e] / widths[e - 1];
+        --e;
+    }
+    if (position > inside && position <= half) position = inside;
+    if (position > half && position < outside) position = outside;
+    if (position < -inside && position > -half) position = -inside;
+    if (position <= -half && position > -outside) position = -outside;
+    const Scalar between = mesh.centres()[own] < 0 ? mesh.from_trailing()[e] - mesh.from_trailing()[own]
+                                                   : mesh.from_leading()[own] - mesh.from_leading()[e];
+    return between + position * widths[e];
+}
+
+template <class Scalar>
+RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const Sampling<Scalar>& sampling, Scalar node) {
+    const ArrayX<Scalar> position = interpolate_alpha(mesh, sampling.alpha_L, sampling.alpha_T) + node / 2;
+    RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), position * mesh.widths(), mesh.widths() / 2};
+    if (sampling.guard) {
+        for (Eigen::Index l = 0; l < mesh.size(); ++l) rows.offset[l] = guarded_offset(mesh, l, position[l]);
+    }
+    return rows;
+}
+
+// On a uniform mesh with one alpha the matrix is Toeplitz: the 2n-1 different entries are those of one element seen
+// from 2n-1 points.
+template <class Kernel>
+void fill_toeplitz(const Kernel& kernel, Quantity quantity, int averages, Eigen::Index n, typename Kernel::Scalar offset,
+                   Eigen::Ref<MatrixX<typename Kernel::Scalar>> out) {
+    using Scalar = typename Kernel::Scalar;
+    const Scalar width = 2 / static_cast<Scalar>(n);
+    RowPoints<Scalar> rows;
+    rows.from_trailing = ArrayX<Scalar>::LinSpaced(2 * n - 1, Scalar(1 - n), Scalar(n - 1)) * width + 1;
+    rows.from_leading = 2 - rows.from_trailing;
+    rows.offset.setConstant(2 * n - 1, offset);
+    rows.half.setConstant(2 * n - 1, width / 2);
+    ColumnElements<Scalar> column;
+    column.from_trailing.setOnes(1);
+    column.from_leading.setOnes(1);
+    column.half.setConstant(1, width / 2);
+    MatrixX<Scalar> entries(2 * n - 1, 1);
+    LineIntegrals<Kernel>(kernel, quantity, averages, rows, column, true).fill(entries);
+    for (Eigen::Index m = 0; m < n; ++m) out.col(m) = entries.col(0).segment(n - 1 - m, n);
+}
+
+template <class Scalar, class Scheme, class Kernel>
+MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
+                                 Quantity quantity) {
+    check_scheme(scheme, mesh.size());
+    const Sampling<Scalar> samples = sampling<Scalar>(scheme, quantity);
+    const Eigen::Index first = first_equation(scheme);
+    const Eigen::Index size = unknown_count(scheme, mesh.size());
+    const ColumnElements<Scalar> columns{mesh.from_trailing().head(size), mesh.from_leading().head(size),
+                                         mesh.widths().head(size) / 2};
+    const auto fill = [&](Scalar node, MatrixX<Scalar>& out) {
+        RowPoints<Scalar> rows = row_points(mesh, samples, node);
+        if (mesh.is_uniform() && samples.alpha_L == samples.alpha_T && size == mesh.size()) {
+            fill_toeplitz(kernel, quantity, samples.averages, size, rows.offset[size / 2], out);
+            return;
+        }
+        rows = {rows.from_trailing.segment(first, size), rows.from_leading.segment(first, size),
+                rows.offset.segment(first, size), rows.half.segment(first, size)};
+        LineIntegrals<Kernel>(kernel, quantity, samples.averages, rows, columns, mesh.is_uniform()).fill(out);
+    };
+    MatrixX<Scalar> result(size, size);
+    if (samples.rule.nodes.size() == 1) {
+        fill(samples.rule.nodes[0], result);
+        return result;
+    }
+    result.setZero();
+    MatrixX<Scalar> sample(size, size);
+    for (Eigen::Index k = 0; k < samples.rule.nodes.size(); ++k) {
+        fill(samples.rule.nodes[k], sample);
+        result += samples.rule.weights[k] / 2 * sample;
+    }
+    return result;
+}
+
+}  // namespace detail
+
+/// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G. All that a steady problem needs.
+/// Throws std::invalid_argument when the scheme does not fit the mesh.
+template <class Scalar, class Scheme, LineKernel Kernel>
+MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return detail::influence_matrix(mesh, scheme, kernel, detail::Quantity::slope);
+}
+
+/// G of Eqs. (13) and (14), same shape, in units of a/G. The kernel's half-width must be finite.
+/// Throws std::invalid_argument when the scheme does not fit the mesh or G is not finite.
+template <class Scalar, class Scheme, LineKernel Kernel>
+MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    MatrixX<Scalar> G = detail::influence_matrix(mesh, scheme, kernel, detail::Quantity::displacement);
+    detail::require(std::isfinite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
+                    "be finite: an infinite aspect is for steady problems only");
+    return G;
+}
+
+/// Both matrices, for the problems that need both.
+template <class Scalar, class Scheme, LineKernel Kernel>
+InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
+}
+
+}  // namespace rollbem

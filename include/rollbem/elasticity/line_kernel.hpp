@@ -1,0 +1,205 @@
+// Line kernels: displacement of the surface under a line of unit traction across the contact, and its antiderivatives.
+// StripKernel for a finite half-width b, PlaneKernel for its limit b >> a; both know no mesh.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "../detail/require.hpp"
+#include "../scene/contact.hpp"
+
+namespace rollbem {
+
+/// A column of numbers on which kernels work element by element.
+template <class Scalar>
+using ArrayX = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+
+/// What the assembly needs of a kernel. x in units of a, results in units of 1/G (g), a/G (H) and a^2/G.
+/// - g(x): displacement at distance x from the line, even in x; may be infinite at x = 0;
+/// - H(x): an odd antiderivative of g, H(0) = 0;
+/// - H_integral(x): an even antiderivative of H.
+template <class Kernel>
+concept LineKernel = requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
+    { kernel.g(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
+    { kernel.H(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
+    { kernel.H_integral(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
+};
+
+/// g(x) = constant - strength ln|x| + sum_{k>=1} even[k-1] x^{2k}: a kernel taken apart into its singularity, which is
+/// the same for all, and a polynomial. The assembly uses it where there is one: cheaper and without cancellation.
+template <class Scalar>
+struct LogSplit {
+    Scalar constant;  ///< [1/G]; infinite for b = inf, where only the derivative of g exists
+    Scalar strength;  ///< [1/G]
+    ArrayX<Scalar> even;
+};
+
+/// A kernel that offers its LogSplit, exact to rounding for |x| <= reach, or nothing where there is no short one.
+template <class Kernel>
+concept SplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar reach) {
+    { kernel.log_split(reach) } -> std::same_as<std::optional<LogSplit<typename Kernel::Scalar>>>;
+};
+
+/// A kernel that offers its Taylor coefficients: column k of taylor(x, order) is g^{(k)}(x) x^k / k!, k = 0 ... order.
+template <class Kernel>
+concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
+    {
+        kernel.taylor(x, 1)
+    } -> std::convertible_to<Eigen::Array<typename Kernel::Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
+};
+
+namespace detail {
+
+/// ln|x|, with ln 0 replaced by a finite number so that x ln|x| is 0 at x = 0.
+template <class Derived>
+auto finite_log(const Eigen::ArrayBase<Derived>& x) {
+    return x.abs().max(std::numeric_limits<typename Derived::Scalar>::min()).log();
+}
+
+/// ln(1 + u) for u >= 0 to full relative accuracy, by whole-array operations: ln(w) u / (w - 1) with w = 1 + u rounded
+/// cancels the rounding of w; where w = 1, the result is u.
+template <class Scalar>
+ArrayX<Scalar> log1p_array(const ArrayX<Scalar>& u) {
+    const ArrayX<Scalar> w = u + 1;
+    return (w == Scalar(1)).select(u, w.log() * u / (w - 1));
+}
+
+}  // namespace detail
+
+/// Limit b >> a of the strip, the kernel of Eq. (20): g = (1/(pi G)) [c1 ln(4 b^2/x^2) + 2 c2]. b stays a parameter;
+/// for b = inf only g' exists, hence only steady problems do.
+template <class Scalar_ = double>
+class PlaneKernel {
+public:
+    using Scalar = Scalar_;
+    using Array = ArrayX<Scalar>;
+
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0.
+    PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
+        : strength_(2 * c1 / std::numbers::pi_v<Scalar>),
+          constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
+        detail::require(half_width > 0, "PlaneKernel", "half_width", half_width, "be positive");
+    }
+
+    static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
+        return {contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio()};
+    }
+    static PlaneKernel lateral(const Contact<Scalar>& contact) {
+        return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
+    }
+
+    Array g(const Array& x) const { return constant_ - strength_ * x.abs().log(); }
+    Array H(const Array& x) const { return x * (constant_ + strength_ - strength_ * detail::finite_log(x)); }
+    Array H_integral(const Array& x) const {
+        return x.square() * ((2 * constant_ + 3 * strength_) / 4 - strength_ / 2 * detail::finite_log(x));
+    }
+    std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
+
+private:
+    Scalar strength_, constant_;
+};
+
+/// Cerruti's solution, Eq. (3), integrated over -b <= y <= b and seen from y = 0:
+/// g = (2/(pi G)) [c1 asinh(b/|x|) + c2 b / sqrt(x^2 + b^2)].
+template <class Scalar_ = double>
+class StripKernel {
+public:
+    using Scalar = Scalar_;
+    using Array = ArrayX<Scalar>;
+
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0.
+    StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
+        detail::require(half_width > 0, "StripKernel", "half_width", half_width, "be positive");
+    }
+
+    static StripKernel longitudinal(const Contact<Scalar>& contact) {
+        return {contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio()};
+    }
+    static StripKernel lateral(const Contact<Scalar>& contact) {
+        return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
+    }
+
+    Array g(const Array& x) const { return scale() * (c1_ * asinh_of_inverse(x) + c2_ * b_ / radius(x)); }
+
+    Array H(const Array& x) const {
+        return scale() * (c1_ * x * asinh_of_inverse(x) + (c1_ + c2_) * b_ * asinh_of_ratio(x));
+    }
+
+    /// Zero at x = 0: b (r - b) is written as b x^2 / (r + b), so that small x lose nothing to the size of b.
+    Array H_integral(const Array& x) const {
+        const Array rise = b_ * x.square() / (radius(x) + b_);
+        return scale() * (c1_ / 2 * (x.square() * asinh_of_inverse(x) + rise) +
+                          (c1_ + c2_) * (b_ * x * asinh_of_ratio(x) - rise));
+    }
+
+    /// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with
+    /// (1+t^2)^{-1/2} = sum beta_k t^{2k}, beta_k = -beta_{k-1} (2k-1)/(2k), the rest of g is
+    /// (2/pi) sum_{k>=1} beta_k (c2 - c1/(2k)) t^{2k}. As |beta_k| < 1, the derivative of what is cut off after K terms
+    /// is below (2/pi)(|c1| + |c2|) 2(K+1) rho^{2K+2} / (reach (1 - rho^2)^2) for |x| <= reach, rho = reach/b, while
+    /// that of the logarithm is at least (2/pi) |c1| / reach: K is taken so that their ratio is below a rounding.
+    std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
+        const Scalar rho = reach / b_;
+        if (!(rho <= Scalar(0.25))) return std::nullopt;
+        const Scalar tolerance = std::numeric_limits<Scalar>::epsilon() / 8 * std::abs(c1_) /
+                                 (std::abs(c1_) + std::abs(c2_)) * (1 - rho * rho) * (1 - rho * rho);
+        Eigen::Index terms = 0;
+        for (Scalar power = rho * rho; Scalar(2 * terms + 2) * power > tolerance; power *= rho * rho) ++terms;
+        LogSplit<Scalar> split{scale() * (c1_ * std::log(2 * b_) + c2_), scale() * c1_, Array(terms)};
+        Scalar beta_over_power = scale();
+        for (Eigen::Index k = 1; k <= terms; ++k) {
+            beta_over_power *= -Scalar(2 * k - 1) / Scalar(2 * k) / b_ / b_;
+            split.even[k - 1] = beta_over_power * (c2_ - c1_ / Scalar(2 * k));
+        }
+        return split;
+    }
+
+    /// g' = -(2b/pi) [c1/(x r) + c2 x/r^3]; the series of 1/r and 1/r^3 about x follow from
+    /// (r^2) y' + x y = 0 and (r^2) z' + 3 x z = 0, scaled by x^k so that no power overflows.
+    Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic> taylor(const Array& x, Eigen::Index order) const {
+        const Array r = radius(x);
+        const Array kappa = x.square() / r.square();
+        Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic> result(x.size(), order + 1);
+        result.col(0) = g(x);
+        Array y = 1 / r, y_before = Array::Zero(x.size());
+        Array z = y * y * y, z_before = Array::Zero(x.size());
+        Array y_over_x = y;  // series of x y/(x + tau), times x
+        for (Eigen::Index k = 0; k < order; ++k) {
+            const Scalar i = static_cast<Scalar>(k);
+            // coefficient k of x g', then integrated to coefficient k + 1 of g
+            const Array x_times_z = x.square() * (z + z_before);
+            result.col(k + 1) = -scale() * b_ / (i + 1) * (c1_ * y_over_x + c2_ * x_times_z);
+            const Array y_next = -kappa * ((2 * i + 1) * y + i * y_before) / (i + 1);
+            const Array z_next = -kappa * ((2 * i + 3) * z + (i + 2) * z_before) / (i + 1);
+            y_before = y;
+            y = y_next;
+            z_before = z;
+            z = z_next;
+            y_over_x = y - y_over_x;
+        }
+        return result;
+    }
+
+private:
+    static constexpr Scalar scale() { return 2 / std::numbers::pi_v<Scalar>; }
+    Array radius(const Array& x) const { return (x.square() + b_ * b_).sqrt(); }
+
+    // asinh(b/|x|) = ln(1 + (b + b^2/(r + |x|)) / |x|)
+    Array asinh_of_inverse(const Array& x) const {
+        const Array size = x.abs().max(std::numeric_limits<Scalar>::min());
+        return detail::log1p_array<Scalar>((b_ + b_ * b_ / (radius(x) + size)) / size);
+    }
+    // asinh(x/b) = sign(x) ln(1 + (|x| + x^2/(r + b)) / b)
+    Array asinh_of_ratio(const Array& x) const {
+        const Array size = x.abs();
+        return x.sign() * detail::log1p_array<Scalar>((size + size.square() / (radius(x) + b_)) / b_);
+    }
+
+    Scalar b_, c1_, c2_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,89 @@
+// Steady rolling with full adhesion: G' p = xi, Eq. (15), and the creep coefficient c11 of Eq. (30).
+// Builds G' alone and factorises it in place.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "../assembly/influence.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../elasticity/line_kernel.hpp"
+#include "../scene/contact.hpp"
+#include "status.hpp"
+
+namespace rollbem {
+
+/// Solution of a steady problem for unit creepage, dimensionless.
+template <class Scalar>
+struct UnitSteadySolution {
+    VectorX<Scalar> traction;  ///< p / (G xi) of every unknown element, trailing to leading [-]; negative
+    Scalar c11 = 0;            ///< creep coefficient -F_bar / (a G xi) [-], Eq. (30)
+    Scalar residual = 0;       ///< |G' p - xi| / (|G'| |p| + |xi|) in the maximum norm [-]
+    Scalar rcond = 0;          ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm [-]
+    Status status = Status::not_finite;
+};
+
+/// Solution of a steady problem in the units of the contact's parameters.
+template <class Scalar>
+struct SteadySolution {
+    VectorX<Scalar> traction;    ///< p on body 1 of each of the mesh's n elements [Pa], trailing to leading
+    Scalar force_per_width = 0;  ///< F_bar = -a G c11 xi [N/m], Eq. (30)
+    Scalar c11 = 0;              ///< creep coefficient [-]
+    Scalar residual = 0;         ///< as in UnitSteadySolution
+    Scalar rcond = 0;            ///< as in UnitSteadySolution
+    Status status = Status::not_finite;
+};
+
+/// Solves G' p = 1 for any G' (in units of 1/G) and the widths of its elements (in units of a). Takes G' by value: the
+/// factors overwrite it. Throws std::invalid_argument unless G' is square with as many columns as there are widths.
+template <class Scalar>
+UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths) {
+    const Eigen::Index n = G_prime.rows();
+    detail::require(n > 0 && G_prime.cols() == n, "solve_steady", "number of columns of G_prime", G_prime.cols(),
+                    "be positive and equal the number of rows");
+    detail::require(widths.size() == n, "solve_steady", "number of widths", widths.size(),
+                    "equal the number of columns of G_prime");
+    UnitSteadySolution<Scalar> solution;
+    const MatrixX<Scalar> original = G_prime;
+    const Scalar norm = original.cwiseAbs().rowwise().sum().maxCoeff();
+    const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Scalar>>> lu(G_prime);
+    solution.traction = lu.solve(VectorX<Scalar>::Ones(n));
+    solution.c11 = -(widths * solution.traction.array()).sum();
+    if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
+    solution.residual = (original * solution.traction - VectorX<Scalar>::Ones(n)).cwiseAbs().maxCoeff() /
+                        (norm * solution.traction.cwiseAbs().maxCoeff() + 1);
+    solution.rcond = lu.rcond();
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = solution.rcond > rounding && solution.residual <= 100 * rounding;
+    solution.status = trusted ? Status::ok : Status::ill_conditioned;
+    return solution;
+}
+
+/// Assembles and solves for unit creepage, dimensionless (a = G = 1). Throws as assemble_G_prime does.
+template <class Scalar, class Scheme, LineKernel Kernel>
+UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return solve_steady<Scalar>(assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme));
+}
+
+/// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
+/// Throws as assemble_G_prime does; a creepage that is not finite gives Status::not_finite.
+template <class Scalar, class Scheme>
+SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
+                                    Scalar creepage) {
+    const UnitSteadySolution<Scalar> unit =
+        solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
+    SteadySolution<Scalar> solution;
+    solution.traction.setZero(mesh.size());
+    solution.traction.head(unit.traction.size()) = contact.shear_modulus() * creepage * unit.traction;
+    solution.force_per_width = -contact.half_length() * contact.shear_modulus() * unit.c11 * creepage;
+    solution.c11 = unit.c11;
+    solution.residual = unit.residual;
+    solution.rcond = unit.rcond;
+    solution.status = std::isfinite(creepage) ? unit.status : Status::not_finite;
+    return solution;
+}
+
+}  // namespace rollbem
