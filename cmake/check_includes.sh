@@ -94,6 +94,7 @@ END {
         if (file ~ /\/transient\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }
     for (file in known) if (!state[file]) find_cycle(file, file)
+    if (!FNR) complain("no headers found")
     if (complaints) exit 1
 }
 '

@@ -1,6 +1,13 @@
-// Two translation units that include the umbrella header link together and compute the same.
+// Two translation units that include everything link together, and share one copy of each function.
+#include <cstdio>
+
 #include <rollbem/rollbem.hpp>
 
-double carter_mean_elsewhere();
+using CreepCoefficient = double (*)(double);
+CreepCoefficient steady_c11_elsewhere();
 
-int main() { return 0; }
+int main() {
+    if (steady_c11_elsewhere() == &rollbem::steady_c11<double>) return 0;
+    std::puts("the two translation units have different copies of steady_c11");
+    return 1;
+}
