@@ -2,11 +2,11 @@
 // Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
 // the creep coefficient, and the compliance number Lambda of the plane model. Dimensionless: a = G = V = 1.
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "../detail/require.hpp"
 
@@ -47,6 +47,19 @@ Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
     detail::require(aspect > Scalar(0) && std::isfinite(aspect), "plane_lambda", "aspect", aspect,
                     "be positive and finite (only steady problems have a limit for an infinite aspect)");
     return std::log(4 * aspect) + poisson_ratio / (1 - poisson_ratio);
+}
+
+/// Lambda where a non-steady plane problem needs it, as plane_lambda. Throws std::invalid_argument besides, naming
+/// `who`, for Lambda <= 0: there the plane model itself is unstable (its kernel turns negative inside the contact).
+template <std::floating_point Scalar>
+Scalar stable_plane_lambda(const char* who, Scalar poisson_ratio, Scalar aspect) {
+    const Scalar lambda = plane_lambda(poisson_ratio, aspect);
+    if (!(lambda > Scalar(0))) {
+        const std::string rule = "be positive: at aspect b/a = " + detail::to_text(aspect) +
+                                 " the plane model is unstable in time; use the strip kernel";
+        detail::require(false, who, "Lambda = ln(4b/a) + nu/(1-nu)", lambda, rule.c_str());
+    }
+    return lambda;
 }
 
 /// A position in the contact by its distances from both edges, over a: trailing = 1 + x/a, leading = 1 - x/a. Near an

@@ -108,9 +108,7 @@ Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
 /// poisson_ratio or aspect, or Lambda <= 0 (the plane model's shift is not monotonic there).
 template <std::floating_point Scalar>
 Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
-    const Scalar lambda = plane_lambda(poisson_ratio, aspect);
-    detail::require(lambda > Scalar(0), "cattaneo_force_ratio", "Lambda = ln(4b/a) + nu/(1-nu)", lambda,
-                    "be positive; use the strip kernel for so small an aspect b/a");
+    const Scalar lambda = stable_plane_lambda("cattaneo_force_ratio", poisson_ratio, aspect);
     detail::require(!std::isnan(shift), "cattaneo_force_ratio", "shift", shift, "be a number");
     const Scalar target = std::abs(shift);
     if (target >= cattaneo_shift(Scalar(1), poisson_ratio, aspect)) {

@@ -1,0 +1,343 @@
+#pragma once
+// Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
+// GSL; includes nothing of the discretised problem, so that it cannot share its errors. Dimensionless: a = G = V = 1.
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_sf_bessel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "../closed_form/carter.hpp"
+#include "../detail/require.hpp"
+
+/// Independent references. With u = A e^{sx} - xi/s the zero-slip condition du/dx - s u = xi holds for any A; the
+/// logarithmic kernel is diagonal in Chebyshev polynomials over sqrt(1-x^2) (T_0 -> 2 (1-nu) Lambda, T_n -> 2 (1-nu)/n),
+/// e^{sx} = I0(s) + 2 sum I_n(s) T_n(x), and p = 0 at the leading edge fixes A. Hence, with D = I0 + s Lambda (I0+I1),
+/// c11(s) = pi/(2(1-nu)) (I0+I1)/D for any complex s; s = i omega a/V is the harmonic case.
+namespace rollbem::reference {
+
+namespace detail {
+
+using rollbem::detail::require;
+using Complex = std::complex<long double>;
+
+/// I0(s), I1(s) and I0(s) + I1(s), each times e^{-|Re s|}. Computed in long double so that double results are exact to
+/// rounding; the sum is formed without cancellation.
+struct ScaledBessel {
+    Complex i0, i1, sum;
+};
+
+/// From |s| >= 40 Hankel's expansions reach long double's precision with 26 terms (the last is below 1e-23).
+inline constexpr long double asymptotic_radius = 40;
+inline constexpr int asymptotic_terms = 26;
+
+/// Coefficients of I_order(s) ~ e^s/sqrt(2 pi s) sum_k c_k / s^k.
+inline std::array<long double, asymptotic_terms> hankel_coefficients(int order) {
+    std::array<long double, asymptotic_terms> c{};
+    c[0] = 1;
+    for (int k = 1; k < asymptotic_terms; ++k) {
+        const long double odd = 2 * k - 1;
+        c[static_cast<std::size_t>(k)] =
+            -c[static_cast<std::size_t>(k - 1)] * (4.0L * order * order - odd * odd) / (8.0L * k);
+    }
+    return c;
+}
+
+/// I0 and I0 + I1 as e^{s} forward + i e^{-s} backward, for Im s >= 0 and up to the common factor 1/sqrt(2 pi s).
+struct HankelSplit {
+    Complex i0_forward, sum_forward, i0_backward, sum_backward;
+};
+
+inline HankelSplit hankel_split(Complex s) {
+    const std::array<long double, asymptotic_terms> c0 = hankel_coefficients(0);
+    const std::array<long double, asymptotic_terms> c1 = hankel_coefficients(1);
+    const Complex inverse = 1.0L / s;
+    HankelSplit split{};
+    for (std::size_t k = c0.size(); k-- > 0;) {  // Horner's rule; e^{-s} takes alternating signs and I1 with a minus
+        const long double sign = k % 2 == 0 ? 1 : -1;
+        split.i0_forward = split.i0_forward * inverse + c0[k];
+        split.sum_forward = split.sum_forward * inverse + (c0[k] + c1[k]);
+        split.i0_backward = split.i0_backward * inverse + sign * c0[k];
+        split.sum_backward = split.sum_backward * inverse + sign * (c0[k] - c1[k]);
+    }
+    return split;
+}
+
+inline ScaledBessel scaled_bessel(Complex s) {
+    if (std::signbit(s.imag())) {
+        const ScaledBessel mirrored = scaled_bessel(std::conj(s));
+        return {std::conj(mirrored.i0), std::conj(mirrored.i1), std::conj(mirrored.sum)};
+    }
+    const long double scale = std::abs(s.real());
+    if (std::abs(s) >= asymptotic_radius) {
+        const HankelSplit split = hankel_split(s);
+        const Complex root = std::sqrt(2 * std::numbers::pi_v<long double> * s);
+        const Complex forward = std::exp(s - scale) / root;
+        const Complex backward = Complex(0, 1) * std::exp(-s - scale) / root;
+        const Complex i0 = forward * split.i0_forward + backward * split.i0_backward;
+        const Complex sum = forward * split.sum_forward + backward * split.sum_backward;
+        return {i0, sum - i0, sum};
+    }
+    // I_n(s) = 1/pi int_0^pi e^{s cos t} cos(n t) dt by the trapezoidal rule; its error is about I_{2 count}(s)
+    const int count = static_cast<int>(std::abs(s)) + 40;
+    ScaledBessel result{};
+    for (int k = 0; k <= count; ++k) {
+        const long double cosine = std::cos(std::numbers::pi_v<long double> * k / count);
+        const Complex value = std::exp(s * cosine - scale) * ((k == 0 || k == count ? 0.5L : 1.0L) / count);
+        result.i0 += value;
+        result.i1 += value * cosine;
+        result.sum += value * (1 + cosine);
+    }
+    return result;
+}
+
+inline Complex laplace_c11(Complex s, long double poisson_ratio, long double lambda) {
+    const ScaledBessel bessel = scaled_bessel(s);
+    return steady_c11(poisson_ratio) * bessel.sum / (bessel.i0 + s * lambda * bessel.sum);
+}
+
+/// One Newton step for D(s) = 0. D' = I1 + Lambda (I0 + s (I0 + I1)).
+inline Complex newton_step(Complex s, long double lambda) {
+    const ScaledBessel bessel = scaled_bessel(s);
+    return -(bessel.i0 + s * lambda * bessel.sum) / (bessel.i1 + lambda * (bessel.i0 + s * bessel.sum));
+}
+
+inline Complex polish_eigenvalue(Complex s, long double lambda) {
+    for (int k = 0; k < 60; ++k) {
+        const Complex step = newton_step(s, lambda);
+        s += step;
+        if (std::abs(step) < 1e-17L * std::abs(s)) {
+            break;
+        }
+    }
+    return s;
+}
+
+/// w of e^{2s} = w, which is D = 0 for large |s|, as ln|w| + i arg w with -pi/2 < arg w <= 3 pi/2. For large |s|, w is
+/// positive for Lambda > 2, negative for Lambda < 2 and positive imaginary between, so no branch is crossed.
+inline Complex asymptotic_logarithm(Complex s, long double lambda) {
+    const HankelSplit split = hankel_split(s);
+    const Complex w = Complex(0, -1) * (split.i0_backward + s * lambda * split.sum_backward) /
+                      (split.i0_forward + s * lambda * split.sum_forward);
+    const long double pi = std::numbers::pi_v<long double>;
+    const long double argument = std::arg(w);
+    return {std::log(std::abs(w)), argument <= -pi / 2 ? argument + 2 * pi : argument};
+}
+
+/// Eigenvalues inside the asymptotic radius with Im s >= 0. Starting values: the zero-slip condition in Chebyshev
+/// polynomials, p_{k+1} = s (p_k/(2k) - p_{k+2}/(2(k+2))) with p_0 = -sum p_n, as a matrix with eigenvalues 1/s.
+inline std::vector<Complex> inner_eigenvalues(long double lambda) {
+    constexpr std::size_t order = 140;  // resolves |s| < 40 far better than Newton's method needs
+    using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
+    using Values = std::unique_ptr<gsl_vector_complex, decltype(&gsl_vector_complex_free)>;
+    using Workspace = std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)>;
+    const Matrix matrix(gsl_matrix_calloc(order, order), &gsl_matrix_free);
+    const Values values(gsl_vector_complex_alloc(order), &gsl_vector_complex_free);
+    const Workspace workspace(gsl_eigen_nonsymm_alloc(order), &gsl_eigen_nonsymm_free);
+    if (!matrix || !values || !workspace) {
+        throw std::bad_alloc();
+    }
+    for (std::size_t k = 0; k < order; ++k) {  // row k, column j stands for p_{j+1}
+        if (k == 0) {
+            for (std::size_t j = 0; j < order; ++j) {
+                gsl_matrix_set(matrix.get(), 0, j, static_cast<double>(-lambda));
+            }
+        } else {
+            gsl_matrix_set(matrix.get(), k, k - 1, 0.5 / static_cast<double>(k));
+        }
+        if (k + 1 < order) {
+            gsl_matrix_set(matrix.get(), k, k + 1,
+                           gsl_matrix_get(matrix.get(), k, k + 1) - 0.5 / static_cast<double>(k + 2));
+        }
+    }
+    const int status = gsl_eigen_nonsymm(matrix.get(), values.get(), workspace.get());
+    if (status != GSL_SUCCESS) {
+        throw std::runtime_error(std::string("reference::eigenvalues: GSL: ") + gsl_strerror(status));
+    }
+    std::vector<Complex> result;
+    for (std::size_t k = 0; k < order; ++k) {
+        const gsl_complex value = gsl_vector_complex_get(values.get(), k);
+        const Complex start = 1.0L / Complex(GSL_REAL(value), -GSL_IMAG(value));
+        if (GSL_IMAG(value) >= 0 && std::abs(start) < asymptotic_radius + 3) {  // one pair's distance of margin
+            const Complex s = polish_eigenvalue(std::conj(start), lambda);
+            if (std::abs(s) < asymptotic_radius) {
+                result.push_back(s.imag() < 0 ? std::conj(s) : s);
+            }
+        }
+    }
+    return result;
+}
+
+/// The real eigenvalue beyond the asymptotic radius, which exists for Lambda slightly below 2 (it goes to minus
+/// infinity as Lambda -> 2): -D(-R)/I0 = R Lambda (1 - I1/I0) - 1 falls there from positive to Lambda/2 - 1.
+inline std::vector<Complex> outer_real_eigenvalue(long double lambda) {
+    const auto scaled_d = [lambda](long double r) {
+        const ScaledBessel bessel = scaled_bessel(Complex(-r, 0));
+        return bessel.i0.real() - r * lambda * bessel.sum.real();
+    };
+    long double lower = asymptotic_radius;
+    long double upper = 2 * lower;
+    if (lambda >= 2 || scaled_d(lower) >= 0) {
+        return {};
+    }
+    while (scaled_d(upper) < 0) {
+        upper *= 2;
+        if (upper > 1e15L) {
+            return {};  // beyond any use: decays within 1e-15 of rolled distance
+        }
+    }
+    while (upper - lower > 1e-17L * upper) {
+        const long double middle = (lower + upper) / 2;
+        if (middle <= lower || middle >= upper) {
+            break;
+        }
+        (scaled_d(middle) < 0 ? lower : upper) = middle;
+    }
+    return {Complex(-lower, 0)};
+}
+
+/// The `count` eigenvalues of least modulus with Im s >= 0, by ascending modulus.
+inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
+    const long double pi = std::numbers::pi_v<long double>;
+    std::vector<Complex> result = inner_eigenvalues(lambda);
+    // Further out they are enumerated by k in 2s = ln w(s) + 2 pi i k, one zero for each k.
+    const auto highest = std::max_element(result.begin(), result.end(),
+                                          [](Complex left, Complex right) { return left.imag() < right.imag(); });
+    long double k = std::round((2 * highest->imag() - asymptotic_logarithm(*highest, lambda).imag()) / (2 * pi));
+    for (const Complex s : outer_real_eigenvalue(lambda)) {
+        result.push_back(s);
+    }
+    while (result.size() < count + 1) {  // one more than asked for: the outer real eigenvalue takes a place of its own
+        k += 1;
+        Complex s(-1, pi * k);
+        for (int iteration = 0; iteration < 6; ++iteration) {
+            s = (asymptotic_logarithm(s, lambda) + Complex(0, 2 * pi * k)) / 2.0L;
+        }
+        result.push_back(polish_eigenvalue(s, lambda));
+    }
+    std::sort(result.begin(), result.end(),
+              [](Complex left, Complex right) { return std::abs(left) < std::abs(right); });
+    result.resize(count);
+    return result;
+}
+
+}  // namespace detail
+
+/// Exact complex creep coefficient at the real frequency omega (in V/a; negative ones by conjugate symmetry):
+/// c11 = pi/(2(1-nu)) (J0 + i J1)/(J0 + i omega Lambda (J0 + i J1)), Bessel functions by GSL. `aspect` is b/a.
+/// Throws std::invalid_argument for a non-finite omega, a bad poisson_ratio or aspect, or Lambda <= 0;
+/// std::runtime_error where GSL reports an error (an argument too large for its trigonometric functions).
+inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, double aspect) {
+    const double lambda = stable_plane_lambda("reference::harmonic_c11", poisson_ratio, aspect);
+    detail::require(std::isfinite(omega), "reference::harmonic_c11", "omega", omega, "be finite");
+    gsl_sf_result j0{};
+    gsl_sf_result j1{};
+    for (const int status : {gsl_sf_bessel_J0_e(omega, &j0), gsl_sf_bessel_J1_e(omega, &j1)}) {
+        if (status != GSL_SUCCESS && status != GSL_EUNDRFLW) {
+            throw std::runtime_error(std::string("reference::harmonic_c11: GSL: ") + gsl_strerror(status));
+        }
+    }
+    const std::complex<double> sum(j0.val, j1.val);
+    return steady_c11(poisson_ratio) * sum / (j0.val + std::complex<double>(0, omega * lambda) * sum);
+}
+
+/// Exact creep coefficient at complex s (in V/a), from the integral of I_n by the trapezoidal rule and, far out, from
+/// Hankel's expansions. The poles are the eigenvalues. Throws std::invalid_argument for a non-finite s, a bad
+/// poisson_ratio or aspect, or Lambda <= 0.
+inline std::complex<double> laplace_c11(std::complex<double> s, double poisson_ratio, double aspect) {
+    const double lambda = stable_plane_lambda("reference::laplace_c11", poisson_ratio, aspect);
+    detail::require(std::isfinite(s.real()), "reference::laplace_c11", "Re s", s.real(), "be finite");
+    detail::require(std::isfinite(s.imag()), "reference::laplace_c11", "Im s", s.imag(), "be finite");
+    return std::complex<double>(detail::laplace_c11(detail::Complex(s.real(), s.imag()), poisson_ratio, lambda));
+}
+
+/// Exact eigenvalues nu_k a of G' p = nu G p for the plane kernel: the `count` zeros of I0 + s Lambda (I0 + I1) with
+/// Im s >= 0 of least modulus, ascending; each with Im s > 0 stands for a conjugate pair. All lie in Re s < 0. Throws
+/// std::invalid_argument for count = 0, a bad poisson_ratio or aspect, or Lambda <= 0.
+inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double poisson_ratio, double aspect) {
+    const double lambda = stable_plane_lambda("reference::eigenvalues", poisson_ratio, aspect);
+    detail::require(count > 0, "reference::eigenvalues", "count", count, "be positive");
+    std::vector<std::complex<double>> result;
+    for (const detail::Complex s : detail::eigenvalues(count, lambda)) {
+        result.emplace_back(s);
+    }
+    return result;
+}
+
+/// Exact traction p/(G xi) under creepage xi e^{sx}-like in time (xi e^{s V t/a}): (sum p_n T_n(x))/sqrt(1-x^2) with
+/// p_0 = -(I0+I1)/(2(1-nu) D) and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing.
+class ExactTraction {
+public:
+    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws as laplace_c11.
+    ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
+        c11_ = laplace_c11(s, poisson_ratio, aspect);  // checks the arguments
+        const long double pi = std::numbers::pi_v<long double>;
+        const long double lambda = plane_lambda<long double>(poisson_ratio, aspect);
+        const long double stiffness = 2 * (1 - static_cast<long double>(poisson_ratio));
+        const detail::Complex point(s.real(), s.imag());
+        const long double scale = std::abs(point.real());
+        // I_n falls below rounding from n about 1.2 |s| + 40 on; twice as many points keep aliases away from it
+        const std::size_t order = static_cast<std::size_t>(1.2 * std::abs(s)) + 40;
+        const std::size_t count = order + order / 2;
+        std::vector<long double> cosines(2 * count);
+        std::vector<detail::Complex> samples(count + 1);
+        for (std::size_t k = 0; k < cosines.size(); ++k) {
+            cosines[k] = std::cos(pi * static_cast<long double>(k) / static_cast<long double>(count));
+        }
+        for (std::size_t k = 0; k <= count; ++k) {
+            const long double weight = (k == 0 || k == count ? 0.5L : 1.0L) / static_cast<long double>(count);
+            samples[k] = std::exp(point * cosines[k] - scale) * weight;
+        }
+        std::vector<detail::Complex> bessel(order + 2);
+        for (std::size_t n = 0; n < bessel.size(); ++n) {
+            for (std::size_t k = 0; k <= count; ++k) {
+                bessel[n] += samples[k] * cosines[n * k % cosines.size()];
+            }
+        }
+        const detail::Complex sum = bessel[0] + bessel[1];
+        const detail::Complex denominator = (bessel[0] + point * lambda * sum) * stiffness;
+        coefficients_.resize(order + 1);
+        coefficients_[0] = -sum / denominator;
+        for (std::size_t n = 1; n <= order; ++n) {  // n I_n / s = (I_{n-1} - I_{n+1})/2 also holds at s = 0
+            coefficients_[n] = (bessel[n - 1] - bessel[n + 1]) / denominator;
+        }
+    }
+
+    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    std::complex<double> operator()(double x_over_a) const {
+        detail::require(std::abs(x_over_a) <= 1, "reference::ExactTraction", "x/a", x_over_a, "lie in [-1, 1]");
+        // the coefficients add up to zero, so T_n may be replaced by T_n - 1 = -2 sin^2(n theta/2): nothing cancels
+        // at the leading edge, theta = 0
+        const long double half = std::atan2(std::sqrt(1 - static_cast<long double>(x_over_a)),
+                                            std::sqrt(1 + static_cast<long double>(x_over_a)));
+        if (half == 0) {
+            return 0;
+        }
+        detail::Complex sum = 0;
+        for (std::size_t n = 1; n < coefficients_.size(); ++n) {
+            const long double sine = std::sin(static_cast<long double>(n) * half);
+            sum -= 2 * sine * sine * coefficients_[n];
+        }
+        return std::complex<double>(sum / std::sin(2 * half));
+    }
+
+    /// c11 = -F/(a G xi) from the traction's mean, F = pi p_0.
+    std::complex<double> c11() const { return c11_; }
+
+private:
+    std::complex<double> c11_;
+    std::vector<detail::Complex> coefficients_;  ///< of T_n, n = 0, 1, ...
+};
+
+}  // namespace rollbem::reference
