@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "../support/catch.hpp"
+#include "support/catch.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "../support/catch.hpp"
+#include "support/catch.hpp"
 
 namespace {
 

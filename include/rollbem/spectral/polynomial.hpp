@@ -1,0 +1,403 @@
+#pragma once
+// Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel: in monomials as in the paper, and in Chebyshev
+// polynomials, where it costs O(order) and reaches machine precision. Dimensionless: a = G = V = 1.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <concepts>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "../closed_form/carter.hpp"
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+enum class PolynomialBasis { monomial, chebyshev };
+
+/// Whether a polynomial solution can be used.
+enum class PolynomialStatus {
+    ok,
+    ill_conditioned,  ///< monomial: the matrix is close to singular
+    not_converged,    ///< the order is too low, or monomials have broken down by cancellation
+    not_finite,       ///< the result is not a number or infinite
+};
+
+/// What to do about a status, as one clause for a message.
+inline const char* advice(PolynomialStatus status) {
+    switch (status) {
+        case PolynomialStatus::ok: return "nothing: the solution can be used";
+        case PolynomialStatus::ill_conditioned:
+            return "the monomial basis has broken down at this order (ill-conditioned); use the Chebyshev basis";
+        case PolynomialStatus::not_converged:
+            return "the result changes with the order; raise it, or use the Chebyshev basis at its default order";
+        case PolynomialStatus::not_finite: break;
+    }
+    return "the result is not finite; use the Chebyshev basis at its default order";
+}
+
+/// Order from which the Chebyshev basis reaches Scalar's precision. I_n(s) falls off beyond n = |s| over a range that
+/// grows like |s|^(1/3), and faster than a power of |s|/n. Throws std::invalid_argument unless s is finite and modest.
+template <std::floating_point Scalar>
+Eigen::Index default_polynomial_order(std::complex<Scalar> s) {
+    const Scalar modulus = std::abs(s);
+    detail::require(modulus <= Scalar(1e8), "default_polynomial_order", "|s|", modulus, "be at most 1e8");
+    const Scalar digits = Scalar(std::numeric_limits<Scalar>::digits) / 53;
+    return static_cast<Eigen::Index>(std::ceil(modulus + digits * (12 * std::cbrt(modulus) + 20)));
+}
+
+/// The creep coefficient alone, as polynomial_c11 returns it.
+template <std::floating_point Scalar>
+struct PolynomialC11 {
+    std::complex<Scalar> c11;  ///< Eq. (30): force per unit width over -a G xi
+    Scalar error_estimate;     ///< relative, of truncation and rounding together; an upper estimate, not a bound
+    PolynomialStatus status;
+};
+
+/// Traction and displacement under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case.
+template <std::floating_point Scalar>
+struct PolynomialSolution {
+    using Complex = std::complex<Scalar>;
+    using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1>;
+
+    PolynomialBasis basis;
+    Complex c11;                       ///< Eq. (30): force per unit width over -a G xi
+    Vector traction_coefficients;      ///< c_j of Eq. (17) over G xi, of x^j or of T_j; they add up to zero
+    Vector displacement_coefficients;  ///< u/(a xi), of x^l (Eq. 22) or of T_l
+    Scalar error_estimate;             ///< of c11, relative
+    Scalar condition;                  ///< monomial: estimated 1-norm condition; Chebyshev: 1, no matrix is inverted
+    PolynomialStatus status;
+
+    /// p/(G xi), Eq. (17). Throws std::invalid_argument for distances that are negative or do not add up to 2.
+    Complex traction(const EdgeDistances<Scalar>& position) const {
+        using std::abs, std::sqrt;
+        detail::require(position.trailing >= Scalar(0), "PolynomialSolution", "trailing", position.trailing,
+                        "be at least 0");
+        detail::require(position.leading >= Scalar(0), "PolynomialSolution", "leading", position.leading,
+                        "be at least 0");
+        const Scalar sum = position.trailing + position.leading;
+        detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "PolynomialSolution",
+                        "trailing + leading", sum, "be 2");
+        return quotient(position) * sqrt(position.leading / position.trailing);
+    }
+
+    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    Complex traction(Scalar x_over_a) const {
+        detail::require(std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a", x_over_a, "lie in [-1, 1]");
+        return traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a});
+    }
+
+    /// u/(a xi) at x/a, Eq. (21). Throws std::invalid_argument unless -1 <= x/a <= 1.
+    Complex displacement(Scalar x_over_a) const {
+        detail::require(std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a", x_over_a, "lie in [-1, 1]");
+        const Vector& u = displacement_coefficients;
+        Complex next = 0;
+        Complex current = 0;
+        for (Eigen::Index n = u.size() - 1; n > 0; --n) {
+            const Complex previous = basis == PolynomialBasis::monomial ? u[n] + x_over_a * current
+                                                                        : u[n] + 2 * x_over_a * current - next;
+            next = current;
+            current = previous;
+        }
+        return basis == PolynomialBasis::monomial ? u[0] + x_over_a * current : u[0] + x_over_a * current - next;
+    }
+
+private:
+    /// The polynomial of Eq. (17) divided by 1 - x, which it vanishes with: nothing cancels at the leading edge.
+    Complex quotient(const EdgeDistances<Scalar>& position) const {
+        const Vector& c = traction_coefficients;
+        if (basis == PolynomialBasis::monomial) {  // synthetic division: minus the partial sums of c_j, from the top
+            const Scalar x = position.leading < position.trailing ? 1 - position.leading : position.trailing - 1;
+            Complex partial = 0;
+            Complex value = 0;
+            for (Eigen::Index j = c.size() - 1; j > 0; --j) {
+                partial += c[j];
+                value = value * x + partial;
+            }
+            return -value;
+        }
+        // Clenshaw's b_k in Reinsch's form; sum c_n T_n = (1 - x)(b_1 - 2 sum_{k>0} b_k) when the c_n add up to zero
+        Complex b = 0;
+        Complex difference = 0;
+        Complex sum = 0;
+        for (Eigen::Index k = c.size() - 1; k > 0; --k) {
+            difference += c[k] - 2 * position.leading * b;
+            b += difference;
+            sum += b;
+        }
+        return b - Scalar(2) * sum;
+    }
+};
+
+namespace detail {
+
+/// Lambda, after checking what every polynomial problem needs. Only the steady one allows Lambda <= 0.
+template <std::floating_point Scalar>
+Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
+                         Eigen::Index order) {
+    require(std::isfinite(s.real()), who, "Re s", s.real(), "be finite");
+    require(std::isfinite(s.imag()), who, "Im s", s.imag(), "be finite");
+    require(order >= 1, who, "order", order, "be at least 1");
+    return s == std::complex<Scalar>(0) ? plane_lambda(poisson_ratio, aspect)
+                                        : stable_plane_lambda(who, poisson_ratio, aspect);
+}
+
+/// r_k = P_{k+1}/P_k from r_{k+1}, see solve_chebyshev. A vanishing denominator means P_k = 0: r_k is then infinite in
+/// truth and any huge number serves, because only P_k r_k counts.
+template <std::floating_point Scalar>
+std::complex<Scalar> chebyshev_ratio(std::complex<Scalar> s, Eigen::Index k, std::complex<Scalar> next) {
+    const Scalar index = static_cast<Scalar>(k);
+    std::complex<Scalar> denominator = Scalar(1) + s * next / (2 * (index + 2));
+    if (denominator == std::complex<Scalar>(0)) {
+        denominator = std::numeric_limits<Scalar>::epsilon() * std::numeric_limits<Scalar>::epsilon();
+    }
+    return s / (2 * index) / denominator;
+}
+
+/// (P_1 + ... + P_order)/P_1 from r_1 and P_order/P_1: the sum of the rows U_1, U_2, ... telescopes. Added up term by
+/// term it would cancel where Re s < 0.
+template <std::floating_point Scalar>
+std::complex<Scalar> chebyshev_sum(std::complex<Scalar> s, Eigen::Index order, std::complex<Scalar> ratio,
+                                   std::complex<Scalar> tail) {
+    if (order == 1) {
+        return Scalar(1);
+    }
+    return Scalar(1) + s * (Scalar(0.5) + ratio / Scalar(4) - tail / static_cast<Scalar>(2 * order));
+}
+
+template <std::floating_point Scalar>
+PolynomialStatus polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar tolerance) {
+    if (!std::isfinite(c11.real()) || !std::isfinite(c11.imag())) {
+        return PolynomialStatus::not_finite;
+    }
+    return error_estimate <= tolerance ? PolynomialStatus::ok : PolynomialStatus::not_converged;
+}
+
+/// Chebyshev: at a sufficient order only rounding is left, so half the digits tell it from truncation.
+template <std::floating_point Scalar>
+Scalar chebyshev_tolerance() {
+    return std::sqrt(std::numeric_limits<Scalar>::epsilon());
+}
+
+}  // namespace detail
+
+/// c11 at complex s (in V/a) by the Chebyshev basis: solve_chebyshev without storing the coefficients, so without any
+/// allocation. `aspect` is b/a. Throws std::invalid_argument for a non-finite s, order < 1, a bad poisson_ratio or
+/// aspect, or Lambda <= 0 with s != 0.
+template <std::floating_point Scalar>
+PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect, Eigen::Index order) {
+    using Complex = std::complex<Scalar>;
+    const Scalar lambda = detail::polynomial_lambda("polynomial_c11", s, poisson_ratio, aspect, order);
+    Complex ratio = 0;  // r_k
+    Complex tail = 1;   // P_order/P_k
+    for (Eigen::Index k = order - 1; k > 0; --k) {
+        ratio = detail::chebyshev_ratio(s, k, ratio);
+        tail *= ratio;
+    }
+    const Complex sum = detail::chebyshev_sum(s, order, ratio, tail);
+    const Complex denominator = Scalar(1) + s * (lambda * sum + ratio / Scalar(4));
+    PolynomialC11<Scalar> result{};
+    result.c11 = steady_c11(poisson_ratio) * sum / denominator;
+    // errors of the sum (truncation, rounding), amplified near a pole, and the rounding of the denominator
+    const Scalar modulus = std::abs(s);
+    const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
+    const Scalar dropped = std::abs(tail) * modulus * (1 + modulus) / static_cast<Scalar>(2 * order);
+    const Scalar sum_error = dropped + rounding * (1 + modulus * (2 + std::abs(ratio)) / 4);
+    const Scalar rest = 1 + modulus * std::abs(ratio) / 4;
+    result.error_estimate =
+        (sum_error / std::abs(sum) + rounding) * (1 + rest / std::abs(denominator)) +
+        rounding * modulus * lambda * std::abs(sum) / std::abs(denominator);
+    result.status =
+        detail::polynomial_status(result.c11, result.error_estimate, detail::chebyshev_tolerance<Scalar>());
+    return result;
+}
+
+/// The same at default_polynomial_order(s).
+template <std::floating_point Scalar>
+PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect) {
+    return polynomial_c11(s, poisson_ratio, aspect, default_polynomial_order(s));
+}
+
+/// The polynomial approach in the Chebyshev basis, traction (sum p_n T_n)/sqrt(1-x^2). There the kernel of Eq. (20) is
+/// diagonal: with P_n = 2 (1-nu) p_n the displacement is Lambda P_0 + sum P_n T_n/n. Zero slip, Eq. (23), in
+/// polynomials U_k of the second kind (T_n' = n U_{n-1}, T_n = (U_n - U_{n-2})/2) reads
+///     U_0: P_1 - s (Lambda P_0 - P_2/4) = 1,   U_k: P_{k+1} - s (P_k/(2k) - P_{k+2}/(2(k+2))) = 0, 0 < k < order,
+/// and p = 0 at the leading edge adds the dense row sum P_n = 0, Eq. (27). Eliminated from the last row upwards the
+/// bordered band costs O(order), and is stable because the P_n are the recurrence's minimal solution. Arguments and
+/// exceptions as polynomial_c11.
+template <std::floating_point Scalar>
+PolynomialSolution<Scalar> solve_chebyshev(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
+                                           Eigen::Index order) {
+    using Complex = std::complex<Scalar>;
+    using Vector = typename PolynomialSolution<Scalar>::Vector;
+    const Scalar lambda = detail::polynomial_lambda("solve_chebyshev", s, poisson_ratio, aspect, order);
+    Vector traction(order + 1);
+    Vector displacement(order + 1);
+    Complex ratio = 0;
+    for (Eigen::Index k = order - 1; k > 0; --k) {
+        ratio = detail::chebyshev_ratio(s, k, ratio);
+        traction[k + 1] = ratio;
+    }
+    traction[1] = 1;
+    for (Eigen::Index n = 2; n <= order; ++n) {
+        traction[n] *= traction[n - 1];
+    }
+    const Complex sum = detail::chebyshev_sum(s, order, ratio, Complex(traction[order]));
+    traction[0] = -sum;
+    traction /= Scalar(1) + s * (lambda * sum + ratio / Scalar(4));
+    displacement[0] = lambda * traction[0];
+    for (Eigen::Index n = 1; n <= order; ++n) {
+        displacement[n] = traction[n] / static_cast<Scalar>(n);
+    }
+    traction /= 2 * (1 - poisson_ratio);
+    const PolynomialC11<Scalar> scalar = polynomial_c11(s, poisson_ratio, aspect, order);
+    return {PolynomialBasis::chebyshev, scalar.c11, traction, displacement, scalar.error_estimate, Scalar(1),
+            scalar.status};
+}
+
+/// The same at default_polynomial_order(s).
+template <std::floating_point Scalar>
+PolynomialSolution<Scalar> solve_chebyshev(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect) {
+    return solve_chebyshev(s, poisson_ratio, aspect, default_polynomial_order(s));
+}
+
+/// The homogeneous problem in the Chebyshev basis as a standard eigenproblem M P = (1/s) P, P = (P_1, ..., P_order),
+/// P_0 = -sum P_n: order x order, upper Hessenberg. 1/eigenvalue converges to the exact nu_k a of G' p = nu G p with
+/// the plane kernel, the smallest first. Throws std::invalid_argument for order < 1, a bad poisson_ratio or aspect,
+/// or Lambda <= 0.
+template <std::floating_point Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::Index order, Scalar poisson_ratio,
+                                                                       Scalar aspect) {
+    const Scalar lambda =
+        detail::polynomial_lambda("chebyshev_pencil", std::complex<Scalar>(1), poisson_ratio, aspect, order);
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> matrix =
+        Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>::Zero(order, order);
+    matrix.row(0).setConstant(-lambda);
+    for (Eigen::Index k = 0; k < order; ++k) {  // row k stands for U_k, column j for P_{j+1}
+        if (k > 0) {
+            matrix(k, k - 1) = Scalar(0.5) / static_cast<Scalar>(k);
+        }
+        if (k + 1 < order) {
+            matrix(k, k + 1) -= Scalar(0.5) / static_cast<Scalar>(k + 2);
+        }
+    }
+    return matrix;
+}
+
+/// Moments mu_j = (1/pi) int x^j/sqrt(1-x^2) dx, j = 0 ... order: binomial(j, j/2)/2^j for even j, 0 for odd.
+template <std::floating_point Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 1> monomial_moments(Eigen::Index order) {
+    detail::require(order >= 0, "monomial_moments", "order", order, "be at least 0");
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> moments = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>::Zero(order + 1);
+    moments[0] = 1;
+    for (Eigen::Index j = 2; j <= order; j += 2) {
+        moments[j] = moments[j - 2] * static_cast<Scalar>(j - 1) / static_cast<Scalar>(j);
+    }
+    return moments;
+}
+
+/// B of Eq. (19), (order+1) x (order+1) and lower triangular: row j holds the coefficients of x^l in U_j/a (G = 1).
+/// Exact: x^j in Chebyshev polynomials, the diagonal kernel and back gives dU_j/dx = 2 (1-nu) sum_l mu_{j-1-l} x^l,
+/// free of cancellation, and U_j(0) by the derivative of mu_j with respect to j. Throws std::invalid_argument for
+/// order < 0, a bad poisson_ratio or aspect.
+template <std::floating_point Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> displacement_matrix(Eigen::Index order, Scalar poisson_ratio,
+                                                                          Scalar aspect) {
+    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    const Scalar stiffness = 2 * (1 - poisson_ratio);
+    const Scalar ln2 = std::numbers::ln2_v<Scalar>;
+    const Scalar level = plane_lambda(poisson_ratio, aspect) - ln2;
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> moments = monomial_moments<Scalar>(order);
+    Matrix b = Matrix::Zero(order + 1, order + 1);
+    Scalar logarithmic = -ln2;  // (1/pi) int x^j ln|x|/sqrt(1-x^2) dx, even j
+    for (Eigen::Index j = 0; j <= order; ++j) {
+        if (j % 2 == 0) {
+            if (j > 0) {
+                const Scalar index = static_cast<Scalar>(j);
+                logarithmic = logarithmic * (index - 1) / index + moments[j - 2] / (index * index);
+            }
+            b(j, 0) = stiffness * (level * moments[j] - logarithmic);
+        }
+        for (Eigen::Index l = 1; l <= j; ++l) {
+            b(j, l) = stiffness * moments[j - l] / static_cast<Scalar>(l);
+        }
+    }
+    return b;
+}
+
+/// Limits of solve_monomial.
+template <std::floating_point Scalar>
+struct MonomialOptions {
+    /// Above it the status is ill_conditioned; 1e12 in double.
+    Scalar largest_condition = std::min(Scalar(1e12), Scalar(2e-4) / std::numeric_limits<Scalar>::epsilon());
+    /// Relative difference of c11 between order and order + 10 above which the status is not_converged.
+    Scalar tolerance = std::cbrt(std::numeric_limits<Scalar>::epsilon()) / 100;
+};
+
+namespace detail {
+
+template <std::floating_point Scalar>
+PolynomialSolution<Scalar> solve_monomial_once(
+    std::complex<Scalar> s, const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>& b) {
+    using Complex = std::complex<Scalar>;
+    using Vector = typename PolynomialSolution<Scalar>::Vector;
+    using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
+    const Eigen::Index order = b.rows() - 1;
+    Matrix matrix(order + 1, order + 1);
+    for (Eigen::Index l = 0; l < order; ++l) {
+        // the derivative of (x/a)^l brings the factor l, which Eqs. (24)-(26) lack
+        matrix.row(l) = static_cast<Scalar>(l + 1) * b.col(l + 1).transpose().template cast<Complex>() -
+                        s * b.col(l).transpose().template cast<Complex>();
+    }
+    matrix.row(order).setOnes();
+    const Eigen::PartialPivLU<Matrix> lu(matrix);
+    const Vector creepage = Vector::Unit(order + 1, 0);
+    PolynomialSolution<Scalar> solution{};
+    solution.basis = PolynomialBasis::monomial;
+    solution.traction_coefficients = lu.solve(creepage);
+    solution.displacement_coefficients = b.transpose().template cast<Complex>() * solution.traction_coefficients;
+    const Complex mean = monomial_moments<Scalar>(order).template cast<Complex>().dot(solution.traction_coefficients);
+    solution.c11 = -std::numbers::pi_v<Scalar> * mean;
+    solution.condition = 1 / lu.rcond();
+    return solution;
+}
+
+}  // namespace detail
+
+/// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which fixes
+/// the order: Eqs. (25)-(27) with the factors 1 and l+1 that the derivative brings. The error estimate is the
+/// difference to order + 10 with the exact B. Status: ill_conditioned or not_converged by `options`; monomials break
+/// down by cancellation before the matrix looks singular. Throws std::invalid_argument for a B that is not square or
+/// smaller than 2 x 2, else as polynomial_c11.
+template <std::floating_point Scalar>
+PolynomialSolution<Scalar> solve_monomial(
+    std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
+    const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>& b,
+    const MonomialOptions<Scalar>& options = {}) {
+    detail::require(b.rows() == b.cols(), "solve_monomial", "columns of B", b.cols(), "equal its rows");
+    const Eigen::Index order = b.rows() - 1;
+    detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);
+    PolynomialSolution<Scalar> solution = detail::solve_monomial_once<Scalar>(s, b);
+    const PolynomialSolution<Scalar> higher =
+        detail::solve_monomial_once<Scalar>(s, displacement_matrix(order + 10, poisson_ratio, aspect));
+    solution.error_estimate = std::abs(solution.c11 - higher.c11) / std::abs(solution.c11);
+    solution.status = detail::polynomial_status(solution.c11, solution.error_estimate, options.tolerance);
+    if (solution.status != PolynomialStatus::not_finite && !(solution.condition <= options.largest_condition)) {
+        solution.status = PolynomialStatus::ill_conditioned;
+    }
+    return solution;
+}
+
+/// The same with the exact B of an order.
+template <std::floating_point Scalar>
+PolynomialSolution<Scalar> solve_monomial(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
+                                          Eigen::Index order, const MonomialOptions<Scalar>& options = {}) {
+    detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);
+    return solve_monomial<Scalar>(s, poisson_ratio, aspect, displacement_matrix(order, poisson_ratio, aspect), options);
+}
+
+}  // namespace rollbem
