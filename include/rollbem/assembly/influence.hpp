@@ -113,8 +113,8 @@ RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const Sampling<Scalar>& s
 // On a uniform mesh with one alpha the matrix is Toeplitz: the 2n-1 different entries are those of one element seen
 // from 2n-1 points.
 template <class Kernel>
-void fill_toeplitz(const Kernel& kernel, Quantity quantity, int averages, Eigen::Index n, typename Kernel::Scalar offset,
-                   Eigen::Ref<MatrixX<typename Kernel::Scalar>> out) {
+void fill_toeplitz(const Kernel& kernel, Quantity quantity, int averages, Eigen::Index n,
+                   typename Kernel::Scalar offset, Eigen::Ref<MatrixX<typename Kernel::Scalar>> out) {
     using Scalar = typename Kernel::Scalar;
     const Scalar width = 2 / static_cast<Scalar>(n);
     RowPoints<Scalar> rows;

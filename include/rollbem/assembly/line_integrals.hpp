@@ -41,7 +41,7 @@ enum class Quantity {
 };
 
 /// Fills matrices of line integrals. Near entries take differences of the kernel's antiderivatives, sharing evaluations
-/// along a row; entries with |d| > 4 (h + averages delta) take a series in the even moments of w, whose sums
+/// along a row; entries with |d| well above h + averages delta take a series in the even moments of w, whose sums
 /// neither cancel nor need a logarithm for the slope.
 template <class Kernel>
 class LineIntegrals {
@@ -57,16 +57,18 @@ public:
         : kernel_(kernel),
           quantity_(quantity),
           averages_(averages),
-          rows_(rows),
+          equal_widths_(equal_widths),
+          rows_(padded(rows)),
           columns_(columns),
-          equal_widths_(equal_widths) {
+          count_(rows.half.size()) {
         if constexpr (SplitKernel<Kernel>) {
-            const Scalar reach =
-                1 + (rows.from_leading.max(rows.from_trailing) - 1 + rows.offset.abs() + Scalar(averages) * rows.half)
-                        .maxCoeff();
-            split_ = kernel.log_split(reach);
+            split_ = kernel.log_split(
+                (rows_.from_leading.max(rows_.from_trailing) + rows_.offset.abs() + Scalar(averages) * rows_.half)
+                    .maxCoeff());
         }
-        if (has_series()) prepare_series();
+        far_ratio_ = Scalar(1) / (split_ ? 16 : 256);
+        if (split_) prepare_moments();
+        if (split_) prepare_polynomial();
     }
 
     /// Writes the integral for every row l and element m to out(l, m).
@@ -77,13 +79,25 @@ public:
             taylor_series(out);
         }
         near_differences(out);
-        if (split_) add_polynomial(out);
     }
 
 private:
     static constexpr Eigen::Index chunk = 8;  // rows a series is evaluated for at once: a few registers
     using Chunk = Eigen::Array<Scalar, chunk, 1>;
-    static constexpr Scalar far_ratio = Scalar(1) / 16;  // ((h + averages delta) / d)^2 below which the series is taken
+    static constexpr int short_length = 3;  // of the polynomial of a wide strip
+    static constexpr int last_moment = (std::numeric_limits<Scalar>::digits + 3) / 4;  // 16^-last is below rounding
+    static constexpr int last_taylor = last_moment / 2 + 1;                            // 256^-last is
+
+    static RowPoints<Scalar> padded(const RowPoints<Scalar>& rows) {
+        const Eigen::Index count = rows.half.size();
+        const Eigen::Index full = (count + chunk - 1) / chunk * chunk;
+        const auto pad = [&](const Array& values) {
+            Array result(full);
+            result << values, Array::Constant(full - count, values[count - 1]);
+            return result;
+        };
+        return {pad(rows.from_trailing), pad(rows.from_leading), pad(rows.offset), pad(rows.half)};
+    }
 
     bool has_series() const { return split_.has_value() || TaylorKernel<Kernel>; }
     Scalar distance(Eigen::Index l, Eigen::Index m) const {
@@ -91,14 +105,10 @@ private:
                                                               : columns_.from_leading[m] - rows_.from_leading[l];
         return between + rows_.offset[l];
     }
-    Array distances(Eigen::Index m) const {
-        if (columns_.from_trailing[m] <= 1) return rows_.from_trailing - columns_.from_trailing[m] + rows_.offset;
-        return columns_.from_leading[m] - rows_.from_leading + rows_.offset;
-    }
     bool is_near(Eigen::Index l, Eigen::Index m) const {
         const Scalar size = columns_.half[m] + Scalar(averages_) * rows_.half[l];
         const Scalar d = distance(l, m);
-        return !has_series() || !(size * size < far_ratio * d * d);
+        return !has_series() || !(size * size < far_ratio_ * d * d);
     }
     // q = 1 takes g (0), H (1), H_integral (2) for 0, 1, 2 averages; q = 0 the next one
     int level() const { return averages_ + (quantity_ == Quantity::slope ? 0 : 1); }
@@ -115,8 +125,9 @@ private:
             const Scalar s = split_->strength;
             switch (level()) {
                 case 0: return -s * x.abs().log();
-                case 1: return quantity_ == Quantity::slope ? Array(-s * x * finite_log(x))
-                                                            : Array(x * (split_->constant + s - s * finite_log(x)));
+                case 1:
+                    return quantity_ == Quantity::slope ? Array(-s * x * finite_log(x))
+                                                        : Array(x * (split_->constant + s - s * finite_log(x)));
                 case 2:
                     return quantity_ == Quantity::slope
                                ? Array(-s / 2 * x.square() * finite_log(x))
@@ -131,23 +142,21 @@ private:
         std::vector<Run> runs;
         std::vector<Scalar> arguments;
         const Eigen::Index n = columns_.half.size();
-        for (Eigen::Index l = 0; l < rows_.half.size(); ++l) {
-            Eigen::Index m = 0;
-            Eigen::Index end = n;
-            if (equal_widths_ && has_series() && n > 1) {  // near columns surround the point: no need to look at all
-                const Scalar width = 2 * columns_.half[0];
-                const Scalar nearest = distance(l, 0) / width;
-                const Scalar spread = 2 * Scalar(averages_ + 1) + 2;
-                m = clamp_index(nearest - spread, n);
-                end = clamp_index(nearest + spread + 1, n);
+        for (Eigen::Index l = 0; l < count_; ++l) {
+            if (equal_widths_ && has_series()) {  // the near columns surround the point
+                const Scalar nearest = distance(l, 0) / (2 * columns_.half[0]);
+                const Scalar spread = Scalar(averages_ + 1) / (2 * std::sqrt(far_ratio_));
+                const Eigen::Index first = clamp_index(std::ceil(nearest - spread), n);
+                const Eigen::Index end = clamp_index(std::floor(nearest + spread) + 1, n);
+                if (end > first) append_run(l, first, end - first, runs, arguments);
+            } else {
+                for (Eigen::Index m = 0; m < n; ++m) {
+                    const Eigen::Index first = m;
+                    while (m < n && is_near(l, m)) ++m;
+                    if (m > first) append_run(l, first, m - first, runs, arguments);
+                }
             }
-            while (m < end) {
-                while (m < end && !is_near(l, m)) ++m;
-                Eigen::Index first = m;
-                while (m < end && is_near(l, m)) ++m;
-                if (m > first) append_run(l, first, m - first, runs, arguments);
-            }
-            if (arguments.size() > 2048 || l + 1 == rows_.half.size()) {
+            if (arguments.size() > 2048 || l + 1 == count_) {
                 evaluate_runs(runs, arguments, result);
                 runs.clear();
                 arguments.clear();
@@ -183,10 +192,11 @@ private:
         }
     }
 
-    void evaluate_runs(const std::vector<Run>& runs, const std::vector<Scalar>& arguments, Eigen::Ref<Matrix> result) const {
+    void evaluate_runs(const std::vector<Run>& runs, const std::vector<Scalar>& arguments,
+                       Eigen::Ref<Matrix> result) const {
         if (arguments.empty()) return;
-        const Array values = antiderivative(
-            Eigen::Map<const Array>(arguments.data(), static_cast<Eigen::Index>(arguments.size())));
+        const Array values =
+            antiderivative(Eigen::Map<const Array>(arguments.data(), static_cast<Eigen::Index>(arguments.size())));
         for (const Run& run : runs) {
             Scalar divisor = 1;
             for (int i = 0; i < averages_; ++i) divisor *= 2 * rows_.half[run.row];
@@ -207,195 +217,247 @@ private:
                           : averages_ == 1 ? element(0) - element(1)
                                            : (element(0) - element(1)) - (element(1) - element(2));
                 }
-                result(run.row, run.first + i) = sum / divisor;
+                sum /= divisor;
+                if (split_) sum += polynomial(run.row, run.first + i);
+                result(run.row, run.first + i) = sum;
             }
         }
     }
 
-    // --- far entries ---------------------------------------------------------------------------------------------
+    // --- far entries of a split kernel -----------------------------------------------------------------------------
 
     // Even moments of w: M_2j = 2h sum c_j S_j with S_j = sum_i A^(j-i) B^i, A = (h + delta)^2, B = (h - delta)^2,
     // c_j = 1/((2j+1)(j+1)) for one average; for none A = h^2, B = 0, c_j = 1/(2j+1). All terms are positive.
-    void prepare_series() {
-        const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-        Eigen::Index terms = 1;
-        for (Scalar power = far_ratio; power > epsilon / 4; power *= far_ratio) ++terms;
-        coefficients_.resize(terms + 1);
-        bounds_.resize(terms + 1);
-        for (Eigen::Index j = 0; j <= terms; ++j) {
-            coefficients_[j] = Scalar(1) / Scalar(2 * j + 1) / (averages_ == 0 ? Scalar(1) : Scalar(j + 1));
-            // ratio up to which the terms 0 ... j suffice
-            bounds_[j] = std::pow(epsilon / 4, Scalar(1) / Scalar(j + 1));
+    // The slope takes sum M_2j / d^2j; the displacement, besides the logarithm, sum_{j>0} M_2j / (2j d^2j).
+    void prepare_moments() {
+        const Scalar tolerance = std::numeric_limits<Scalar>::epsilon() / 4;
+        coefficients_.resize(last_moment + 1);
+        bounds_.resize(last_moment + 1);
+        for (Eigen::Index j = 0; j <= last_moment; ++j) {
+            coefficients_[j] = 1 / Scalar(2 * j + 1);
+            // the ratio up to which the terms 0 ... j suffice; S_j <= (j + 1) A^j
+            bounds_[j] = std::pow(tolerance * Scalar(2 * j + 3), 1 / Scalar(j + 1));
+            if (averages_ > 0) coefficients_[j] /= Scalar(j + 1);
+            if (quantity_ == Quantity::displacement) coefficients_[j] *= j == 0 ? Scalar(0) : 1 / Scalar(2 * j);
         }
     }
 
-    Eigen::Index terms_for(Scalar ratio) const {
-        Eigen::Index j = 1;
-        while (j + 1 < bounds_.size() && bounds_[j] < ratio) ++j;
-        return j;
-    }
-
-    // the normalised even moments M_2j / (2h d^2j), times factor(j), summed up to the term the ratio asks for
-    template <class Factor>
-    Chunk moment_sum(const Chunk& A, const Chunk& B, Scalar largest, Factor factor) const {
-        Eigen::Index j = terms_for(largest);
-        Chunk b = Chunk::Constant(coefficients_[j] * factor(j));
-        Chunk sum = b;
-        if (averages_ == 0 || equal_widths_) {  // B = 0
-            while (j-- > 0) sum = sum * A + coefficients_[j] * factor(j);
+    // c[first] + A (c[first+1] + ...) as one expression: no intermediate result leaves the registers
+    template <int first, int last>
+    static auto horner(const Scalar* c, const Chunk& A) {
+        if constexpr (first == last) {
+            return Chunk::Constant(c[first]);
         } else {
-            while (j-- > 0) {
-                b = b * B + coefficients_[j] * factor(j);
-                sum = sum * A + b;
-            }
+            return A * horner<first + 1, last>(c, A) + c[first];
         }
-        return sum;
     }
 
-    // logarithmic part: g' = -strength/d, so that g^{(2j+1)}/(2j)! = -strength/d^(2j+1)
-    Chunk log_series(const Chunk& d, Scalar h, const Chunk& delta) const {
-        const Chunk inverse = 1 / d;
-        const Chunk outer = averages_ == 0 ? Chunk(h * inverse) : Chunk((h + delta) * inverse);
-        const Chunk inner = averages_ == 0 ? Chunk::Zero() : Chunk((h - delta) * inverse);
-        const Chunk A = outer.square().min(far_ratio);
-        const Chunk B = inner.square().min(far_ratio);
-        const Scalar largest = A.maxCoeff();
-        const Scalar s = split_->strength;
-        if (quantity_ == Quantity::slope) {
-            return -2 * h * s * inverse * moment_sum(A, B, largest, [](Eigen::Index) { return Scalar(1); });
+    // sum_{j <= last} c_j S_j by Horner's rule in A, whose coefficients are Horner sums in B
+    template <bool SingleRatio, int last>
+    Chunk moment_sum(const Chunk& A, const Chunk& B) const {
+        const Scalar* c = coefficients_.data();
+        if constexpr (SingleRatio) return horner<0, last>(c, A);
+        Chunk result;
+        for (Eigen::Index i = 0; i < chunk; ++i) {
+            Scalar b = c[last];
+            Scalar sum = c[last];
+            for (int j = last - 1; j >= 0; --j) {
+                b = b * B[i] + c[j];
+                sum = sum * A[i] + b;
+            }
+            result[i] = sum;
         }
-        return 2 * h *
-               (split_->constant - s * d.abs().log() +
-                s * moment_sum(A, B, largest,
-                               [](Eigen::Index j) { return j == 0 ? Scalar(0) : Scalar(1) / Scalar(2 * j); }));
+        return result;
+    }
+
+    template <bool SingleRatio>
+    Chunk moment_sum(const Chunk& A, const Chunk& B) const {
+        const Scalar largest = A.maxCoeff();
+        if (largest <= bounds_[4]) return moment_sum<SingleRatio, 4>(A, B);
+        if (largest <= bounds_[6]) return moment_sum<SingleRatio, 6>(A, B);
+        return moment_sum<SingleRatio, last_moment>(A, B);
+    }
+
+    // the logarithmic part: g' = -strength/d, so that g^{(2j+1)}/(2j)! = -strength/d^(2j+1)
+    template <bool SingleRatio>
+    Chunk log_series(const Chunk& d, Scalar h, const Chunk& delta) const {
+        const Chunk inverse = d.inverse();
+        const Scalar size = Scalar(averages_ > 0 ? 2 : 1) * h;
+        Chunk A, B;
+        if constexpr (SingleRatio) {
+            A = (size * inverse).square().min(far_ratio_);
+        } else {
+            A = ((h + delta) * inverse).square().min(far_ratio_);
+            B = ((h - delta) * inverse).square().min(far_ratio_);
+        }
+        const Scalar scale = 2 * h * split_->strength;
+        const Chunk sum = moment_sum<SingleRatio>(A, B);
+        if (quantity_ == Quantity::slope) return -scale * inverse * sum;
+        return 2 * h * split_->constant + scale * (sum - d.abs().log());
     }
 
     void split_series(Eigen::Ref<Matrix> result) const {
-        // a second average is taken by quadrature: about a far point the integrand is analytic far beyond the
-        // interval, and seven points reach double's rounding (nine long double's)
-        const QuadratureRule<Scalar> rule =
-            gauss_legendre<Scalar>(averages_ < 2 ? 1 : std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);
-        const LineIntegrals* once = this;
-        std::optional<LineIntegrals> inner;
         if (averages_ == 2) {
-            inner.emplace(kernel_, quantity_, 1, rows_, columns_, equal_widths_);
-            once = &*inner;
+            twice_averaged_series(result);
+        } else if (averages_ == 0 || equal_widths_) {
+            for_each_chunk(
+                result, [this](const Chunk& d, Scalar h, const Chunk& delta) { return log_series<true>(d, h, delta); });
+        } else {
+            for_each_chunk(result, [this](const Chunk& d, Scalar h, const Chunk& delta) {
+                return log_series<false>(d, h, delta);
+            });
         }
+    }
+
+    // The second average is taken by quadrature: about a far point the integrand is analytic far beyond the interval,
+    // where seven points reach double's rounding and nine long double's.
+    void twice_averaged_series(Eigen::Ref<Matrix> result) const {
+        const QuadratureRule<Scalar> rule = gauss_legendre<Scalar>(std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);
         for_each_chunk(result, [&](const Chunk& d, Scalar h, const Chunk& delta) {
-            if (averages_ < 2) return log_series(d, h, delta);
             Chunk sum = Chunk::Zero();
             for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
-                sum += rule.weights[k] / 2 * once->log_series(d + rule.nodes[k] * delta, h, delta);
+                sum += rule.weights[k] / 2 * log_series<false>(d + rule.nodes[k] * delta, h, delta);
             }
             return sum;
         });
     }
 
-    template <class Function>
-    void for_each_chunk(Eigen::Ref<Matrix> result, Function function) const {
-        const Eigen::Index count = rows_.half.size();
+    template <class Series>
+    void for_each_chunk(Eigen::Ref<Matrix> result, Series series) const {
+        const Eigen::Index degree = row_series_.cols();
+        Table powers = common_powers_;
         for (Eigen::Index m = 0; m < columns_.half.size(); ++m) {
+            const Scalar h = columns_.half[m];
             const bool trailing = columns_.from_trailing[m] <= 1;
             const Scalar origin = trailing ? columns_.from_trailing[m] : columns_.from_leading[m];
-            const auto at = [&](Eigen::Index l) -> Chunk {
+            if (!equal_widths_) polynomial_coefficients(m, powers);
+            for (Eigen::Index l = 0; l < count_; l += chunk) {
+                Chunk d = rows_.offset.template segment<chunk>(l);
                 if (trailing) {
-                    return rows_.from_trailing.template segment<chunk>(l) - origin +
-                           rows_.offset.template segment<chunk>(l);
+                    d += rows_.from_trailing.template segment<chunk>(l) - origin;
+                } else {
+                    d += origin - rows_.from_leading.template segment<chunk>(l);
                 }
-                return origin - rows_.from_leading.template segment<chunk>(l) +
-                       rows_.offset.template segment<chunk>(l);
-            };
-            Eigen::Index l = 0;
-            for (; l + chunk <= count; l += chunk) {
-                result.col(m).template segment<chunk>(l).array() =
-                    function(at(l), columns_.half[m], Chunk(rows_.half.template segment<chunk>(l)));
+                Chunk value = series(d, h, Chunk(rows_.half.template segment<chunk>(l)));
+                if (degree > 0) value += polynomial_chunk(powers, d, l);
+                if (l + chunk <= count_) {
+                    result.col(m).template segment<chunk>(l).array() = value;
+                } else {
+                    result.col(m).segment(l, count_ - l).array() = value.head(count_ - l);
+                }
             }
-            if (l == count) continue;
-            Chunk d = Chunk::Ones(), delta = Chunk::Zero();
-            for (Eigen::Index i = 0; i < count - l; ++i) {
-                d[i] = distance(l + i, m);
-                delta[i] = rows_.half[l + i];
-            }
-            result.col(m).segment(l, count - l).array() = function(d, columns_.half[m], delta).head(count - l);
         }
     }
 
-    // --- the polynomial part of a split kernel: exact for near and far alike ------------------------------------------
+    // --- the polynomial part of a split kernel: the same for near and far -----------------------------------------
 
-    // With sigma_j = coefficients of sinhc(h t) sinhc(delta t)^averages = M_2j / (2h (2j)!), the integral of x^{2k} is
-    // 2h sum_j sigma_j (2k)!/(2k-q-2j)! d^(2k-q-2j): a polynomial in d^2 (times d for the slope).
-    void add_polynomial(Eigen::Ref<Matrix> result) const {
-        const Array& even = split_->even;
-        const Eigen::Index degree = even.size();
-        if (degree == 0) return;
-        const bool slope = quantity_ == Quantity::slope;
-        const Eigen::Index length = slope ? degree : degree + 1;  // powers of d^2
-        // falling(i, j) = even_k (2k)!/(2i + q)!, k = i + j + q: contribution of sigma_j to the power i
+    // With sigma_j the coefficients of sinhc(h t) sinhc(delta t)^averages = sum M_2j t^2j / (2h (2j)!), the integral of
+    // even_k x^{2k} is 2h sum_j sigma_j even_k (2k)!/(2k-q-2j)! d^(2k-q-2j): a polynomial in d^2, times d for the slope.
+    void prepare_polynomial() {
+        const Eigen::Index q = quantity_ == Quantity::slope ? 1 : 0;
+        const Eigen::Index terms = split_->even.size();
+        const Eigen::Index length = terms == 0 ? 0 : terms + 1 - q;
+        // falling(i, j): contribution of sigma_j to the power i, k = i + j + q
         Table falling = Table::Zero(length, length);
         for (Eigen::Index i = 0; i < length; ++i) {
-            for (Eigen::Index j = 0; i + j < length; ++j) {
-                const Eigen::Index k = i + j + (slope ? 1 : 0);
-                if (k == 0) continue;
-                Scalar factor = even[k - 1];
-                for (Eigen::Index f = 2 * i + (slope ? 2 : 1); f <= 2 * k; ++f) factor *= static_cast<Scalar>(f);
-                falling(i, j) = factor;
+            for (Eigen::Index j = i + q == 0 ? 1 : 0; i + j < length; ++j) {
+                const Eigen::Index k = i + j + q;
+                falling(i, j) = split_->even[k - 1];
+                for (Eigen::Index f = 2 * i + q + 1; f <= 2 * k; ++f) falling(i, j) *= static_cast<Scalar>(f);
             }
         }
-        const auto sinhc_series = [length](const Array& half) {
-            Table series(half.size(), length);
-            series.col(0).setOnes();
-            for (Eigen::Index i = 1; i < length; ++i) {
-                series.col(i) = series.col(i - 1) * half.square() / Scalar(2 * i * (2 * i + 1));
-            }
-            return series;
-        };
-        // row l: coefficients of sinhc(delta_l t)^averages; with equal widths, one row for all
-        const Array halves = equal_widths_ ? Array(rows_.half.head(1)) : rows_.half;
-        const Table average = sinhc_series(halves);
-        Table row_series = Table::Zero(halves.size(), length);
-        row_series.col(0).setOnes();
+        // row l: coefficients of sinhc(delta_l t)^averages; with equal widths one row serves all
+        const Table average = sinhc_series(equal_widths_ ? Array(rows_.half.head(1)) : rows_.half, length);
+        row_series_.setZero(average.rows(), length);
+        if (length > 0) row_series_.col(0).setOnes();
         for (int a = 0; a < averages_; ++a) {
             for (Eigen::Index j = length - 1; j > 0; --j) {
-                for (Eigen::Index i = 0; i < j; ++i) row_series.col(j) += row_series.col(i) * average.col(j - i);
+                for (Eigen::Index i = 0; i < j; ++i) row_series_.col(j) += row_series_.col(i) * average.col(j - i);
             }
         }
-        const Table column_series = sinhc_series(columns_.half);
-        Table powers(halves.size(), length);
-        for (Eigen::Index m = 0; m < columns_.half.size(); ++m) {
-            if (m == 0 || !equal_widths_) {
-                for (Eigen::Index i = 0; i < length; ++i) {
-                    powers.col(i).setZero();
-                    for (Eigen::Index k = 0; i + k < length; ++k) {
-                        Scalar factor = 0;
-                        for (Eigen::Index j = k; i + j < length; ++j) factor += falling(i, j) * column_series(m, j - k);
-                        powers.col(i) += 2 * columns_.half[m] * factor * row_series.col(k);
-                    }
+        // what factor k of a row contributes to the power i, for every element; with equal widths one serves all
+        const Array element_half = equal_widths_ ? Array(columns_.half.head(1)) : columns_.half;
+        const Table element = sinhc_series(element_half, length);
+        element_factors_.setZero(element.rows(), length * length);
+        for (Eigen::Index i = 0; i < length; ++i) {
+            for (Eigen::Index k = 0; i + k < length; ++k) {
+                for (Eigen::Index j = k; i + j < length; ++j) {
+                    element_factors_.col(i * length + k) += 2 * falling(i, j) * element_half * element.col(j - k);
                 }
             }
-            const Array d = distances(m);
-            const Array square = d.square();
-            Array sum = Array::Zero(d.size());
-            for (Eigen::Index i = length - 1; i >= 0; --i) {
+        }
+        if (equal_widths_) polynomial_coefficients(0, common_powers_);
+    }
+
+    static Table sinhc_series(const Array& half, Eigen::Index length) {
+        Table series(half.size(), length);
+        for (Eigen::Index i = 0; i < length; ++i) {
+            if (i == 0) {
+                series.col(0).setOnes();
+            } else {
+                series.col(i) = series.col(i - 1) * half.square() / Scalar(2 * i * (2 * i + 1));
+            }
+        }
+        return series;
+    }
+
+    // row l of `powers`: coefficients of d^2i for element m seen from row l
+    void polynomial_coefficients(Eigen::Index m, Table& powers) const {
+        const Eigen::Index length = row_series_.cols();
+        powers.setZero(row_series_.rows(), length == 0 ? 0 : std::max<Eigen::Index>(length, short_length));
+        for (Eigen::Index i = 0; i < length; ++i) {
+            for (Eigen::Index k = 0; i + k < length; ++k) {
+                powers.col(i) += element_factors_(m, i * length + k) * row_series_.col(k);
+            }
+        }
+    }
+
+    Chunk polynomial_chunk(const Table& powers, const Chunk& d, Eigen::Index l) const {
+        const Chunk square = d.square();
+        Chunk sum;
+        if (equal_widths_ && powers.cols() == short_length) {
+            sum = horner<0, short_length - 1>(powers.data(), square);
+        } else {
+            sum.setZero();
+            for (Eigen::Index j = powers.cols() - 1; j >= 0; --j) {
                 if (equal_widths_) {
-                    sum = sum * square + powers(0, i);
+                    sum = sum * square + powers(0, j);
                 } else {
-                    sum = sum * square + powers.col(i);
+                    sum = sum * square + powers.template block<chunk, 1>(l, j);
                 }
             }
-            result.col(m).array() += slope ? Array(sum * d) : sum;
         }
+        if (quantity_ == Quantity::slope) sum *= d;
+        return sum;
+    }
+
+    Scalar polynomial(Eigen::Index l, Eigen::Index m) const {
+        const Eigen::Index length = row_series_.cols();
+        const Scalar d = distance(l, m);
+        Scalar sum = 0;
+        for (Eigen::Index i = length - 1; i >= 0; --i) {
+            Scalar power = 0;
+            if (equal_widths_) {
+                power = common_powers_(0, i);
+            } else {
+                for (Eigen::Index k = 0; i + k < length; ++k) {
+                    power += element_factors_(m, i * length + k) * row_series_(l, k);
+                }
+            }
+            sum = sum * d * d + power;
+        }
+        return quantity_ == Quantity::slope ? sum * d : sum;
     }
 
     // --- far entries of a kernel with a Taylor series ------------------------------------------------------------------
 
     void taylor_series(Eigen::Ref<Matrix> result) const {
-        const Eigen::Index terms = coefficients_.size() - 1;
-        const Eigen::Index count = rows_.half.size();
+        const Eigen::Index terms = last_taylor;
         const Eigen::Index q = quantity_ == Quantity::slope ? 1 : 0;
         for (Eigen::Index m = 0; m < columns_.half.size(); ++m) {
             const Scalar h = columns_.half[m];
             std::vector<Eigen::Index> far;
-            for (Eigen::Index l = 0; l < count; ++l) {
+            for (Eigen::Index l = 0; l < count_; ++l) {
                 if (!is_near(l, m)) far.push_back(l);
             }
             const Eigen::Index size = static_cast<Eigen::Index>(far.size());
@@ -420,8 +482,8 @@ private:
                     Scalar binomial = 1;
                     for (Eigen::Index i = 1; i <= j; ++i) {
                         power *= average;
-                        binomial *= Scalar(2 * j - 2 * i + 2) * Scalar(2 * j - 2 * i + 1) / Scalar(2 * i - 1) /
-                                    Scalar(2 * i);
+                        binomial *=
+                            Scalar(2 * j - 2 * i + 2) * Scalar(2 * j - 2 * i + 1) / Scalar(2 * i - 1) / Scalar(2 * i);
                         sum += binomial / Scalar(2 * i + 1) * power * moments.col(j - i);
                     }
                     moments.col(j) = sum;
@@ -439,11 +501,15 @@ private:
     const Kernel& kernel_;
     Quantity quantity_;
     int averages_;
-    const RowPoints<Scalar>& rows_;
-    const ColumnElements<Scalar>& columns_;
     bool equal_widths_;
+    RowPoints<Scalar> rows_;  // padded to whole chunks by repeating the last
+    ColumnElements<Scalar> columns_;
+    Eigen::Index count_;  // rows asked for
     std::optional<LogSplit<Scalar>> split_;
+    // ((h + averages delta) / d)^2 below which the series is taken; a term of a Taylor series costs more: fewer of them
+    Scalar far_ratio_;
     Array coefficients_, bounds_;
+    Table row_series_, element_factors_, common_powers_;
 };
 
 }  // namespace rollbem::detail

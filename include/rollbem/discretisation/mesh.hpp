@@ -48,10 +48,10 @@ public:
 
     Eigen::Index size() const { return data_.widths.size(); }  ///< n
     bool is_uniform() const { return data_.uniform; }
-    const Array& widths() const { return data_.widths; }           ///< n widths
-    const Array& centres() const { return centres_; }              ///< n centres x
-    const Array& from_trailing() const { return from_trailing_; }  ///< n values 1 + x of the centres
-    const Array& from_leading() const { return from_leading_; }    ///< n values 1 - x of the centres
+    const Array& widths() const { return data_.widths; }                            ///< n widths
+    const Array& centres() const { return centres_; }                               ///< n centres x
+    const Array& from_trailing() const { return from_trailing_; }                   ///< n values 1 + x of the centres
+    const Array& from_leading() const { return from_leading_; }                     ///< n values 1 - x of the centres
     const Array& edges_from_trailing() const { return data_.edges_from_trailing; }  ///< n+1 values 1 + x
     const Array& edges_from_leading() const { return data_.edges_from_leading; }    ///< n+1 values 1 - x
     Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
@@ -121,8 +121,7 @@ Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
 template <class Scalar = double>
 Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("knothe_mesh", n, 3, "be at least 3");
-    detail::require(epsilon > 0 && std::isfinite(epsilon), "knothe_mesh", "epsilon", epsilon,
-                    "be positive and finite");
+    detail::require(epsilon > 0 && std::isfinite(epsilon), "knothe_mesh", "epsilon", epsilon, "be positive and finite");
     const Scalar inner = 2 / (static_cast<Scalar>(n - 2) + 2 * epsilon);
     const auto edge = [=](Eigen::Index j) {
         return j == 0 ? Scalar(0) : j == n ? Scalar(2) : inner * (epsilon + static_cast<Scalar>(j - 1));

@@ -34,7 +34,7 @@ struct Galerkin {
     double alpha_L = 0;     ///< as in Collocation
     double alpha_T = 0.63;  ///< as in Collocation
     Derivative derivative = Derivative::analytic;
-    double lambda = 1;                 ///< centre of the interval of G, as in Collocation
+    double lambda = 1;                  ///< centre of the interval of G, as in Collocation
     int quadrature = exact_quadrature;  ///< Gauss-Legendre points, 1 to 1000, or exact_quadrature
 };
 

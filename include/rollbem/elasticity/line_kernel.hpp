@@ -50,7 +50,7 @@ template <class Kernel>
 concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
     {
         kernel.taylor(x, 1)
-    } -> std::convertible_to<Eigen::Array<typename Kernel::Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
+        } -> std::convertible_to<Eigen::Array<typename Kernel::Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
 };
 
 namespace detail {
@@ -139,21 +139,29 @@ public:
 
     /// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with
     /// (1+t^2)^{-1/2} = sum beta_k t^{2k}, beta_k = -beta_{k-1} (2k-1)/(2k), the rest of g is
-    /// (2/pi) sum_{k>=1} beta_k (c2 - c1/(2k)) t^{2k}. As |beta_k| < 1, the derivative of what is cut off after K terms
-    /// is below (2/pi)(|c1| + |c2|) 2(K+1) rho^{2K+2} / (reach (1 - rho^2)^2) for |x| <= reach, rho = reach/b, while
-    /// that of the logarithm is at least (2/pi) |c1| / reach: K is taken so that their ratio is below a rounding.
+    /// (2/pi) sum_{k>=1} e_k t^{2k}, e_k = beta_k (c2 - c1/(2k)). With rho = reach/b, the derivative of what is cut off
+    /// after K terms is at most (2/pi) sum_{k>K} 2k |e_k| rho^{2k} / |x| for |x| <= reach, that of the logarithm is
+    /// (2/pi) |c1| / |x|. As |beta_k| decreases, 2k |e_k| <= (2k |c2| + |c1|) |beta_{K+1}| and the sum is below
+    /// (2(K+1) |c2| + |c1|) |beta_{K+1}| rho^{2K+2} / (1 - rho^2)^2: K is the first for which this is below half a
+    /// rounding of |c1|.
     std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
         const Scalar rho = reach / b_;
         if (!(rho <= Scalar(0.25))) return std::nullopt;
-        const Scalar tolerance = std::numeric_limits<Scalar>::epsilon() / 8 * std::abs(c1_) /
-                                 (std::abs(c1_) + std::abs(c2_)) * (1 - rho * rho) * (1 - rho * rho);
+        const Scalar square = rho * rho;
+        const Scalar tolerance =
+            std::numeric_limits<Scalar>::epsilon() / 4 * std::abs(c1_) * (1 - square) * (1 - square);
+        const auto beta_ratio = [](Eigen::Index k) { return -Scalar(2 * k - 1) / Scalar(2 * k); };
         Eigen::Index terms = 0;
-        for (Scalar power = rho * rho; Scalar(2 * terms + 2) * power > tolerance; power *= rho * rho) ++terms;
+        Scalar beta = square * beta_ratio(1);  // of the first term cut off, times its power of rho
+        while ((Scalar(2 * terms + 2) * std::abs(c2_) + std::abs(c1_)) * std::abs(beta) > tolerance) {
+            ++terms;
+            beta *= square * beta_ratio(terms + 1);
+        }
         LogSplit<Scalar> split{scale() * (c1_ * std::log(2 * b_) + c2_), scale() * c1_, Array(terms)};
-        Scalar beta_over_power = scale();
+        beta = scale();
         for (Eigen::Index k = 1; k <= terms; ++k) {
-            beta_over_power *= -Scalar(2 * k - 1) / Scalar(2 * k) / b_ / b_;
-            split.even[k - 1] = beta_over_power * (c2_ - c1_ / Scalar(2 * k));
+            beta *= beta_ratio(k) / b_ / b_;
+            split.even[k - 1] = beta * (c2_ - c1_ / Scalar(2 * k));
         }
         return split;
     }

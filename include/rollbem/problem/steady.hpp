@@ -73,8 +73,7 @@ UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& 
 template <class Scalar, class Scheme>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                                     Scalar creepage) {
-    const UnitSteadySolution<Scalar> unit =
-        solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
+    const UnitSteadySolution<Scalar> unit = solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
     SteadySolution<Scalar> solution;
     solution.traction.setZero(mesh.size());
     solution.traction.head(unit.traction.size()) = contact.shear_modulus() * creepage * unit.traction;

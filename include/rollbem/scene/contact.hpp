@@ -19,10 +19,10 @@ public:
     using Scalar = Scalar_;
 
     struct Parameters {
-        Scalar half_length;                                            ///< a [m], in the rolling direction x
-        Scalar half_width = std::numeric_limits<Scalar>::infinity();   ///< b [m]; infinite for steady problems only
-        Scalar shear_modulus;                                          ///< G [Pa] of both (equal) bodies
-        Scalar poisson_ratio;                                          ///< nu [-]
+        Scalar half_length;                                           ///< a [m], in the rolling direction x
+        Scalar half_width = std::numeric_limits<Scalar>::infinity();  ///< b [m]; infinite for steady problems only
+        Scalar shear_modulus;                                         ///< G [Pa] of both (equal) bodies
+        Scalar poisson_ratio;                                         ///< nu [-]
     };
 
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
