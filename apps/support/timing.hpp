@@ -1,0 +1,37 @@
+// Timing: the median duration of a computation.
+// Short ones are repeated within a run so that the clock's resolution does not matter.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace study {
+
+/// Median over at least 5 runs of the time of one call [us]. Runs go on for 2 ms, up to 51 of them, which calms the
+/// median of short computations. `call` must return a double that depends on what it computed.
+template <class Call>
+double median_time_us(const Call& call) {
+    using Clock = std::chrono::steady_clock;
+    using Microseconds = std::chrono::duration<double, std::micro>;
+    volatile double kept = 0;  // keeps the optimiser from dropping the computation
+    const auto run = [&](std::size_t calls) {
+        const Clock::time_point start = Clock::now();
+        for (std::size_t i = 0; i < calls; ++i) kept = call();
+        return Microseconds(Clock::now() - start).count();
+    };
+    std::size_t calls = 1;
+    while (calls < 4096 && run(calls) < 20) calls *= 2;  // a run lasts some hundred times the clock's overhead
+    std::vector<double> runs;
+    double total = 0;
+    while (runs.size() < 5 || (total < 2000 && runs.size() < 51)) {
+        runs.push_back(run(calls));
+        total += runs.back();
+    }
+    const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
+    std::nth_element(runs.begin(), middle, runs.end());
+    return *middle / static_cast<double>(calls);
+}
+
+}  // namespace study

@@ -1,0 +1,103 @@
+// Traction in steady rolling: what each element carries against Carter's exact solution, which is singular at the
+// trailing edge. Beside the edges it converges; the element at the trailing edge keeps its relative error:
+//
+//     ./traction_study --n 20
+//     ./traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/problem/steady.hpp>
+
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/scenes.hpp"
+#include "support/table.hpp"
+
+namespace {
+
+const std::vector<std::string> columns{"n",           "x_over_a",       "traction", "carter",
+                                       "carter_mean", "relative_error", "alpha_L",  "alpha_T"};
+
+void emit_tractions(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
+    // 3. Solve for unit creepage. Where the result cannot be trusted, the cells stay empty; the leading element of
+    //    Knothe and Gross-Thebing's boundary conditions carries nothing.
+    const auto solve = [](const auto& mesh, const auto& scheme, const auto& kernel) {
+        return rollbem::solve_steady(mesh, scheme, kernel);
+    };
+    const rollbem::UnitSteadySolution<double> solution = scene.visit(solve);
+    Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
+    traction.head(solution.traction.size()) = solution.traction;
+    if (solution.status != rollbem::Status::ok) traction.setConstant(std::nan(""));
+
+    // 4. Compare with Carter: his traction at the element's centre, and its mean, which a constant element stands for.
+    const rollbem::Mesh<double>& mesh = *scene.mesh;
+    const double nu = scene.contact.poisson_ratio();
+    for (Eigen::Index i = Eigen::Index(elements.first); i < Eigen::Index(elements.last); ++i) {
+        const rollbem::EdgeDistances<double> centre{mesh.from_trailing()[i], mesh.from_leading()[i]};
+        const rollbem::ContactInterval<double> element{mesh.edges_from_trailing()[i], mesh.widths()[i],
+                                                       mesh.edges_from_leading()[i + 1]};
+        const double mean = rollbem::carter_mean_traction(element, nu);
+        emit({scene.n(), mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), mean,
+              traction[i] / mean - 1, scene.alpha_L, scene.alpha_T});
+    }
+}
+
+/// Carter's traction where it is no larger than `largest` in size.
+study::Series carter_line(double nu, double largest) {
+    study::Series line{.label = "Carter", .points = {}, .markers = false};
+    constexpr int points = 400;
+    for (int i = 1; i <= points; ++i) {  // dense near the trailing edge
+        const double x = 2 * std::pow(double(i) / points, 3) - 1;
+        const double traction = rollbem::carter_traction(x, nu);
+        if (std::abs(traction) <= largest) line.points.emplace_back(x, traction);
+    }
+    return line;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("traction_study", "Traction of every element in steady rolling against Carter's solution.");
+    options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
+    options.footer(
+        "Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact\n"
+        "  traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg\n"
+        "\n"
+        "One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit\n"
+        "creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean\n"
+        "over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.\n"
+        "Where G' is singular to working precision, traction and relative_error are empty.\n");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        // 2. One row for each element of each scene.
+        const std::vector<study::Scene> scenes = study::make_scenes(given, study::Problem::steady);
+        study::Table table;
+        table.columns = columns;
+        for (const study::Scene& scene : scenes) table.rows_of_task.push_back(std::size_t(scene.n()));
+        table.compute = [&](std::size_t task, study::RowRange elements, const study::Emit& emit) {
+            emit_tractions(scenes[task], elements, emit);
+        };
+
+        // 5. --plot: traction along the contact with Carter's line.
+        table.plot = [&](const std::vector<study::Row>& rows) {
+            study::Plot plot{.title = "Traction in steady rolling",
+                             .x_label = "x / a (leading edge at 1)",
+                             .y_label = "p / (G {/Symbol x})",
+                             .series = {}};
+            study::add_series(plot, columns, rows,
+                              {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction"});
+            double largest = 0;
+            for (study::Series& series : plot.series) {
+                series.line = false;
+                for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
+            }
+            plot.series.push_back(carter_line(scenes.front().contact.poisson_ratio(), 1.2 * largest));
+            return plot;
+        };
+        study::write_table(given, table);
+        return study::exit_ok;
+    });
+}
