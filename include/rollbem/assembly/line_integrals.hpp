@@ -66,7 +66,8 @@ public:
                 (rows_.from_leading.max(rows_.from_trailing) + rows_.offset.abs() + Scalar(averages) * rows_.half)
                     .maxCoeff());
         }
-        far_ratio_ = Scalar(1) / (split_ ? 16 : 256);
+        // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d
+        far_ratio_ = Scalar(1) / (split_ ? 16 : equal_widths_ ? 4096 : 256);
         if (split_) prepare_moments();
         if (split_) prepare_polynomial();
     }
@@ -309,10 +310,8 @@ private:
         }
     }
 
-    // The second average is taken by quadrature: about a far point the integrand is analytic far beyond the interval,
-    // where seven points reach double's rounding and nine long double's.
     void twice_averaged_series(Eigen::Ref<Matrix> result) const {
-        const QuadratureRule<Scalar> rule = gauss_legendre<Scalar>(std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);
+        const QuadratureRule<Scalar> rule = second_average();
         for_each_chunk(result, [&](const Chunk& d, Scalar h, const Chunk& delta) {
             Chunk sum = Chunk::Zero();
             for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
@@ -452,50 +451,49 @@ private:
     // --- far entries of a kernel with a Taylor series ------------------------------------------------------------------
 
     void taylor_series(Eigen::Ref<Matrix> result) const {
-        const Eigen::Index terms = last_taylor;
-        const Eigen::Index q = quantity_ == Quantity::slope ? 1 : 0;
+        const QuadratureRule<Scalar> rule = second_average();
+        std::vector<Eigen::Index> far;
         for (Eigen::Index m = 0; m < columns_.half.size(); ++m) {
-            const Scalar h = columns_.half[m];
-            std::vector<Eigen::Index> far;
+            far.clear();
             for (Eigen::Index l = 0; l < count_; ++l) {
                 if (!is_near(l, m)) far.push_back(l);
             }
-            const Eigen::Index size = static_cast<Eigen::Index>(far.size());
-            if (size == 0) continue;
-            Array d(size), delta(size);
-            for (Eigen::Index i = 0; i < size; ++i) {
+            if (far.empty()) continue;
+            Array d(static_cast<Eigen::Index>(far.size())), delta(d.size());
+            for (Eigen::Index i = 0; i < d.size(); ++i) {
                 d[i] = distance(far[static_cast<std::size_t>(i)], m);
                 delta[i] = rows_.half[far[static_cast<std::size_t>(i)]];
             }
-            const Table series = kernel_.taylor(d, 2 * terms + q);
-            // moments of (h-indicator) * (delta-indicator)^averages over d^2j, built up one average at a time:
-            // the even moments of a sum of independent variables, with m_2i = delta^2i / (2i+1) for each indicator
-            Table moments(size, terms + 1);
-            const Array element = (h / d).square(), average = (delta / d).square();
-            moments.col(0).setOnes();
-            for (Eigen::Index j = 1; j <= terms; ++j) moments.col(j) = moments.col(j - 1) * element;
-            for (Eigen::Index j = 1; j <= terms; ++j) moments.col(j) /= Scalar(2 * j + 1);
-            for (int a = 0; a < averages_; ++a) {
-                for (Eigen::Index j = terms; j > 0; --j) {
-                    Array sum = moments.col(j);
-                    Array power = Array::Ones(size);
-                    Scalar binomial = 1;
-                    for (Eigen::Index i = 1; i <= j; ++i) {
-                        power *= average;
-                        binomial *=
-                            Scalar(2 * j - 2 * i + 2) * Scalar(2 * j - 2 * i + 1) / Scalar(2 * i - 1) / Scalar(2 * i);
-                        sum += binomial / Scalar(2 * i + 1) * power * moments.col(j - i);
-                    }
-                    moments.col(j) = sum;
-                }
+            Array sum = Array::Zero(d.size());
+            for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+                sum += rule.weights[k] / 2 * taylor_sum(d + rule.nodes[k] * delta, columns_.half[m], delta);
             }
-            Array sum = Array::Zero(size);
-            for (Eigen::Index j = terms; j >= 0; --j) {
-                sum += moments.col(j) * series.col(2 * j + q) * (q == 1 ? Scalar(2 * j + 1) : Scalar(1));
-            }
-            if (q == 1) sum /= d;
-            for (Eigen::Index i = 0; i < size; ++i) result(far[static_cast<std::size_t>(i)], m) = 2 * h * sum[i];
+            for (Eigen::Index i = 0; i < d.size(); ++i) result(far[static_cast<std::size_t>(i)], m) = sum[i];
         }
+    }
+
+    // sum of M_2j g^{(q+2j)}(d) / (2j)! with the moments of prepare_moments
+    Array taylor_sum(const Array& d, Scalar h, const Array& delta) const {
+        const Eigen::Index q = quantity_ == Quantity::slope ? 1 : 0;
+        const Table series = kernel_.taylor(d, 2 * last_taylor + q);
+        const Array A = ((averages_ > 0 ? Array(h + delta) : Array::Constant(d.size(), h)) / d).square();
+        const Array B = averages_ > 0 ? Array(((h - delta) / d).square()) : Array::Zero(d.size());
+        Array sum = Array::Zero(d.size()), moment = Array::Ones(d.size()), power = B;
+        for (Eigen::Index j = 0; j <= last_taylor; ++j) {
+            const Scalar factor = averages_ > 0 ? 1 / Scalar((2 * j + 1) * (j + 1)) : 1 / Scalar(2 * j + 1);
+            sum += (q == 1 ? Scalar(2 * j + 1) : Scalar(1)) * factor * moment * series.col(2 * j + q);
+            moment = moment * A + power;
+            power *= B;
+        }
+        if (q == 1) sum /= d;
+        return 2 * h * sum;
+    }
+
+    // The second average is taken by quadrature: about a far point the integrand is analytic far beyond the interval,
+    // where seven points reach double's rounding and nine long double's.
+    QuadratureRule<Scalar> second_average() const {
+        if (averages_ == 2) return gauss_legendre<Scalar>(std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);
+        return {Array::Zero(1), Array::Constant(1, Scalar(2))};
     }
 
     const Kernel& kernel_;
