@@ -2,10 +2,6 @@
 // Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
 // GSL; includes nothing of the discretised problem, so that it cannot share its errors. Dimensionless: a = G = V = 1.
 
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_sf_bessel.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +13,10 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_sf_bessel.h>
 
 #include "../closed_form/carter.hpp"
 #include "../detail/require.hpp"
@@ -74,22 +74,21 @@ inline HankelSplit hankel_split(Complex s) {
     return split;
 }
 
-inline ScaledBessel scaled_bessel(Complex s) {
-    if (std::signbit(s.imag())) {
-        const ScaledBessel mirrored = scaled_bessel(std::conj(s));
-        return {std::conj(mirrored.i0), std::conj(mirrored.i1), std::conj(mirrored.sum)};
-    }
+/// Far from the origin; Im s >= 0.
+inline ScaledBessel hankel_bessel(Complex s) {
     const long double scale = std::abs(s.real());
-    if (std::abs(s) >= asymptotic_radius) {
-        const HankelSplit split = hankel_split(s);
-        const Complex root = std::sqrt(2 * std::numbers::pi_v<long double> * s);
-        const Complex forward = std::exp(s - scale) / root;
-        const Complex backward = Complex(0, 1) * std::exp(-s - scale) / root;
-        const Complex i0 = forward * split.i0_forward + backward * split.i0_backward;
-        const Complex sum = forward * split.sum_forward + backward * split.sum_backward;
-        return {i0, sum - i0, sum};
-    }
-    // I_n(s) = 1/pi int_0^pi e^{s cos t} cos(n t) dt by the trapezoidal rule; its error is about I_{2 count}(s)
+    const HankelSplit split = hankel_split(s);
+    const Complex root = std::sqrt(2 * std::numbers::pi_v<long double> * s);
+    const Complex forward = std::exp(s - scale) / root;
+    const Complex backward = Complex(0, 1) * std::exp(-s - scale) / root;
+    const Complex i0 = forward * split.i0_forward + backward * split.i0_backward;
+    const Complex sum = forward * split.sum_forward + backward * split.sum_backward;
+    return {i0, sum - i0, sum};
+}
+
+/// I_n(s) = 1/pi int_0^pi e^{s cos t} cos(n t) dt by the trapezoidal rule; its error is about I_{2 count}(s).
+inline ScaledBessel trapezoidal_bessel(Complex s) {
+    const long double scale = std::abs(s.real());
     const int count = static_cast<int>(std::abs(s)) + 40;
     ScaledBessel result{};
     for (int k = 0; k <= count; ++k) {
@@ -100,6 +99,17 @@ inline ScaledBessel scaled_bessel(Complex s) {
         result.sum += value * (1 + cosine);
     }
     return result;
+}
+
+inline ScaledBessel scaled_bessel(Complex s) {
+    if (std::abs(s) < asymptotic_radius) {
+        return trapezoidal_bessel(s);
+    }
+    if (!std::signbit(s.imag())) {
+        return hankel_bessel(s);
+    }
+    const ScaledBessel mirrored = hankel_bessel(std::conj(s));
+    return {std::conj(mirrored.i0), std::conj(mirrored.i1), std::conj(mirrored.sum)};
 }
 
 inline Complex laplace_c11(Complex s, long double poisson_ratio, long double lambda) {

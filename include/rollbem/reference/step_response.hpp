@@ -2,10 +2,11 @@
 // Exact force histories of the plane model: the response to a step, a ramp, a sine and piecewise linear creepage in the
 // distance rolled q = V t/a, by the modal series and Taylor's series; de Hoog's method as an independent second route.
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -81,8 +82,8 @@ double invert_laplace(const Transform& transform, double q, int terms = 40) {
 /// second route to StepResponse; sharpest for q/a < 2. Throws std::invalid_argument as laplace_c11, or for q/a <= 0.
 inline double step_response_de_hoog(double q_over_a, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::step_response_de_hoog", poisson_ratio, aspect);
-    return invert_laplace(
-        [&](detail::Complex s) { return detail::laplace_c11(s, poisson_ratio, lambda) / s; }, q_over_a);
+    return invert_laplace([&](detail::Complex s) { return detail::laplace_c11(s, poisson_ratio, lambda) / s; },
+                          q_over_a);
 }
 
 /// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 from the Taylor series about
@@ -103,6 +104,10 @@ public:
             const detail::Complex amplitude = weight * steady / (s * (1.0L - lambda * (lambda - 2) * s));
             modes_.push_back({std::complex<double>(s), std::complex<double>(amplitude)});
         }
+        // slowest decay first: by modulus a real eigenvalue far out would come between pairs that decay more slowly
+        std::sort(modes_.begin(), modes_.end(), [](const Mode& left, const Mode& right) {
+            return left.eigenvalue.real() > right.eigenvalue.real();
+        });
         make_taylor_coefficients();
     }
 
@@ -145,9 +150,8 @@ public:
         const long double phase = static_cast<long double>(omega) * q_over_a;
         const detail::Complex harmonic = detail::laplace_c11(detail::Complex(0, omega), poisson_ratio_, lambda_) *
                                          detail::Complex(std::cos(phase), std::sin(phase));
-        return static_cast<double>(harmonic.imag()) + modal_sum(q_over_a, [omega](std::complex<double> s) {
-                   return s * omega / (s * s + omega * omega);
-               });
+        return static_cast<double>(harmonic.imag()) +
+               modal_sum(q_over_a, [omega](std::complex<double> s) { return s * omega / (s * s + omega * omega); });
     }
 
     /// -F/(a G) at q/a for a piecewise linear creepage through the points (q_j, creepage_j), zero before q_0 and
@@ -237,15 +241,14 @@ private:
         return static_cast<double>(sum);
     }
 
-    /// Real part of sum amplitude factor(s) e^{s q}, up to the first term below rounding: their moduli descend but for
-    /// a resonance of `factor`, which lies among the leading terms or is guarded by the factor of 1e-3.
+    /// Real part of sum amplitude factor(s) e^{s q}, up to the first term far below rounding.
     template <typename Factor>
     double modal_sum(double q, const Factor& factor) const {
         double sum = 0;
         for (const Mode& mode : modes_) {
             const std::complex<double> weight = mode.amplitude * factor(mode.eigenvalue);
             sum += (weight * std::exp(mode.eigenvalue * q)).real();
-            if (std::abs(mode.amplitude) * std::exp(mode.eigenvalue.real() * q) < 1e-20) {
+            if (std::abs(weight) * std::exp(mode.eigenvalue.real() * q) < 1e-20) {
                 break;
             }
         }
@@ -254,8 +257,8 @@ private:
 
     double poisson_ratio_;
     double lambda_;
-    std::vector<Mode> modes_;            ///< by ascending modulus
-    std::vector<long double> taylor_;    ///< c11(s) = sum taylor_j s^-(j+1) for s -> infinity
+    std::vector<Mode> modes_;          ///< by descending real part
+    std::vector<long double> taylor_;  ///< c11(s) = sum taylor_j s^-(j+1) for s -> infinity
 };
 
 }  // namespace rollbem::reference

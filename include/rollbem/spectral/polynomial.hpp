@@ -98,8 +98,8 @@ struct PolynomialSolution {
         Complex next = 0;
         Complex current = 0;
         for (Eigen::Index n = u.size() - 1; n > 0; --n) {
-            const Complex previous = basis == PolynomialBasis::monomial ? u[n] + x_over_a * current
-                                                                        : u[n] + 2 * x_over_a * current - next;
+            const Complex previous =
+                basis == PolynomialBasis::monomial ? u[n] + x_over_a * current : u[n] + 2 * x_over_a * current - next;
             next = current;
             current = previous;
         }
@@ -208,11 +208,9 @@ PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_rati
     const Scalar dropped = std::abs(tail) * modulus * (1 + modulus) / static_cast<Scalar>(2 * order);
     const Scalar sum_error = dropped + rounding * (1 + modulus * (2 + std::abs(ratio)) / 4);
     const Scalar rest = 1 + modulus * std::abs(ratio) / 4;
-    result.error_estimate =
-        (sum_error / std::abs(sum) + rounding) * (1 + rest / std::abs(denominator)) +
-        rounding * modulus * lambda * std::abs(sum) / std::abs(denominator);
-    result.status =
-        detail::polynomial_status(result.c11, result.error_estimate, detail::chebyshev_tolerance<Scalar>());
+    result.error_estimate = (sum_error / std::abs(sum) + rounding) * (1 + rest / std::abs(denominator)) +
+                            rounding * modulus * lambda * std::abs(sum) / std::abs(denominator);
+    result.status = detail::polynomial_status(result.c11, result.error_estimate, detail::chebyshev_tolerance<Scalar>());
     return result;
 }
 
@@ -255,8 +253,8 @@ PolynomialSolution<Scalar> solve_chebyshev(std::complex<Scalar> s, Scalar poisso
     }
     traction /= 2 * (1 - poisson_ratio);
     const PolynomialC11<Scalar> scalar = polynomial_c11(s, poisson_ratio, aspect, order);
-    return {PolynomialBasis::chebyshev, scalar.c11, traction, displacement, scalar.error_estimate, Scalar(1),
-            scalar.status};
+    return {PolynomialBasis::chebyshev, scalar.c11, traction,     displacement,
+            scalar.error_estimate,      Scalar(1),  scalar.status};
 }
 
 /// The same at default_polynomial_order(s).

@@ -1,0 +1,110 @@
+#pragma once
+// B of Eq. (19) fitted by least squares to the integral of Eq. (20), as the paper obtains it: GSL quadrature with the
+// logarithm and the root singularities in the weight. Independent of the closed form in spectral/polynomial.hpp.
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include "../closed_form/carter.hpp"
+#include "../detail/require.hpp"
+
+namespace rollbem::reference {
+
+namespace detail {
+
+using rollbem::detail::require;
+
+/// GSL's QAWS on one interval: weight (x-lower)^alpha (upper-x)^beta, times ln(x-lower) or ln(upper-x) on request.
+class SingularQuadrature {
+public:
+    SingularQuadrature() : workspace_(gsl_integration_workspace_alloc(limit), &gsl_integration_workspace_free) {
+        if (!workspace_) {
+            throw std::bad_alloc();
+        }
+    }
+
+    template <typename Function>
+    double integrate(const Function& function, double lower, double upper, double alpha, double beta, bool lower_log,
+                     bool upper_log) const {
+        const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> table(
+            gsl_integration_qaws_table_alloc(alpha, beta, lower_log ? 1 : 0, upper_log ? 1 : 0),
+            &gsl_integration_qaws_table_free);
+        if (!table) {
+            throw std::bad_alloc();
+        }
+        gsl_function integrand{};
+        integrand.function = [](double x, void* data) { return (*static_cast<const Function*>(data))(x); };
+        integrand.params = const_cast<Function*>(&function);  // GSL's interface knows no const; it is only read
+        double result = 0;
+        double error = 0;
+        const int status = gsl_integration_qaws(&integrand, lower, upper, table.get(), 1e-13, 1e-12, limit,
+                                                workspace_.get(), &result, &error);
+        if (status != GSL_SUCCESS && !(error < 1e-10)) {
+            throw std::runtime_error(std::string("reference::fitted_displacement_matrix: GSL: ") +
+                                     gsl_strerror(status));
+        }
+        return result;
+    }
+
+private:
+    static constexpr std::size_t limit = 200;
+    std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace_;
+};
+
+}  // namespace detail
+
+/// U_j(x)/a of Eq. (20) for P_j = x^j/sqrt(1-x^2), G = 1, -1 < x < 1, by adaptive quadrature. Throws
+/// std::invalid_argument for degree < 0, x outside, a bad poisson_ratio or aspect; std::runtime_error where GSL fails.
+inline double monomial_displacement(int degree, double x_over_a, double poisson_ratio, double aspect) {
+    plane_lambda(poisson_ratio, aspect);  // checks both
+    detail::require(degree >= 0, "reference::monomial_displacement", "degree", degree, "be at least 0");
+    detail::require(std::abs(x_over_a) < 1, "reference::monomial_displacement", "x/a", x_over_a, "lie in (-1, 1)");
+    const detail::SingularQuadrature quadrature;
+    const double x = x_over_a;
+    const double level = 2 * (1 - poisson_ratio) * std::log(2 * aspect) + 2 * poisson_ratio;
+    const auto left = [degree](double t) { return std::pow(t, degree) / std::sqrt(1 - t); };
+    const auto right = [degree](double t) { return std::pow(t, degree) / std::sqrt(1 + t); };
+    const double logarithm = quadrature.integrate(left, -1, x, -0.5, 0, false, true) +
+                             quadrature.integrate(right, x, 1, 0, -0.5, true, false);
+    const double moment = quadrature.integrate(left, -1, x, -0.5, 0, false, false) +
+                          quadrature.integrate(right, x, 1, 0, -0.5, false, false);
+    return (level * moment - 2 * (1 - poisson_ratio) * logarithm) / std::numbers::pi;
+}
+
+/// B, (order+1) x (order+1) and lower triangular: each row fitted to monomial_displacement at 2 (order + 1) Chebyshev
+/// points by least squares. The fit loses digits like the condition of the monomials, about 2.4^order: sensible up to
+/// order 20 or so. Throws as monomial_displacement, or std::invalid_argument for order < 0.
+inline Eigen::MatrixXd fitted_displacement_matrix(int order, double poisson_ratio, double aspect) {
+    detail::require(order >= 0, "reference::fitted_displacement_matrix", "order", order, "be at least 0");
+    const int count = 2 * (order + 1);
+    Eigen::VectorXd points(count);
+    for (int i = 0; i < count; ++i) {
+        points[i] = std::cos(std::numbers::pi * (i + 0.5) / count);
+    }
+    Eigen::MatrixXd powers(count, order + 1);
+    for (int l = 0; l <= order; ++l) {
+        powers.col(l) = points.array().pow(l);
+    }
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(order + 1, order + 1);
+    Eigen::VectorXd displacement(count);
+    for (int j = 0; j <= order; ++j) {
+        for (int i = 0; i < count; ++i) {
+            displacement[i] = monomial_displacement(j, points[i], poisson_ratio, aspect);
+        }
+        const Eigen::VectorXd row = powers.leftCols(j + 1).colPivHouseholderQr().solve(displacement);
+        b.row(j).head(j + 1) = row.transpose();
+    }
+    return b;
+}
+
+}  // namespace rollbem::reference

@@ -1,0 +1,205 @@
+// rollbem/reference/bessel.hpp
+#include "rollbem/reference/bessel.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_sf_bessel.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+using reference::detail::asymptotic_radius;
+using reference::detail::scaled_bessel;
+using LongComplex = std::complex<long double>;
+using Complex = std::complex<double>;
+
+double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
+
+TEST_CASE("complex I_n meet their power series", "[bessel]") {
+    for (const LongComplex s : {LongComplex(0, 0), LongComplex(1, 0), LongComplex(-0.5L, 3), LongComplex(4, -7),
+                                LongComplex(0, 9), LongComplex(-8, 0)}) {
+        LongComplex i0 = 0;
+        LongComplex i1 = 0;
+        LongComplex term = 1;  // (s/2)^(2k)/k!^2
+        for (int k = 0; k < 60; ++k) {
+            i0 += term;
+            i1 += term * s / 2.0L / static_cast<long double>(k + 1);
+            term *= s * s / 4.0L / static_cast<long double>((k + 1) * (k + 1));
+        }
+        const long double scale = std::exp(-std::abs(s.real()));
+        const auto bessel = scaled_bessel(s);
+        CAPTURE(s);
+        CHECK(std::abs(bessel.i0 - i0 * scale) < 1e-16L);
+        CHECK(std::abs(bessel.i1 - i1 * scale) < 1e-16L);
+        CHECK(std::abs(bessel.sum - (i0 + i1) * scale) < 1e-16L);
+    }
+}
+
+TEST_CASE("Hankel's expansions continue the trapezoidal rule", "[bessel]") {
+    for (int k = 0; k <= 6; ++k) {
+        for (const long double radius : {asymptotic_radius, 60.0L, 200.0L}) {
+            const LongComplex s = k == 6 ? LongComplex(-radius, 0)  // polar would round to below the axis
+                                         : std::polar(radius, std::numbers::pi_v<long double> * k / 6);
+            const auto trapezoidal = reference::detail::trapezoidal_bessel(s);
+            const auto hankel = reference::detail::hankel_bessel(s);
+            const auto close = [&](LongComplex a, LongComplex b) { return std::abs(a - b) < 1e-18L * radius; };
+            CAPTURE(k, static_cast<double>(radius));
+            CHECK(close(trapezoidal.i0, hankel.i0));
+            CHECK(close(trapezoidal.i1, hankel.i1));
+            CHECK(close(trapezoidal.sum, hankel.sum));
+        }
+    }
+}
+
+TEST_CASE("c11 by J0, J1 equals c11 at complex s", "[bessel]") {
+    gsl_set_error_handler_off();
+    double largest = 0;
+    for (const double nu : {0.0, 0.25, 0.5}) {
+        for (const double aspect : {0.3, 10.0, 1e6}) {
+            for (const double z : {0.0, 1e-300, 1e-3, 0.1, 1.0, 5.0, 20.0, 39.9, 40.1, 200.0, 1e4, -3.0}) {
+                largest = std::max(largest, relative_error(reference::laplace_c11({0, z}, nu, aspect),
+                                                           reference::harmonic_c11(z, nu, aspect)));
+            }
+        }
+    }
+    CAPTURE(largest * 1e15);
+    CHECK(largest < 3e-15);
+}
+
+TEST_CASE("c11 in its limits and symmetries", "[bessel]") {
+    gsl_set_error_handler_off();
+    const double nu = 0.25;
+    const double aspect = 1000;
+    CHECK(reference::harmonic_c11(0, nu, aspect) == Complex(steady_c11(nu)));
+    const double z = 1e5;
+    CHECK(std::abs(reference::harmonic_c11(z, nu, aspect)) * z * plane_lambda(nu, aspect) / steady_c11(nu) ==
+          Approx(1).epsilon(2e-5));
+    CHECK(reference::harmonic_c11(-2, nu, aspect) == std::conj(reference::harmonic_c11(2, nu, aspect)));
+    CHECK(relative_error(reference::laplace_c11({-1, -2}, nu, aspect),
+                         std::conj(reference::laplace_c11({-1, 2}, nu, aspect))) < 1e-15);
+    CHECK(reference::laplace_c11({-1, -50}, nu, aspect) == std::conj(reference::laplace_c11({-1, 50}, nu, aspect)));
+    // first order in s: c11 = C (1 + s (1/2 - Lambda))
+    const Complex slope = (reference::laplace_c11(1e-5, nu, aspect) - reference::laplace_c11(-1e-5, nu, aspect)) / 2e-5;
+    CHECK(relative_error(slope, steady_c11(nu) * (0.5 - plane_lambda(nu, aspect))) < 1e-7);
+}
+
+TEST_CASE("the exact traction carries c11 and satisfies zero slip", "[bessel]") {
+    gsl_set_error_handler_off();
+    const double nu = 0.28;
+    const double aspect = 50;
+    for (const Complex s : {Complex(0, 0), Complex(0, 1), Complex(0, 12), Complex(-2, 5)}) {
+        const reference::ExactTraction traction(s, nu, aspect);
+        // integrals of p f with x = -cos(theta): p sin(theta) is an even trigonometric polynomial
+        const int count = 200;
+        Complex force = 0;
+        for (int k = 0; k < count; ++k) {
+            const double theta = std::numbers::pi * (k + 0.5) / count;
+            force += traction(-std::cos(theta)) * std::sin(theta) * std::numbers::pi / static_cast<double>(count);
+        }
+        CAPTURE(s);
+        CHECK(relative_error(-force, traction.c11()) < 1e-12);
+        CHECK(traction(1) == Complex(0));
+        if (s == Complex(0)) {
+            for (const double x : {-0.999, 0.2, 1 - 1e-9}) {
+                CHECK(relative_error(traction(x), carter_traction(x, nu)) < 1e-15);
+            }
+        }
+        // u' - s u = 1 with u by quadrature of the plane kernel, Eq. (20), by the trapezoidal rule after subtraction
+        // of the logarithm's Fourier series: ln|x - y| = -ln 2 - 2 sum T_n(x) T_n(y)/n, cut where p has no content
+        const auto displacement = [&](double x) {
+            Complex u = 0;
+            for (int k = 0; k < count; ++k) {
+                const double theta = std::numbers::pi * (k + 0.5) / count;
+                double kernel = (1 - nu) * (2 * std::log(2 * aspect) + 2 * std::numbers::ln2) + 2 * nu;
+                for (int n = 1; n < count / 2; ++n) {
+                    kernel += 4 * (1 - nu) * std::cos(n * std::acos(x)) * std::cos(n * (std::numbers::pi - theta)) / n;
+                }
+                u += traction(-std::cos(theta)) * std::sin(theta) * kernel / static_cast<double>(count);
+            }
+            return u;
+        };
+        const double h = 1e-3;
+        for (const double x : {-0.7, 0.4}) {
+            const Complex slope = (8.0 * (displacement(x + h) - displacement(x - h)) -
+                                   (displacement(x + 2 * h) - displacement(x - 2 * h))) /
+                                  (12 * h);
+            CHECK(std::abs(slope - s * displacement(x) - 1.0) < 1e-8);
+        }
+    }
+}
+
+TEST_CASE("the first exact eigenvalues", "[bessel]") {
+    gsl_set_error_handler_off();
+    const std::vector<Complex> values = reference::eigenvalues(3, 0.25, 100);
+    REQUIRE(values.size() == 3);
+    CHECK(std::abs(values[0] - Complex(-0.17302005735, 0)) < 1e-11);
+    CHECK(std::abs(values[1] - Complex(-1.46935559502, 2.98100869072)) < 1e-11);
+    CHECK(std::abs(values[2] - Complex(-1.80867424789, 6.17549758306)) < 1e-11);
+}
+
+/// Number of zeros of D(s) = I0 + s Lambda (I0 + I1) with |s| < radius by the argument principle: the phase of
+/// D e^{-s}-like scaled values summed over small steps; scaling by a positive number leaves it alone.
+int count_zeros(double radius, double lambda) {
+    const int steps = static_cast<int>(12 * radius) + 200;
+    long double phase = 0;
+    LongComplex last = 0;
+    for (int k = 0; k <= steps; ++k) {
+        const LongComplex s = std::polar<long double>(radius, 2 * std::numbers::pi_v<long double> * k / steps);
+        const auto bessel = scaled_bessel(s);
+        const LongComplex value = bessel.i0 + s * static_cast<long double>(lambda) * bessel.sum;
+        if (k > 0) {
+            phase += std::arg(value / last);
+        }
+        last = value;
+    }
+    return static_cast<int>(std::lround(phase / (2 * std::numbers::pi_v<long double>)));
+}
+
+TEST_CASE("no exact eigenvalue is missed or found twice", "[bessel]") {
+    gsl_set_error_handler_off();
+    // a second real eigenvalue comes in near Lambda = 1.6 and goes to minus infinity as Lambda -> 2
+    for (const double lambda : {0.05, 1.5, 1.65, 1.8, 1.9, 1.98, 1.995, 2.0, 2.01, 2.5, 6.3, 700.0}) {
+        const double aspect = std::exp(lambda) / 4;  // nu = 0
+        const std::vector<Complex> values = reference::eigenvalues(60, 0, aspect);
+        for (std::size_t n = 1; n < values.size(); ++n) {
+            CHECK(std::abs(values[n] - values[n - 1]) > 0.05);
+        }
+        for (const Complex s : values) {
+            CAPTURE(lambda, s);
+            CHECK(s.real() < 0);
+            CHECK(std::abs(reference::detail::newton_step(LongComplex(s.real(), s.imag()), lambda)) <
+                  1e-15L * std::abs(s) * (std::abs(s.imag()) > 0 ? 4 : 1000));
+        }
+        for (const double radius : {2.0, 10.0, 38.3, 41.1, 44.0, 100.0, 170.0}) {
+            int expected = 0;
+            for (const Complex s : values) {
+                expected += std::abs(s) < radius ? (s.imag() > 0 ? 2 : 1) : 0;
+            }
+            CAPTURE(lambda, radius);
+            CHECK(count_zeros(radius, lambda) == expected);
+        }
+    }
+}
+
+TEST_CASE("the references refuse bad input by name", "[bessel]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS(reference::harmonic_c11(nan, 0.25, 100), std::invalid_argument);
+    CHECK_THROWS_AS(reference::harmonic_c11(1, 0.7, 100), std::invalid_argument);
+    CHECK_THROWS_AS(reference::harmonic_c11(1, 0.25, infinity), std::invalid_argument);
+    CHECK_THROWS_WITH(reference::laplace_c11(1, 0.25, 0.1), Catch::Matchers::ContainsSubstring("Lambda"));
+    CHECK_THROWS_AS(reference::laplace_c11({0, infinity}, 0.25, 100), std::invalid_argument);
+    CHECK_THROWS_AS(reference::eigenvalues(0, 0.25, 100), std::invalid_argument);
+    CHECK_THROWS_AS(reference::ExactTraction({0, 1}, 0.25, 100)(1.5), std::invalid_argument);
+}
+
+}  // namespace

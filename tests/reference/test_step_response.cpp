@@ -1,0 +1,150 @@
+// rollbem/reference/step_response.hpp
+#include "rollbem/reference/step_response.hpp"
+
+#include <gsl/gsl_errno.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+using reference::StepResponse;
+using LongComplex = std::complex<long double>;
+
+constexpr double poisson_ratio = 0.25;
+
+TEST_CASE("de Hoog's method inverts known transforms", "[step_response]") {
+    for (const double q : {0.01, 1.0, 7.0}) {
+        CAPTURE(q);
+        CHECK(reference::invert_laplace([](LongComplex s) { return 1.0L / (s + 1.0L); }, q) ==
+              Approx(std::exp(-q)).epsilon(1e-11));
+        CHECK(reference::invert_laplace([](LongComplex s) { return 1.0L / (s * s); }, q) == Approx(q).epsilon(1e-11));
+        CHECK(reference::invert_laplace([](LongComplex s) { return 1.0L / std::sqrt(s); }, q) ==
+              Approx(1 / std::sqrt(std::numbers::pi * q)).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("the step response at known places", "[step_response]") {
+    gsl_set_error_handler_off();
+    const StepResponse response(poisson_ratio, 100);
+    for (const auto& [q, force] : {std::pair{0.1, 0.03298237853325}, std::pair{1.0, 0.3171793811867},
+                                   std::pair{5.0, 1.205411082237}, std::pair{20.0, 2.028055957243}}) {
+        CAPTURE(q);
+        CHECK(response.step(q) == Approx(force).epsilon(1e-12));
+        CHECK(reference::step_response_de_hoog(q, poisson_ratio, 100) == Approx(force).epsilon(2e-12));
+    }
+    CHECK(response.step(0) == 0);
+    CHECK(response.step(-1) == 0);
+    CHECK(response.step(1000) == Approx(steady_c11(poisson_ratio)).epsilon(1e-14));
+}
+
+TEST_CASE("series and de Hoog's method agree on step, ramp and sine", "[step_response]") {
+    gsl_set_error_handler_off();
+    for (const double aspect : {1.0, 10.0, 100.0, 1e6}) {
+        const StepResponse response(poisson_ratio, aspect);
+        const long double lambda = plane_lambda(poisson_ratio, aspect);
+        const auto c11 = [lambda](LongComplex s) {
+            return reference::detail::laplace_c11(s, poisson_ratio, lambda);
+        };
+        for (const double q : {1e-3, 0.1, 0.7, 1.4999, 1.5001, 1.7, 2.5, 3.0, 5.0, 9.0}) {
+            CAPTURE(aspect, q);
+            CHECK(response.step(q) == Approx(reference::step_response_de_hoog(q, poisson_ratio, aspect)).epsilon(2e-10));
+            const double ramp = reference::invert_laplace([&](LongComplex s) { return c11(s) / (s * s); }, q);
+            CHECK(response.ramp(q) == Approx(ramp).epsilon(2e-10));
+            for (const double omega : {0.5, 2.0}) {
+                const long double w = omega;
+                const double sine =
+                    reference::invert_laplace([&](LongComplex s) { return c11(s) * w / (s * s + w * w); }, q);
+                CHECK(std::abs(response.sine(omega, q) - sine) < 2e-10);
+            }
+        }
+    }
+}
+
+TEST_CASE("Taylor's and the modal series meet, and more modes change little", "[step_response]") {
+    gsl_set_error_handler_off();
+    for (const double aspect : {0.3, 1.32, 10.0, 100.0}) {
+        const StepResponse response(poisson_ratio, aspect);
+        const StepResponse doubled(poisson_ratio, aspect, 8000);
+        const double below = 1.5;
+        const double above = std::nextafter(1.5, 2);
+        CAPTURE(aspect);
+        CHECK(std::abs(response.step(above) - response.step(below)) < 1e-10);
+        CHECK(std::abs(response.ramp(above) - response.ramp(below)) < 1e-13);
+        CHECK(std::abs(response.sine(3, above) - response.sine(3, below)) < 1e-12);
+        for (const double q : {1.9, 1.99, 2.0, 2.01, 4.0}) {
+            CAPTURE(q);
+            CHECK(std::abs(response.step(q) - doubled.step(q)) < (aspect >= 10 ? 1e-10 : 1e-8));
+        }
+    }
+}
+
+TEST_CASE("the ramp is the integral of the step, the sine ends in the harmonic response", "[step_response]") {
+    gsl_set_error_handler_off();
+    const StepResponse response(poisson_ratio, 100);
+    for (const double q : {0.3, 1.2, 3.3, 12.0}) {
+        const double h = 1e-3;
+        const double slope = (8 * (response.ramp(q + h) - response.ramp(q - h)) -
+                              (response.ramp(q + 2 * h) - response.ramp(q - 2 * h))) /
+                             (12 * h);
+        CHECK(slope == Approx(response.step(q)).epsilon(1e-9));
+    }
+    const double omega = 3;
+    const double q = 300;
+    const std::complex<double> harmonic =
+        reference::harmonic_c11(omega, poisson_ratio, 100) * std::polar(1.0, omega * q);
+    CHECK(std::abs(response.sine(omega, q) - harmonic.imag()) < 1e-12);
+}
+
+TEST_CASE("piecewise linear histories", "[step_response]") {
+    gsl_set_error_handler_off();
+    const StepResponse response(poisson_ratio, 100);
+    // a jump to 2, a ramp down to -1 between q = 1 and 3, a jump to 0.5 at 4
+    const std::vector<double> points{0.5, 1, 3, 4, 4};
+    const std::vector<double> creepage{2, 2, -1, -1, 0.5};
+    for (const double q : {0.2, 0.8, 2.0, 3.5, 4.0, 6.0, 30.0}) {
+        const double expected = 2 * response.step(q - 0.5) - 1.5 * (response.ramp(q - 1) - response.ramp(q - 3)) +
+                                1.5 * response.step(q - 4);
+        CAPTURE(q);
+        CHECK(std::abs(response.history(points, creepage, q) - expected) < 1e-14);
+    }
+    // a sine by linear pieces tends to the sine response with the square of the piece
+    const double omega = 2;
+    const double end = 6;
+    std::vector<double> errors;
+    for (const int count : {150, 300}) {
+        std::vector<double> q;
+        std::vector<double> xi;
+        for (int k = 0; k <= count; ++k) {
+            q.push_back(end * k / count);
+            xi.push_back(std::sin(omega * q.back()));
+        }
+        errors.push_back(response.history(q, xi, end) - response.sine(omega, end));
+    }
+    CAPTURE(errors[0], errors[1]);
+    CHECK(std::abs(errors[0]) < 2e-4);
+    CHECK(errors[0] / errors[1] == Approx(4).epsilon(0.01));
+}
+
+TEST_CASE("force histories refuse bad input by name", "[step_response]") {
+    gsl_set_error_handler_off();
+    CHECK_THROWS_WITH(StepResponse(poisson_ratio, 0.1), Catch::Matchers::ContainsSubstring("Lambda"));
+    CHECK_THROWS_AS(StepResponse(poisson_ratio, 100, 0), std::invalid_argument);
+    CHECK_THROWS_AS(reference::step_response_de_hoog(0, poisson_ratio, 100), std::invalid_argument);
+    const StepResponse response(poisson_ratio, 100, 10);
+    CHECK_THROWS_AS(response.sine(-1, 1), std::invalid_argument);
+    const std::vector<double> one{0};
+    const std::vector<double> two{0, 1};
+    const std::vector<double> descending{1, 0};
+    CHECK_THROWS_AS(response.history(one, two, 1), std::invalid_argument);
+    CHECK_THROWS_AS(response.history({}, {}, 1), std::invalid_argument);
+    CHECK_THROWS_AS(response.history(descending, two, 2), std::invalid_argument);
+}
+
+}  // namespace

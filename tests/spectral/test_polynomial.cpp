@@ -1,0 +1,276 @@
+// rollbem/spectral/polynomial.hpp
+#include "rollbem/spectral/polynomial.hpp"
+
+#include <gsl/gsl_errno.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <string>
+
+#include <Eigen/Eigenvalues>
+
+#include "rollbem/reference/bessel.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+
+double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
+
+TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomial]") {
+    gsl_set_error_handler_off();
+    double largest = 0;
+    for (const double nu : {0.0, 0.25, 0.5}) {
+        for (const double aspect : {0.3, 1.0, 10.0, 100.0, 1e4, 1e8}) {
+            for (const double z : {1e-300, 1e-6, 0.1, 1.0, 2.404825557695773, 3.831705970207512, 7.0, 20.0, 50.0, 100.0,
+                                   200.0, -1.0, -50.0}) {
+                const Complex s(0, z);
+                const Complex exact = reference::harmonic_c11(z, nu, aspect);
+                const auto order = static_cast<Eigen::Index>(std::ceil(2 * std::abs(z) + 40));
+                const PolynomialC11<double> given = polynomial_c11(s, nu, aspect, order);
+                const PolynomialC11<double> automatic = polynomial_c11(s, nu, aspect);
+                largest = std::max({largest, relative_error(given.c11, exact), relative_error(automatic.c11, exact)});
+                CHECK(given.status == PolynomialStatus::ok);
+                CHECK(automatic.status == PolynomialStatus::ok);
+            }
+        }
+    }
+    CAPTURE(largest * 1e15);
+    CHECK(largest < 5e-15);
+}
+
+TEST_CASE("Chebyshev's error estimate covers the error at every order and complex s", "[polynomial]") {
+    int count = 0;
+    int violations = 0;
+    double slackest = 0;
+    for (const double z : {0.0, 1e-3, 1.0, 3.0, 30.0, 100.0}) {
+        for (const double re : {0.0, -1.0, -10.0, -60.0, 5.0, 40.0}) {
+            for (const double aspect : {1.0, 100.0}) {
+                const Complex s(re, z);
+                const Complex exact = reference::laplace_c11(s, 0.25, aspect);
+                for (Eigen::Index order = 1; order < static_cast<Eigen::Index>(2 * z + 60); ++order) {
+                    const PolynomialC11<double> solution = polynomial_c11(s, 0.25, aspect, order);
+                    const double error = relative_error(solution.c11, exact);
+                    ++count;
+                    violations += error > solution.error_estimate ? 1 : 0;
+                    if (solution.status == PolynomialStatus::ok) {
+                        slackest = std::max(slackest, error);
+                    }
+                }
+                const PolynomialC11<double> automatic = polynomial_c11(s, 0.25, aspect);
+                CAPTURE(s, aspect, automatic.error_estimate);
+                CHECK(relative_error(automatic.c11, exact) < 1e-12);
+                CHECK(automatic.error_estimate < 1e-11);
+            }
+        }
+    }
+    CAPTURE(count, slackest);
+    CHECK(violations == 0);
+    CHECK(slackest < 1.5e-8);
+}
+
+TEST_CASE("Chebyshev refuses an order below the frequency", "[polynomial]") {
+    const PolynomialC11<double> solution = polynomial_c11(Complex(0, 50), 0.25, 100.0, 20);
+    CHECK(solution.status == PolynomialStatus::not_converged);
+    CHECK(relative_error(solution.c11, reference::harmonic_c11(50, 0.25, 100.0)) > 1e-6);
+}
+
+TEST_CASE("Chebyshev coefficients solve the bordered system", "[polynomial]") {
+    const double nu = 0.3;
+    const double aspect = 20;
+    for (const Complex s : {Complex(0, 0), Complex(0, 2), Complex(-3, 40), Complex(5, -1)}) {
+        for (const Eigen::Index order : {1, 2, 3, 30, 90}) {
+            const PolynomialSolution<double> solution = solve_chebyshev(s, nu, aspect, order);
+            const Eigen::VectorXcd p = 2 * (1 - nu) * solution.traction_coefficients;
+            const auto at = [&](Eigen::Index n) { return n <= order ? p[n] : Complex(0); };
+            double residual = std::abs(at(1) - s * (plane_lambda(nu, aspect) * at(0) - at(2) / 4.0) - 1.0);
+            for (Eigen::Index k = 1; k < order; ++k) {
+                const double n = static_cast<double>(k);
+                residual = std::max(residual, std::abs(at(k + 1) - s * (at(k) / (2 * n) - at(k + 2) / (2 * (n + 2)))));
+            }
+            CAPTURE(s, order, residual, p.cwiseAbs().maxCoeff());
+            CHECK(residual < 1e-14 * (1 + std::abs(s) * 10 * p.cwiseAbs().maxCoeff()));
+            CHECK(std::abs(p.sum()) < 1e-14 * p.cwiseAbs().sum() * (1 + std::abs(s)));
+            CHECK(relative_error(solution.c11, -std::numbers::pi * solution.traction_coefficients[0]) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("tractions and displacements of all routes agree", "[polynomial]") {
+    gsl_set_error_handler_off();
+    const double nu = 0.25;
+    const double aspect = 100;
+    for (const double z : {0.0, 0.5, 3.0}) {
+        const Complex s(0, z);
+        const reference::ExactTraction exact(s, nu, aspect);
+        const PolynomialSolution<double> chebyshev = solve_chebyshev(s, nu, aspect);
+        const PolynomialSolution<double> monomial = solve_monomial<double>(s, nu, aspect, 30);
+        for (const double x : {-1 + 1e-9, -0.999, -0.5, 0.0, 0.3, 0.9, 1 - 1e-8}) {
+            CAPTURE(z, x);
+            CHECK(relative_error(chebyshev.traction(x), exact(x)) < 1e-13);
+            CHECK(relative_error(monomial.traction(x), exact(x)) < 1e-13);
+            CHECK(relative_error(monomial.displacement(x), chebyshev.displacement(x)) < 1e-13);
+            if (z == 0) {
+                CHECK(std::abs(chebyshev.traction(x) / carter_traction(x, nu) - 1.0) < 1e-14);
+            }
+        }
+        CHECK(chebyshev.traction(1.0) == Complex(0));
+        CHECK(monomial.traction(1.0) == Complex(0));
+    }
+    const reference::ExactTraction fast(Complex(0, 150), nu, aspect);
+    const PolynomialSolution<double> chebyshev = solve_chebyshev(Complex(0, 150), nu, aspect);
+    for (const double x : {-0.999, -0.5, 0.0, 0.9, 1 - 1e-8}) {
+        CHECK(relative_error(chebyshev.traction(x), fast(x)) < 1e-12);
+    }
+}
+
+TEST_CASE("the displacement satisfies zero slip", "[polynomial]") {
+    const Complex s(-0.5, 4);
+    const PolynomialSolution<double> solution = solve_chebyshev(s, 0.25, 50.0);
+    const double h = 1e-3;
+    for (const double x : {-0.9, 0.1, 0.8}) {
+        const Complex slope = (8.0 * (solution.displacement(x + h) - solution.displacement(x - h)) -
+                               (solution.displacement(x + 2 * h) - solution.displacement(x - 2 * h))) /
+                              (12 * h);
+        CHECK(std::abs(slope - s * solution.displacement(x) - 1.0) < 1e-8);
+    }
+}
+
+TEST_CASE("B in closed form equals the route through Chebyshev polynomials", "[polynomial]") {
+    const Eigen::Index order = 20;
+    const long double nu = 0.25L;
+    const long double aspect = 100;
+    using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+    Matrix t = Matrix::Zero(order + 1, order + 1);  // T_n in monomials
+    t(0, 0) = 1;
+    t(1, 1) = 1;
+    for (Eigen::Index n = 2; n <= order; ++n) {
+        t.row(n).tail(order) = 2 * t.row(n - 1).head(order);
+        t.row(n) -= t.row(n - 2);
+    }
+    Matrix kernel = Matrix::Zero(order + 1, order + 1);
+    kernel(0, 0) = 2 * (1 - nu) * plane_lambda(nu, aspect);
+    for (Eigen::Index n = 1; n <= order; ++n) {
+        kernel(n, n) = 2 * (1 - nu) / static_cast<long double>(n);
+    }
+    const Matrix expected = t.triangularView<Eigen::Lower>().solve(kernel * t);
+    const Matrix difference = displacement_matrix(order, nu, aspect) - expected;
+    CAPTURE(difference.cwiseAbs().maxCoeff());
+    CHECK(difference.cwiseAbs().maxCoeff() < 1e-14L);
+}
+
+TEST_CASE("the corrected equations converge, the printed ones do not", "[polynomial]") {
+    const double nu = 0.25;
+    const double aspect = 100;
+    const Complex s(0, 1);
+    const Complex exact = reference::harmonic_c11(1, nu, aspect);
+    CHECK(relative_error(solve_monomial<double>(s, nu, aspect, 20).c11, exact) < 1e-15);
+    for (const Eigen::Index order : {10, 20, 30}) {
+        // Eqs. (25) and (26) as printed: no factor l + 1 at B_{j,l+1}
+        const Eigen::MatrixXd b = displacement_matrix(order, nu, aspect);
+        Eigen::MatrixXcd matrix(order + 1, order + 1);
+        for (Eigen::Index l = 0; l < order; ++l) {
+            matrix.row(l) = b.col(l + 1).transpose().cast<Complex>() - s * b.col(l).transpose().cast<Complex>();
+        }
+        matrix.row(order).setOnes();
+        const Eigen::VectorXcd creepage = Eigen::VectorXcd::Unit(order + 1, 0);
+        const Eigen::VectorXcd coefficients = matrix.partialPivLu().solve(creepage);
+        const Eigen::VectorXd moments = monomial_moments<double>(order);
+        const Complex c11 = -std::numbers::pi * (moments.cast<Complex>().transpose() * coefficients).value();
+        const double error = relative_error(c11, exact);
+        CAPTURE(order, error);
+        CHECK(error > 0.05);
+        CHECK(error < 0.25);
+    }
+}
+
+TEST_CASE("monomials break down before their matrix looks singular, and say so", "[polynomial]") {
+    gsl_set_error_handler_off();
+    const Complex s(0, 50);
+    const Complex exact = reference::harmonic_c11(50, 0.25, 100.0);
+    const PolynomialSolution<double> monomial = solve_monomial<double>(s, 0.25, 100.0, 60);
+    const double error = relative_error(monomial.c11, exact);
+    CAPTURE(error, monomial.condition, monomial.error_estimate);
+    CHECK(error > 1e-4);
+    CHECK(monomial.condition < 1e7);
+    CHECK(monomial.status == PolynomialStatus::not_converged);
+    CHECK_THAT(std::string(advice(monomial.status)), Catch::Matchers::ContainsSubstring("Chebyshev basis"));
+    CHECK(relative_error(polynomial_c11(s, 0.25, 100.0, 60).c11, exact) < error / 10);
+    CHECK(relative_error(polynomial_c11(s, 0.25, 100.0, 140).c11, exact) < 1e-14);
+
+    const PolynomialSolution<double> singular = solve_monomial<double>(s, 0.25, 100.0, 140);
+    CAPTURE(singular.condition);
+    CHECK(singular.status == PolynomialStatus::ill_conditioned);
+    CHECK_THAT(std::string(advice(singular.status)), Catch::Matchers::ContainsSubstring("Chebyshev basis"));
+}
+
+TEST_CASE("the verdict on monomials is right wherever it says ok", "[polynomial]") {
+    int accepted = 0;
+    for (const double z : {0.0, 0.1, 1.0, 5.0, 10.0, 20.0, 40.0}) {
+        for (const Eigen::Index order : {1, 2, 5, 10, 20, 40, 60}) {
+            const PolynomialSolution<double> solution = solve_monomial<double>({0, z}, 0.25, 100.0, order);
+            if (solution.status == PolynomialStatus::ok) {
+                ++accepted;
+                CAPTURE(z, order, solution.error_estimate);
+                CHECK(relative_error(solution.c11, reference::harmonic_c11(z, 0.25, 100.0)) < 2e-7);
+            }
+        }
+    }
+    CHECK(accepted >= 15);
+}
+
+TEST_CASE("the pencil's eigenvalues are the exact ones", "[polynomial]") {
+    gsl_set_error_handler_off();
+    for (const double aspect : {1.0, 1.2, 100.0}) {
+        const Eigen::MatrixXd pencil = chebyshev_pencil(80, 0.25, aspect);
+        const Eigen::VectorXcd inverse = Eigen::EigenSolver<Eigen::MatrixXd>(pencil, false).eigenvalues();
+        for (const Complex exact : reference::eigenvalues(8, 0.25, aspect)) {
+            const double distance = (inverse.array().inverse() - exact).abs().minCoeff() / std::abs(exact);
+            CAPTURE(aspect, exact, distance);
+            CHECK(distance < 1e-10);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", float, double, long double) {
+    using Scalar = TestType;
+    using ScalarComplex = std::complex<Scalar>;
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+    const ScalarComplex s(0, 1);
+    const auto chebyshev = solve_chebyshev(s, Scalar(0.25), Scalar(100));
+    const auto monomial = solve_monomial<Scalar>(s, Scalar(0.25), Scalar(100), 20);
+    // independent of Bessel functions in Scalar: the two bases, and in long double the far longer series
+    const auto longer = polynomial_c11(s, Scalar(0.25), Scalar(100), 100);
+    CHECK(chebyshev.status == PolynomialStatus::ok);
+    CHECK(monomial.status == PolynomialStatus::ok);
+    CHECK(std::abs(chebyshev.c11 / longer.c11 - Scalar(1)) < 8 * eps);
+    CHECK(std::abs(monomial.c11 / longer.c11 - Scalar(1)) < 50 * eps);
+    CHECK(std::abs(monomial.traction(Scalar(0.5)) / chebyshev.traction(Scalar(0.5)) - Scalar(1)) < 300 * eps);
+    CHECK(std::abs(Complex(longer.c11) / reference::harmonic_c11(1, 0.25, 100) - 1.0) < 4 * double(eps) + 4e-16);
+    const auto pencil = chebyshev_pencil(5, Scalar(0.25), Scalar(100));
+    CHECK(pencil(1, 0) == Scalar(0.5));
+}
+
+TEST_CASE("polynomial solutions refuse bad input by name", "[polynomial]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Complex s(0, 1);
+    using Catch::Matchers::ContainsSubstring;
+    CHECK_THROWS_WITH(polynomial_c11(s, 0.25, 0.1), ContainsSubstring("Lambda") && ContainsSubstring("0.1") &&
+                                                        ContainsSubstring("strip kernel"));
+    CHECK_THROWS_AS(solve_chebyshev(s, 0.25, infinity), std::invalid_argument);
+    CHECK_THROWS_AS(solve_chebyshev(s, 0.25, 100.0, 0), std::invalid_argument);
+    CHECK_THROWS_AS(polynomial_c11(Complex(0, nan), 0.25, 100.0), std::invalid_argument);
+    CHECK_THROWS_AS(polynomial_c11(Complex(0, infinity), 0.25, 100.0, 20), std::invalid_argument);
+    CHECK_THROWS_AS(polynomial_c11(s, 0.7, 100.0), std::invalid_argument);
+    CHECK_THROWS_AS(solve_monomial<double>(s, 0.25, 100.0, 0), std::invalid_argument);
+    CHECK_THROWS_AS(solve_monomial<double>(s, 0.25, 0.1, 20), std::invalid_argument);
+    CHECK_THROWS_AS(solve_monomial<double>(s, 0.25, 100.0, Eigen::MatrixXd::Zero(3, 4)), std::invalid_argument);
+    CHECK_THROWS_AS(solve_chebyshev(s, 0.25, 100.0).traction(1.5), std::invalid_argument);
+    CHECK_THROWS_AS(chebyshev_pencil(0, 0.25, 100.0), std::invalid_argument);
+}
+
+}  // namespace
