@@ -86,10 +86,8 @@ template <std::floating_point Scalar>
 Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_ratio) {
     using std::abs, std::sqrt;
     detail::require_poisson_ratio("carter_traction", poisson_ratio);
-    detail::require(position.trailing >= Scalar(0), "carter_traction", "trailing", position.trailing,
-                    "be at least 0");
-    detail::require(position.leading >= Scalar(0), "carter_traction", "leading", position.leading,
-                    "be at least 0");
+    detail::require(position.trailing >= Scalar(0), "carter_traction", "trailing", position.trailing, "be at least 0");
+    detail::require(position.leading >= Scalar(0), "carter_traction", "leading", position.leading, "be at least 0");
     const Scalar sum = position.trailing + position.leading;
     detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_traction",
                     "trailing + leading", sum, "be 2");
@@ -130,8 +128,7 @@ Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar pois
     const Scalar cosine_mean = cosine_1 * cosine_2 - sine_1 * sine_2;
     const Scalar sine_half = interval.width / (2 * sine_mean);
     const Scalar half = atan2(sine_half, cosine_1 * cosine_2 + sine_1 * sine_2);
-    const Scalar one_plus_cosine_mean =
-        cosine_mean >= 0 ? 1 + cosine_mean : sine_mean * sine_mean / (1 - cosine_mean);
+    const Scalar one_plus_cosine_mean = cosine_mean >= 0 ? 1 + cosine_mean : sine_mean * sine_mean / (1 - cosine_mean);
 
     Scalar half_minus_sine = half - sine_half;
     if (half < Scalar(0.5)) {  // Taylor series: eight terms leave less than 0.5^19/19!, below long double's epsilon

@@ -16,8 +16,7 @@ namespace rollbem {
 /// beyond, odd in delta. delta = xi G/(2 (1-nu) mu p0) is the creepage ratio. Throws std::invalid_argument for a nan.
 template <std::floating_point Scalar>
 Scalar carter_force_ratio(Scalar creepage_ratio) {
-    detail::require(!std::isnan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio,
-                    "be a number");
+    detail::require(!std::isnan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio, "be a number");
     const Scalar delta = std::min(std::abs(creepage_ratio), Scalar(1));
     return std::copysign(delta * (2 - delta), creepage_ratio);
 }
@@ -95,8 +94,7 @@ Scalar cattaneo_traction(Scalar x_over_a, Scalar force_ratio) {
 template <std::floating_point Scalar>
 Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = plane_lambda(poisson_ratio, aspect);
-    detail::require(std::abs(force_ratio) <= Scalar(1), "cattaneo_shift", "force_ratio", force_ratio,
-                    "lie in [-1, 1]");
+    detail::require(std::abs(force_ratio) <= Scalar(1), "cattaneo_shift", "force_ratio", force_ratio, "lie in [-1, 1]");
     // c^2 = 1 - f; written in f so that a small force keeps its digits. The last term vanishes at c = 0.
     const Scalar f = std::abs(force_ratio);
     const Scalar logarithm = f < 1 ? (1 - f) / 2 * std::log1p(-f) : Scalar(0);
