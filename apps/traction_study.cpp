@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
         table.plot = [&](const std::vector<study::Row>& rows) {
             study::Plot plot{.title = "Traction in steady rolling",
                              .x_label = "x / a (leading edge at 1)",
-                             .y_label = "p / (G {/Symbol x})",
+                             .y_label = "p / (G ξ)",
                              .series = {}};
             study::add_series(plot, columns, rows,
                               {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction"});

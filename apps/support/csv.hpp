@@ -321,7 +321,7 @@ inline std::string sidecar_text(const Options& options) {
     entry("command_line", detail::shell_quoted(options.words()));
     entry("version", build_info::version);
     entry("git_revision", build_info::git_revision);
-    text += "\n[options]  # what applied, defaults included\n";
+    text += "\n[options]  # with defaults; what mesh and method do not use has no effect\n";
     for (const auto& [name, value] : options.values()) entry(name, value);
     text += "\n[build]\n";
     entry("compiler", build_info::compiler);

@@ -207,7 +207,8 @@ public:
 
     /// "--name = value" as typed, for messages.
     std::string said(const std::string& name) const {
-        return entry(name).option->get_type_size() == 0 ? "--" + name : "--" + name + " = " + joined(name);
+        const std::string value = joined(name);
+        return "--" + name + " = " + (value.empty() ? "''" : value);
     }
 
     /// Throws BadInput that `name` is ignored because of `reason`, if it was given.
@@ -216,13 +217,18 @@ public:
     }
 
     /// A flag's state. In a configuration file a flag is true or false.
-    bool flag(const std::string& name) const { return given(name) && entry(name).option->as<bool>(); }
+    bool flag(const std::string& name) const {
+        if (!given(name)) return false;
+        const std::string value = entry(name).option->results().back();
+        if (value != "true" && value != "false") throw BadInput("--" + name + " = " + value + " must be true or false");
+        return value == "true";
+    }
 
     /// The one value of an option, or its default.
     std::string text(const std::string& name) const {
         const std::vector<std::string> values = raw(name);
         if (values.size() > 1) throw BadInput(said(name) + " must be a single value");
-        if (given(name) && values.front().empty()) throw BadInput("--" + name + " = '' must not be empty");
+        if (given(name) && values.front().empty()) throw BadInput(said(name) + " must not be empty");
         return values.empty() ? std::string() : values.front();
     }
 

@@ -114,7 +114,7 @@ inline std::string gnuplot_script(const Plot& plot, bool png) {
     }
     script += "set title " + gnuplot_string(plot.title) + "\nset xlabel " + gnuplot_string(plot.x_label) +
               "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lc rgb '#d0d0d0' lw 0.5\n";
-    script += plot.series.size() > 8 ? "set key outside right top vertical\n" : "set key best opaque\n";
+    script += plot.series.size() > 8 ? "set key outside right top vertical\n" : "set key below\n";
     for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
         if (is_log) script += "set logscale " + std::string(axis) + "\nset format " + axis + " '%h'\n";
     }

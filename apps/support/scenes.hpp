@@ -97,12 +97,12 @@ inline std::pair<std::string, std::vector<MeshPointer>> make_meshes(const Option
     const std::string name = from_file ? "edges" : options.choice("mesh", names);
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
     const bool knothe = name == "knothe" || name == "modified-knothe";
+    const double size_ratio = options.number("size-ratio", positive());
+    const double epsilon = options.number("epsilon", positive());
     if (name != "geometric") options.ignored("size-ratio", used + "; it is for --mesh geometric");
     if (!knothe) options.ignored("epsilon", used + "; it is for --mesh knothe and modified-knothe");
     if (from_file) return {name, {mesh_from_file(options)}};
 
-    const double size_ratio = options.number("size-ratio", positive());
-    const double epsilon = options.number("epsilon", positive());
     const Eigen::Index least = name == "knothe" ? 3 : name == "geometric" || name == "modified-knothe" ? 2 : 1;
     std::vector<MeshPointer> meshes;
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {

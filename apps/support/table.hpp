@@ -43,11 +43,6 @@ inline std::size_t job_count(const Options& options) {
     return static_cast<std::size_t>(options.integer("jobs", 1, 1024));
 }
 
-/// A median of durations for a column of times: empty when other jobs compete for the machine.
-inline Cell timing_cell(const Options& options, double microseconds) {
-    return job_count(options) > 1 ? Cell() : Cell(microseconds);
-}
-
 namespace detail {
 
 struct Shard {
@@ -159,6 +154,7 @@ inline void write_table(const Options& options, const Table& table) {
     const detail::Shard shard = detail::shard(options);
     const bool plots = options.given("plot");
     const bool png = plots && plot_is_png(options);
+    const bool quiet = options.flag("quiet");
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
     const bool to_file = options.given("output");
@@ -173,7 +169,7 @@ inline void write_table(const Options& options, const Table& table) {
     const RowRange wanted = shard.rows(total);
     const std::size_t count = wanted.last - wanted.first;
     if (shard.index == 1) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
-    Progress progress(options.program(), count, !options.flag("quiet") && (to_file || isatty(STDOUT_FILENO) == 0));
+    Progress progress(options.program(), count, !quiet && (to_file || isatty(STDOUT_FILENO) == 0));
     std::vector<Row> kept;
     std::size_t written = 0;
     const auto emit = [&](Row row) {
