@@ -1,15 +1,14 @@
 // rollbem/closed_form/carter.hpp
-#include "rollbem/closed_form/carter.hpp"
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include "rollbem/closed_form/carter.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -89,20 +88,18 @@ TEST_CASE("Carter's mean keeps full accuracy on the smallest elements of a cosin
             // the integral is theta + sin(theta); its leading end is taken from pi, where it is of third order
             const long double phi = pi * (n - j - 1) / n;
             const long double step = pi / n;
-            const long double integral =
-                phi + step > 1.5L ? step + std::sin(upper) - std::sin(lower)
-                                  : [&] {
-                                        const auto cubic = [](long double angle) {
-                                            long double term = angle * angle * angle / 6;
-                                            long double value = term;
-                                            for (int k = 4; k < 30; k += 2) {
-                                                term *= -angle * angle / static_cast<long double>(k * (k + 1));
-                                                value += term;
-                                            }
-                                            return value;
-                                        };
-                                        return cubic(phi + step) - cubic(phi);
-                                    }();
+            const long double integral = phi + step > 1.5L ? step + std::sin(upper) - std::sin(lower) : [&] {
+                const auto cubic = [](long double angle) {
+                    long double term = angle * angle * angle / 6;
+                    long double value = term;
+                    for (int k = 4; k < 30; k += 2) {
+                        term *= -angle * angle / static_cast<long double>(k * (k + 1));
+                        value += term;
+                    }
+                    return value;
+                };
+                return cubic(phi + step) - cubic(phi);
+            }();
             const long double exact = -integral / (static_cast<long double>(interval.width) * 1.5L);
             largest = std::max(largest, static_cast<double>(std::abs(static_cast<long double>(mean) / exact - 1)));
         }
@@ -116,7 +113,8 @@ TEST_CASE("Carter's mean tends to the traction at the centre", "[carter]") {
     for (const double x : {-0.99, -0.5, 0.0, 0.7, 0.99}) {
         const double h = 1e-7;
         CHECK(std::abs(carter_mean_traction(ContactInterval<double>{1 + x - h, 2 * h, 1 - x - h}, 0.3) /
-                           carter_traction(x, 0.3) - 1) < 1e-9);
+                           carter_traction(x, 0.3) -
+                       1) < 1e-9);
     }
     CHECK(carter_traction(1.0, 0.3) == 0);
     CHECK(carter_traction(-1.0, 0.3) == -std::numeric_limits<double>::infinity());

@@ -1,15 +1,14 @@
 // rollbem/closed_form/friction.hpp
-#include "rollbem/closed_form/friction.hpp"
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <vector>
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include "rollbem/closed_form/friction.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -38,7 +37,8 @@ double integrate(Function f, std::vector<double> points) {
     gsl_function integrand = wrap(f);
     double result = 0;
     double error = 0;
-    gsl_integration_qagp(&integrand, points.data(), points.size(), 1e-13, 1e-13, 1000, workspace.get(), &result, &error);
+    gsl_integration_qagp(&integrand, points.data(), points.size(), 1e-13, 1e-13, 1000, workspace.get(), &result,
+                         &error);
     return result;
 }
 
@@ -90,7 +90,8 @@ TEST_CASE("Carter's friction solution in its limits", "[friction]") {
     CHECK(carter_friction_traction(0.3, -0.4) == -carter_friction_traction(0.3, 0.4));
     // small creepage: full adhesion, p/(mu p0) = delta 2 (1-nu) p/(G xi)
     const double delta = 1e-12;
-    CHECK(carter_friction_traction(0.4, delta) / (delta * 1.5 * carter_traction(0.4, 0.25)) == Approx(1).epsilon(1e-11));
+    CHECK(carter_friction_traction(0.4, delta) / (delta * 1.5 * carter_traction(0.4, 0.25)) ==
+          Approx(1).epsilon(1e-11));
     CHECK(carter_creepage_ratio(carter_force_ratio(delta)) == Approx(delta).epsilon(1e-15));
 }
 

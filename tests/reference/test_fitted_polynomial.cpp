@@ -1,12 +1,11 @@
 // rollbem/reference/fitted_polynomial.hpp
-#include "rollbem/reference/fitted_polynomial.hpp"
-
-#include <gsl/gsl_errno.h>
-
 #include <cmath>
 #include <complex>
 
+#include <gsl/gsl_errno.h>
+
 #include "rollbem/reference/bessel.hpp"
+#include "rollbem/reference/fitted_polynomial.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 #include "support/catch.hpp"
 
@@ -19,8 +18,8 @@ TEST_CASE("quadrature of Eq. (20) meets the diagonal kernel of Chebyshev polynom
     const double nu = 0.25;
     const double aspect = 30;
     for (const double x : {-0.95, -0.2, 0.0, 0.6, 0.99}) {
-        const double t2 = 2 * reference::monomial_displacement(2, x, nu, aspect) -
-                          reference::monomial_displacement(0, x, nu, aspect);
+        const double t2 =
+            2 * reference::monomial_displacement(2, x, nu, aspect) - reference::monomial_displacement(0, x, nu, aspect);
         CAPTURE(x);
         CHECK(std::abs(reference::monomial_displacement(0, x, nu, aspect) - 1.5 * plane_lambda(nu, aspect)) < 1e-11);
         CHECK(std::abs(reference::monomial_displacement(1, x, nu, aspect) - 1.5 * x) < 1e-11);

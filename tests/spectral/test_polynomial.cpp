@@ -1,16 +1,14 @@
 // rollbem/spectral/polynomial.hpp
-#include "rollbem/spectral/polynomial.hpp"
-
-#include <gsl/gsl_errno.h>
-
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <string>
 
 #include <Eigen/Eigenvalues>
+#include <gsl/gsl_errno.h>
 
 #include "rollbem/reference/bessel.hpp"
+#include "rollbem/spectral/polynomial.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -259,8 +257,8 @@ TEST_CASE("polynomial solutions refuse bad input by name", "[polynomial]") {
     const double infinity = std::numeric_limits<double>::infinity();
     const Complex s(0, 1);
     using Catch::Matchers::ContainsSubstring;
-    CHECK_THROWS_WITH(polynomial_c11(s, 0.25, 0.1), ContainsSubstring("Lambda") && ContainsSubstring("0.1") &&
-                                                        ContainsSubstring("strip kernel"));
+    CHECK_THROWS_WITH(polynomial_c11(s, 0.25, 0.1),
+                      ContainsSubstring("Lambda") && ContainsSubstring("0.1") && ContainsSubstring("strip kernel"));
     CHECK_THROWS_AS(solve_chebyshev(s, 0.25, infinity), std::invalid_argument);
     CHECK_THROWS_AS(solve_chebyshev(s, 0.25, 100.0, 0), std::invalid_argument);
     CHECK_THROWS_AS(polynomial_c11(Complex(0, nan), 0.25, 100.0), std::invalid_argument);

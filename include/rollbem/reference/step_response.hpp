@@ -105,9 +105,8 @@ public:
             modes_.push_back({std::complex<double>(s), std::complex<double>(amplitude)});
         }
         // slowest decay first: by modulus a real eigenvalue far out would come between pairs that decay more slowly
-        std::sort(modes_.begin(), modes_.end(), [](const Mode& left, const Mode& right) {
-            return left.eigenvalue.real() > right.eigenvalue.real();
-        });
+        std::sort(modes_.begin(), modes_.end(),
+                  [](const Mode& left, const Mode& right) { return left.eigenvalue.real() > right.eigenvalue.real(); });
         make_taylor_coefficients();
     }
 
