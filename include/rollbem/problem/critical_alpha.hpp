@@ -1,0 +1,104 @@
+// The smallest alpha_T at which a scheme turns unstable: a scan by the fast count, confirmed by settled signs.
+// The unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/LU>
+
+#include "stability.hpp"
+#include "stability_count.hpp"
+
+namespace rollbem {
+
+/// Where and how finely critical_alpha_T looks.
+struct CriticalAlphaOptions {
+    double first = 0.3, last = 1.5;  ///< range of alpha_T [-]
+    double step = 5e-4;              ///< of the scan [-]: unstable islands narrower than this can be missed
+    double tolerance = 1e-5;         ///< of the crossing [-]
+    /// How many steps may be tried at once where nothing happens: where both ends are stable, the eigenvalue nearest to
+    /// the imaginary axis keeps its angle to it within a quarter, and G is far from singular. An eigenvalue can move
+    /// fast only through infinity, that is where G is nearly singular. 1 takes every step.
+    int largest_stride = 16;
+};
+
+namespace detail {
+
+template <class Scalar, class Kernel, class SchemeOf>
+class CriticalAlphaSearch {
+public:
+    CriticalAlphaSearch(const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel)
+        : mesh_(mesh), scheme_of_(scheme_of), kernel_(kernel) {}
+
+    struct Look {
+        bool unstable;           // with a settled sign
+        Scalar flattest_cosine;  // as in UnstableCount; 0 where it is not known
+        bool regular;            // G far from singular
+    };
+
+    Look look(double alpha_T) const {
+        const InfluenceMatrices<Scalar> matrices = assemble(mesh_, scheme_of_(alpha_T), kernel_);
+        const UnstableCount<Scalar> count = count_unstable(matrices);
+        if (count.status == Status::ok && count.unstable_count == 0) {
+            const Scalar rcond = Eigen::PartialPivLU<MatrixX<Scalar>>(matrices.G).rcond();
+            return {false, count.flattest_cosine, rcond > Scalar(1e-6)};
+        }
+        return {verdict(matrices).certainly_unstable(), 0, false};
+    }
+
+private:
+    const Mesh<Scalar>& mesh_;
+    const SchemeOf& scheme_of_;
+    const Kernel& kernel_;
+};
+
+}  // namespace detail
+
+/// The smallest alpha_T in [first, last] at which an eigenvalue grows and its sign is settled, to within `tolerance`
+/// from above; nothing where there is none. `scheme_of(alpha_T)` makes the scheme. Throws as solve_stability does, and
+/// std::invalid_argument for a range or a step that is not positive.
+template <class Scalar, class SchemeOf, LineKernel Kernel>
+std::optional<double> critical_alpha_T(const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
+                                       const CriticalAlphaOptions& options = {}) {
+    detail::require(options.last >= options.first, "critical_alpha_T", "last", options.last, "be at least first");
+    detail::require(options.step > 0, "critical_alpha_T", "step", options.step, "be positive");
+    detail::require(options.tolerance > 0, "critical_alpha_T", "tolerance", options.tolerance, "be positive");
+    detail::require(options.largest_stride >= 1, "critical_alpha_T", "largest_stride", options.largest_stride,
+                    "be at least 1");
+    require_stable_model(kernel);
+    const detail::CriticalAlphaSearch<Scalar, Kernel, SchemeOf> search(mesh, scheme_of, kernel);
+    const auto grid = [&options](long k) { return options.first + static_cast<double>(k) * options.step; };
+    const long count = std::lround(std::floor((options.last - options.first) / options.step * (1 + 1e-12)));
+
+    auto here = search.look(grid(0));
+    if (here.unstable) return grid(0);
+    long k = 0, fine_until = 0;
+    while (k < count) {
+        const long stride = k < fine_until ? 1 : std::min<long>(here.regular ? options.largest_stride : 1, count - k);
+        const auto next = search.look(grid(k + stride));
+        if (stride > 1) {
+            const bool quiet = !next.unstable && next.regular &&
+                               std::abs(next.flattest_cosine - here.flattest_cosine) <=
+                                   std::min(-here.flattest_cosine, -next.flattest_cosine) / 4;
+            if (!quiet) {
+                fine_until = k + stride;
+                continue;
+            }
+        }
+        if (next.unstable) {
+            double stable = grid(k), unstable = grid(k + 1);
+            while (unstable - stable > options.tolerance) {
+                const double middle = stable + (unstable - stable) / 2;
+                (search.look(middle).unstable ? unstable : stable) = middle;
+            }
+            return unstable;
+        }
+        here = next;
+        k += stride;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rollbem
