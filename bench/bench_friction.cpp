@@ -1,0 +1,147 @@
+// Friction: a step with unchanged and with changing zones, a point of a creep curve from scratch and from the point
+// before, beside what they are measured in: a product of matrix and vector, and a solution by LU.
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+#include <benchmark/benchmark.h>
+
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/problem/friction.hpp>
+
+namespace {
+
+using namespace rollbem;
+
+constexpr double poisson_ratio = 0.25;
+constexpr double peak = 1e-3;  // mu p0 / G
+
+double creepage(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
+double force_ratio(const FrictionStep<double>& step) { return -step.force_per_width / (peak * std::numbers::pi / 2); }
+
+struct Scene {
+    explicit Scene(Eigen::Index n) : mesh(cosine_mesh<double>(n)), friction{1, peak * mean_hertz_pressure(mesh)} {}
+
+    Contact<double> contact = Contact<double>::dimensionless(1000, poisson_ratio);
+    StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    Mesh<double> mesh;
+    CoulombFriction<double> friction;
+};
+
+void BM_Gemv(benchmark::State& state) {
+    const MatrixX<double> matrix = MatrixX<double>::Random(state.range(0), state.range(0));
+    const VectorX<double> vector = VectorX<double>::Random(state.range(0));
+    VectorX<double> product(state.range(0));
+    for (auto _ : state) {
+        product.noalias() = matrix * vector;
+        benchmark::DoNotOptimize(product.data());
+        benchmark::ClobberMemory();
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+}
+BENCHMARK(BM_Gemv)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+void BM_LuSolve(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const MatrixX<double> G_prime = assemble_G_prime(scene.mesh, scene.scheme, scene.kernel);
+    const VectorX<double> right = VectorX<double>::Ones(state.range(0));
+    Eigen::PartialPivLU<MatrixX<double>> lu(state.range(0));
+    VectorX<double> solution(state.range(0));
+    for (auto _ : state) {
+        lu.compute(G_prime);
+        solution = lu.solve(right);
+        benchmark::DoNotOptimize(solution.data());
+        benchmark::ClobberMemory();
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+}
+BENCHMARK(BM_LuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// Steps at constant creepage in the steady state, where no element changes any more.
+void BM_FrictionStep(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    FrictionState<double> now = model.steady(creepage(0.5)), next = now;
+    FrictionStep<double> step;
+    for (int i = 0; i < 400; ++i) {
+        step = model.advance(now, 0.05, creepage(0.5), next);
+        std::swap(now, next);
+    }
+    double rounds = 0;
+    for (auto _ : state) {
+        step = model.advance(now, 0.05, creepage(0.5), next);
+        rounds += step.rounds;
+        std::swap(now, next);
+        benchmark::DoNotOptimize(step);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
+}
+BENCHMARK(BM_FrictionStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// A cycle of sinusoidal creepage: most steps change some elements.
+void BM_FrictionStepChanging(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    FrictionState<double> now = model.at_rest(), next = now;
+    double q = 0, rounds = 0, changing = 0;
+    for (auto _ : state) {
+        q += 0.05;
+        const FrictionStep<double> step = model.advance(now, 0.05, creepage(0.9 * std::sin(q)), next);
+        rounds += step.rounds;
+        changing += step.rounds > 1 ? 1 : 0;
+        std::swap(now, next);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    state.counters["changing"] = changing / static_cast<double>(state.iterations());
+}
+BENCHMARK(BM_FrictionStepChanging)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// One point of the creep curve from scratch, assembly apart.
+void BM_FrictionSteady(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    const FrictionState<double> rest = model.at_rest();
+    FrictionState<double> other = rest, next = rest;
+    double rounds = 0;
+    FrictionStep<double> step;
+    for (auto _ : state) {
+        next = rest;  // forgets the factors as well
+        step = model.solve(rest, creepage(0.5), next);
+        rounds += step.rounds;
+        benchmark::DoNotOptimize(step);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
+}
+BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// One point of 100 along the curve from 0.01 to 1.
+void BM_FrictionSteadyWarm(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    FrictionState<double> now = model.at_rest(), next = now;
+    int point = 0;
+    double rounds = 0;
+    for (auto _ : state) {
+        const int phase = point++ % 200;
+        const FrictionStep<double> step =
+            model.solve(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next);
+        rounds += step.rounds;
+        std::swap(now, next);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+}
+BENCHMARK(BM_FrictionSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+}  // namespace
+
+BENCHMARK_MAIN();
