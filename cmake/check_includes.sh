@@ -51,7 +51,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail scene discretisation elasticity assembly problem spectral closed_form reference umbrella", order, " ")
+    count = split("detail closed_form scene discretisation elasticity assembly problem spectral reference umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 

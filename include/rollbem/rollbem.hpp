@@ -4,8 +4,10 @@
 
 #include "assembly/influence.hpp"
 #include "closed_form/carter.hpp"
+#include "closed_form/friction.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/scheme.hpp"
 #include "elasticity/line_kernel.hpp"
 #include "problem/steady.hpp"
 #include "scene/contact.hpp"
+#include "spectral/polynomial.hpp"

@@ -85,7 +85,6 @@ public:
 private:
     static constexpr Eigen::Index chunk = 8;  // rows a series is evaluated for at once: a few registers
     using Chunk = Eigen::Array<Scalar, chunk, 1>;
-    static constexpr int short_length = 3;  // of the polynomial of a wide strip
     static constexpr int last_moment = (std::numeric_limits<Scalar>::digits + 3) / 4;  // 16^-last is below rounding
     static constexpr int last_taylor = last_moment / 2 + 1;                            // 256^-last is
 
@@ -243,27 +242,17 @@ private:
         }
     }
 
-    // c[first] + A (c[first+1] + ...) as one expression: no intermediate result leaves the registers
-    template <int first, int last>
-    static auto horner(const Scalar* c, const Chunk& A) {
-        if constexpr (first == last) {
-            return Chunk::Constant(c[first]);
-        } else {
-            return A * horner<first + 1, last>(c, A) + c[first];
-        }
-    }
-
-    // sum_{j <= last} c_j S_j by Horner's rule in A, whose coefficients are Horner sums in B
+    // sum_{j <= last} c_j S_j by Horner's rule in A, whose coefficients are Horner sums in B. With the length known to
+    // the compiler and one entry a pass, the terms are unrolled and vectors of entries stay in registers.
     template <bool SingleRatio, int last>
     Chunk moment_sum(const Chunk& A, const Chunk& B) const {
         const Scalar* c = coefficients_.data();
-        if constexpr (SingleRatio) return horner<0, last>(c, A);
         Chunk result;
         for (Eigen::Index i = 0; i < chunk; ++i) {
             Scalar b = c[last];
             Scalar sum = c[last];
             for (int j = last - 1; j >= 0; --j) {
-                b = b * B[i] + c[j];
+                b = SingleRatio ? c[j] : b * B[i] + c[j];
                 sum = sum * A[i] + b;
             }
             result[i] = sum;
@@ -284,7 +273,7 @@ private:
     Chunk log_series(const Chunk& d, Scalar h, const Chunk& delta) const {
         const Chunk inverse = d.inverse();
         const Scalar size = Scalar(averages_ > 0 ? 2 : 1) * h;
-        Chunk A, B;
+        Chunk A, B = Chunk::Zero();
         if constexpr (SingleRatio) {
             A = (size * inverse).square().min(far_ratio_);
         } else {
@@ -403,7 +392,7 @@ private:
     // row l of `powers`: coefficients of d^2i for element m seen from row l
     void polynomial_coefficients(Eigen::Index m, Table& powers) const {
         const Eigen::Index length = row_series_.cols();
-        powers.setZero(row_series_.rows(), length == 0 ? 0 : std::max<Eigen::Index>(length, short_length));
+        powers.setZero(row_series_.rows(), length);
         for (Eigen::Index i = 0; i < length; ++i) {
             for (Eigen::Index k = 0; i + k < length; ++k) {
                 powers.col(i) += element_factors_(m, i * length + k) * row_series_.col(k);
@@ -413,11 +402,10 @@ private:
 
     Chunk polynomial_chunk(const Table& powers, const Chunk& d, Eigen::Index l) const {
         const Chunk square = d.square();
-        Chunk sum;
-        if (equal_widths_ && powers.cols() == short_length) {
-            sum = horner<0, short_length - 1>(powers.data(), square);
+        Chunk sum = Chunk::Zero();
+        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: one expression stays in registers
+            sum = (powers(0, 2) * square + powers(0, 1)) * square + powers(0, 0);
         } else {
-            sum.setZero();
             for (Eigen::Index j = powers.cols() - 1; j >= 0; --j) {
                 if (equal_widths_) {
                     sum = sum * square + powers(0, j);

@@ -54,7 +54,4 @@ private:
     Parameters parameters_;
 };
 
-template <class Scalar>
-Contact(typename Contact<Scalar>::Parameters) -> Contact<Scalar>;
-
 }  // namespace rollbem
