@@ -1,0 +1,66 @@
+// rollbem/detail/gauss_legendre.hpp
+#include <cmath>
+#include <limits>
+
+#include "../support/catch.hpp"
+#include "rollbem/detail/gauss_legendre.hpp"
+
+namespace {
+
+using rollbem::detail::gauss_legendre;
+
+TEMPLATE_TEST_CASE("Gauss-Legendre is exact up to degree 2N-1 and not one more", "[quadrature]", float, double,
+                   long double) {
+    using Scalar = TestType;
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+    for (const Eigen::Index count : {1, 2, 3, 4, 5, 6, 7, 9}) {
+        const auto rule = gauss_legendre<Scalar>(count);
+        REQUIRE(rule.nodes.size() == count);
+        // the shift makes odd degrees count: (x + 1/2)^degree
+        const auto error = [&](int degree) {
+            Scalar sum = 0;
+            for (Eigen::Index k = 0; k < count; ++k) {
+                sum += rule.weights[k] * std::pow(rule.nodes[k] + Scalar(0.5), Scalar(degree));
+            }
+            const auto power = [&](Scalar x) { return std::pow(x, Scalar(degree + 1)) / Scalar(degree + 1); };
+            const Scalar low = (degree % 2 == 0 ? -1 : 1) * power(Scalar(0.5));
+            return static_cast<double>(std::abs(sum / (power(Scalar(1.5)) - low) - 1));
+        };
+        const int N = static_cast<int>(count);
+        for (int degree = 0; degree < 2 * N; ++degree) {
+            CAPTURE(N, degree, error(degree));
+            CHECK(error(degree) < 30 * static_cast<double>(eps));
+        }
+        if (N > 7) continue;
+        // the error at degree 2N is (N!)^4 2^(2N+1) / ((2N)!^2 (2N+1)) exactly
+        Scalar defect = 2;
+        for (int k = 1; k <= N; ++k)
+            defect *= Scalar(4 * k * k) * Scalar(k * k) /
+                      (Scalar(2 * k) * Scalar(2 * k - 1) * Scalar(2 * k) * Scalar(2 * k - 1));
+        defect /= Scalar(2 * N + 1);
+        const Scalar exact =
+            (std::pow(Scalar(1.5), Scalar(2 * N + 1)) + std::pow(Scalar(0.5), Scalar(2 * N + 1))) / Scalar(2 * N + 1);
+        CAPTURE(N, error(2 * N), static_cast<double>(defect / exact));
+        CHECK(std::abs(error(2 * N) - static_cast<double>(defect / exact)) < 30 * static_cast<double>(eps));
+        CHECK(error(2 * N) > 50 * static_cast<double>(eps));
+    }
+}
+
+TEMPLATE_TEST_CASE("Gauss-Legendre rules of any size are symmetric, increasing and sum to 2", "[quadrature]", float,
+                   double, long double) {
+    using Scalar = TestType;
+    for (const Eigen::Index count : {1, 2, 7, 64, 999, 1000}) {
+        const auto rule = gauss_legendre<Scalar>(count);
+        CAPTURE(count);
+        CHECK((rule.nodes == -rule.nodes.reverse()).all());
+        CHECK((rule.weights == rule.weights.reverse()).all());
+        CHECK((rule.weights > 0).all());
+        CHECK(rule.nodes[count - 1] < 1);
+        CHECK((rule.nodes.tail(count - 1) > rule.nodes.head(count - 1)).all());
+        const Scalar tolerance = Scalar(count + 8) * std::numeric_limits<Scalar>::epsilon();
+        CHECK(std::abs(rule.weights.sum() - 2) < tolerance);
+        if (count > 1) CHECK(std::abs((rule.weights * rule.nodes.square()).sum() - Scalar(2) / 3) < tolerance);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,346 @@
+// rollbem/assembly/influence.hpp
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "../support/reference.hpp"
+#include "rollbem/assembly/influence.hpp"
+
+namespace {
+
+using namespace rollbem;
+using reference::Real;
+
+constexpr auto fd = Derivative::finite_difference;
+constexpr auto analytic = Derivative::analytic;
+
+template <class Scalar>
+MatrixX<Scalar> build(const Mesh<Scalar>& mesh, const reference::Scheme& scheme, const reference::Kernel& kernel,
+                      bool slope) {
+    return reference::with_library_kernel<Scalar>(kernel, [&](const auto& k) {
+        return std::visit([&](const auto& s) { return slope ? assemble_G_prime(mesh, s, k) : assemble_G(mesh, s, k); },
+                          scheme);
+    });
+}
+
+// The largest difference of two matrices over the largest entry of the second.
+template <class Scalar>
+double distance(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b) {
+    if (a.rows() != b.rows() || a.cols() != b.cols() || !a.allFinite() || !b.allFinite()) return 1e300;
+    const Scalar size = std::max(b.cwiseAbs().maxCoeff(), std::numeric_limits<Scalar>::min());
+    return static_cast<double>((a - b).cwiseAbs().maxCoeff() / size);
+}
+
+// A general mesh with the given mesh's edges: no shortcut for equal widths.
+template <class Scalar>
+Mesh<Scalar> as_general(const Mesh<Scalar>& mesh) {
+    return Mesh<Scalar>({mesh.widths(), mesh.edges_from_trailing(), mesh.edges_from_leading(), false});
+}
+
+TEMPLATE_TEST_CASE("Every entry of G and G' meets brute force", "[influence]", float, double, long double) {
+    using Scalar = TestType;
+    for (const Eigen::Index n : {3, 11}) {
+        const auto meshes = reference::every_mesh<Scalar>(n);
+        const auto exact_meshes = reference::every_mesh<Real>(n);
+        for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
+            for (const auto& [scheme_name, scheme] : reference::every_scheme()) {
+                for (std::size_t i = 0; i < meshes.size(); ++i) {
+                    for (const bool slope : {true, false}) {
+                        const MatrixX<Scalar> matrix = build(meshes[i].mesh, scheme, kernel, slope);
+                        const Real error =
+                            reference::largest_error(matrix, kernel, exact_meshes[i].mesh, scheme, slope);
+                        const double in_eps = static_cast<double>(error / std::numeric_limits<Scalar>::epsilon());
+                        CAPTURE(n, kernel_name, scheme_name, meshes[i].name, slope, in_eps);
+                        // third differences, and a narrow strip's H that is nearly constant, cancel more
+                        const bool delicate = kernel.b < 1 || scheme_name.find("exact fd") != std::string::npos;
+                        CHECK(in_eps < (delicate ? 4e4 : 4e3));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("A finite difference is closed-form Galerkin of the analytic derivative", "[influence]") {
+    for (const auto& [name, mesh] : reference::every_mesh<double>(20)) {
+        for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
+            const MatrixX<double> points = build(mesh, Collocation{0, 0.63, fd}, kernel, true);
+            const MatrixX<double> means = build(mesh, Galerkin{0, 0.63, analytic}, kernel, true);
+            CAPTURE(name, kernel_name);
+            CHECK(distance(points, means) < 1e-14);
+            // in G they differ: a mean is not a point value
+            CHECK(distance(build(mesh, Collocation{0, 0.63}, kernel, false),
+                           build(mesh, Galerkin{0, 0.63}, kernel, false)) > 1e-6);
+        }
+    }
+}
+
+TEST_CASE("One-point Galerkin is collocation", "[influence]") {
+    for (const auto& [name, mesh] : reference::every_mesh<double>(9)) {
+        for (const auto derivative : {fd, analytic}) {
+            for (const auto& [alpha_L, alpha_T] : {std::pair{0.0, 0.63}, {0.5, 0.5}}) {
+                for (const bool slope : {true, false}) {
+                    const reference::Kernel kernel{false, 10, 0.75L, 0.25L};
+                    const MatrixX<double> one =
+                        build(mesh, Galerkin{alpha_L, alpha_T, derivative, 0.5, 1}, kernel, slope);
+                    const MatrixX<double> point =
+                        build(mesh, Collocation{alpha_L, alpha_T, derivative, 0.5}, kernel, slope);
+                    CAPTURE(name, alpha_T, slope);
+                    CHECK(one == point);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Galerkin with ever more points tends to the closed form", "[influence][convergence]") {
+    const reference::Kernel kernel{false, 4, 0.75L, 0.25L};
+    for (const auto& [name, mesh] : reference::every_mesh<double>(6)) {
+        for (const auto derivative : {fd, analytic}) {
+            for (const bool slope : {true, false}) {
+                const double alpha = derivative == fd ? 0.3 : 0.0;
+                const MatrixX<double> exact = build(mesh, Galerkin{alpha, alpha, derivative}, kernel, slope);
+                std::vector<double> errors;
+                for (const int points : {4, 16, 64}) {
+                    errors.push_back(
+                        distance(build(mesh, Galerkin{alpha, alpha, derivative, 1, points}, kernel, slope), exact));
+                }
+                CAPTURE(name, derivative, slope, errors[0], errors[1], errors[2]);
+                CHECK(errors[1] < errors[0] / 4);
+                // the guard leaves the singular ends of analytic slopes a thousandth short
+                CHECK(errors[2] < errors[1] / (derivative == analytic && slope ? 1.5 : 3));
+                CHECK(errors[2] < (derivative == analytic && slope ? 2e-3 : 1e-4));
+            }
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh: Toeplitz, and the same as the general path", "[influence]", float,
+                   double, long double) {
+    using Scalar = TestType;
+    const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+    for (const Eigen::Index n : {1, 2, 3, 4, 5, 16, 33}) {
+        const Mesh<Scalar> mesh = uniform_mesh<Scalar>(n), general = as_general(mesh);
+        for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
+            for (const double alpha : {-1.5, -0.5, 0.0, 0.25, 0.5, 0.63, 1.0, 1.5, 2.0}) {
+                for (const reference::Scheme& scheme : std::vector<reference::Scheme>{
+                         Collocation{alpha, alpha, fd, 0.5}, Collocation{alpha, alpha, analytic},
+                         Galerkin{alpha, alpha, fd}, Galerkin{alpha, alpha, analytic, 1, 3}}) {
+                    for (const bool slope : {true, false}) {
+                        const MatrixX<Scalar> fast = build(mesh, scheme, kernel, slope);
+                        CAPTURE(n, kernel_name, alpha, scheme.index(), slope);
+                        CHECK(fast.allFinite());
+                        // beyond the contact there are no edges to keep clear of, so that the last rows may differ
+                        const bool at_outer_edge = std::abs(alpha) == 1.5;
+                        if (!at_outer_edge) CHECK(distance(fast, build(general, scheme, kernel, slope)) < 2e4 * eps);
+                        bool toeplitz = true;
+                        for (Eigen::Index l = 1; l < n; ++l) {
+                            toeplitz = toeplitz && fast.row(l).tail(n - 1) == fast.row(l - 1).head(n - 1);
+                        }
+                        CHECK(toeplitz);
+                    }
+                }
+            }
+            const MatrixX<Scalar> G = build(mesh, Collocation{0, 0}, kernel, false);
+            const MatrixX<Scalar> G_prime = build(mesh, Collocation{0, 0}, kernel, true);
+            CAPTURE(n, kernel_name);
+            CHECK(distance<Scalar>(G.transpose(), G) < 1e3 * eps);
+            if (n > 1) CHECK(distance<Scalar>(-G_prime.transpose(), G_prime) < 1e3 * eps);
+        }
+    }
+}
+
+TEST_CASE("Unequal alphas on a uniform mesh take the same values as on a general one", "[influence]") {
+    const Mesh<double> mesh = uniform_mesh(40), general = as_general(mesh);
+    for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
+        for (const auto& [name, scheme] : reference::every_scheme()) {
+            for (const bool slope : {true, false}) {
+                CAPTURE(kernel_name, name, slope);
+                CHECK(distance(build(mesh, scheme, kernel, slope), build(general, scheme, kernel, slope)) < 1e-11);
+            }
+        }
+    }
+}
+
+TEST_CASE("A larger contact of the same shape has the same slopes", "[influence]") {
+    // a contact twice as long, of the same width, meshed so that its trailing half is the first contact
+    const Eigen::Index n = 8;
+    ArrayX<double> edges(n + 2);
+    edges << ArrayX<double>::LinSpaced(n + 1, -1, 0), 1;
+    const Mesh<double> twice = mesh_from_edges<double>(edges), once = uniform_mesh(n);
+    for (const double b : {0.25, 4.0, 32.0}) {
+        const MatrixX<double> large =
+            assemble_G_prime(twice, Collocation{0.3, 0.3}, StripKernel<double>(b / 2, 0.75, 0.25));
+        const MatrixX<double> small = assemble_G_prime(once, Collocation{0.3, 0.3}, StripKernel<double>(b, 0.75, 0.25));
+        CAPTURE(b);
+        CHECK(distance<double>(large.topLeftCorner(n, n), small) < 1e-13);
+        const MatrixX<double> G_large =
+            assemble_G(twice, Collocation{0.3, 0.3}, StripKernel<double>(b / 2, 0.75, 0.25));
+        const MatrixX<double> G_small = assemble_G(once, Collocation{0.3, 0.3}, StripKernel<double>(b, 0.75, 0.25));
+        CHECK(distance<double>(2 * G_large.topLeftCorner(n, n), G_small) < 1e-13);
+    }
+}
+
+TEST_CASE("The guard keeps points 0.001 of a width off the edges", "[influence]") {
+    const PlaneKernel<double> kernel(1000, 0.75, 0.25);
+    const auto matrix = [&](const Mesh<double>& mesh, double alpha) {
+        return assemble_G_prime(mesh, Collocation{alpha, alpha, analytic}, kernel);
+    };
+    const Mesh<double> mesh = uniform_mesh(6);
+    CHECK(distance(matrix(mesh, 0.5), matrix(mesh, 0.499)) < 1e-12);
+    CHECK(distance(matrix(mesh, 0.4995), matrix(mesh, 0.499)) < 1e-12);
+    CHECK(distance(matrix(mesh, 0.5000001), matrix(mesh, 0.501)) < 1e-12);
+    CHECK(distance(matrix(mesh, 0.5005), matrix(mesh, 0.501)) < 1e-12);
+    CHECK(distance(matrix(mesh, 0.498), matrix(mesh, 0.499)) > 1e-3);
+    CHECK(distance(matrix(mesh, 0.502), matrix(mesh, 0.501)) > 1e-3);
+    CHECK(distance(matrix(mesh, 0.499), matrix(mesh, 0.501)) > 1e-4);
+    CHECK(distance(matrix(mesh, -0.5), matrix(mesh, -0.501)) < 1e-12);  // an edge belongs to its trailing side
+    CHECK(distance(matrix(mesh, -0.4995), matrix(mesh, -0.499)) < 1e-12);
+    // a point in the next element keeps clear by that element's width: widths 1.5 and 0.5
+    const Mesh<double> steps = mesh_from_edges<double>(Eigen::Array3d(-1, 0.5, 1));
+    const double ahead = (0.75 + 0.0005) / 1.5;  // of the first element's width
+    CHECK(std::abs(matrix(steps, 0.5001)(0, 1) / matrix(steps, ahead)(0, 1) - 1) < 1e-10);
+    CHECK(std::abs(matrix(steps, 0.5)(0, 1) / matrix(steps, 0.499)(0, 1) - 1) < 1e-10);
+    CHECK(std::abs(matrix(steps, 0.5)(1, 1) / matrix(steps, 0.499)(1, 1) - 1) < 1e-10);
+    CHECK(std::abs(matrix(steps, 0.5001)(1, 1) / matrix(steps, 0.501)(1, 1) - 1) < 1e-10);  // beyond the leading edge
+    // an end value of 0.5 is on the edge on every mesh, whatever interpolation rounds
+    for (const Eigen::Index n : {3, 4, 10, 41}) {
+        for (const auto& [name, each] : reference::every_mesh<double>(n)) {
+            const MatrixX<double> ends = assemble_G_prime(each, Collocation{0, 0.5, analytic}, kernel);
+            const MatrixX<double> clear = assemble_G_prime(each, Collocation{0, 0.499, analytic}, kernel);
+            CAPTURE(n, name, ends(0, 0), clear(0, 0));
+            CHECK(std::abs(ends(0, 0) / clear(0, 0) - 1) < 1e-10);
+        }
+    }
+    for (const int points : {1, 2, 3, 7, 64, 1000}) {  // Gauss points fall on edges too
+        for (const double alpha : {0.5, 0.0, 1.0, 2.0}) {
+            CHECK(assemble_G_prime(uniform_mesh(4), Galerkin{alpha, alpha, analytic, 1, points}, kernel).allFinite());
+        }
+    }
+}
+
+TEST_CASE("Lambda moves the points of G alone", "[influence]") {
+    const StripKernel<double> kernel(10, 0.75, 0.25);
+    for (const auto& [name, mesh] : reference::every_mesh<double>(7)) {
+        const auto all = [&, &mesh = mesh](double lambda, double alpha_T) {
+            return assemble(mesh, Collocation{0.2, alpha_T, fd, lambda}, kernel);
+        };
+        CAPTURE(name);
+        CHECK(all(0.5, 0.6).G_prime == all(1, 0.6).G_prime);
+        CHECK(distance(all(0.5, 0.6).G, all(1, 0.6).G) > 1e-4);
+        CHECK(distance(all(0.5, 0.6).G, assemble_G(mesh, Collocation{0.1, 0.3}, kernel)) < 1e-13);
+        CHECK(distance(all(0, 0.6).G, assemble_G(mesh, Collocation{0, 0}, kernel)) < 1e-13);
+        CHECK(distance(all(1, 0.6).G, assemble_G(mesh, Collocation{0.2, 0.6}, kernel)) < 1e-13);
+    }
+}
+
+// The least a kernel must offer; counts the evaluations of H.
+struct MinimalKernel {
+    using Scalar = double;
+    PlaneKernel<double> plane{10, 0.75, 0.25};
+    std::shared_ptr<Eigen::Index> evaluations = std::make_shared<Eigen::Index>(0);
+    ArrayX<double> g(const ArrayX<double>& x) const { return plane.g(x); }
+    ArrayX<double> H(const ArrayX<double>& x) const {
+        *evaluations += x.size();
+        return plane.H(x);
+    }
+    ArrayX<double> H_integral(const ArrayX<double>& x) const { return plane.H_integral(x); }
+};
+static_assert(LineKernel<MinimalKernel> && !SplitKernel<MinimalKernel> && !TaylorKernel<MinimalKernel>);
+static_assert(SplitKernel<PlaneKernel<double>> && SplitKernel<StripKernel<float>> &&
+              TaylorKernel<StripKernel<long double>>);
+
+TEST_CASE("g, H and H_integral are enough of a kernel, and H is evaluated once per neighbour", "[influence]") {
+    for (const Eigen::Index n : {3, 10, 60}) {
+        for (const auto& [name, mesh] : reference::every_mesh<double>(n)) {
+            for (const auto& [scheme_name, scheme] : reference::every_scheme()) {
+                const MinimalKernel minimal;
+                const auto of = [&, &mesh = mesh](const auto& kernel, bool slope) {
+                    return std::visit(
+                        [&](const auto& s) {
+                            return slope ? assemble_G_prime(mesh, s, kernel) : assemble_G(mesh, s, kernel);
+                        },
+                        scheme);
+                };
+                CAPTURE(n, name, scheme_name);
+                CHECK(distance(of(minimal, true), of(minimal.plane, true)) < 1e-9);
+                CHECK(distance(of(minimal, false), of(minimal.plane, false)) < 1e-9);
+            }
+            const MinimalKernel counted;
+            assemble_G_prime(mesh, Collocation{0, 0.63, fd}, counted);
+            CAPTURE(n, name, *counted.evaluations);
+            CHECK(*counted.evaluations <= (mesh.is_uniform() ? n * (n + 2) : 2 * n * (n + 1)));
+            CHECK(*counted.evaluations > 0);
+            if (!mesh.is_uniform()) continue;
+            const MinimalKernel toeplitz;
+            assemble_G_prime(mesh, Collocation{0.5, 0.5, fd}, toeplitz);
+            CHECK(*toeplitz.evaluations <= 6 * n);
+        }
+    }
+}
+
+TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the elements that remain", "[influence]") {
+    const PlaneKernel<double> plane(1000, 0.75, 0.25);
+    for (const auto derivative : {fd, analytic}) {
+        for (const Eigen::Index n : {2, 3, 20}) {
+            // centres of elements 1 ... n-1 lie one width ahead of those of elements 0 ... n-2
+            const MatrixX<double> boundary = assemble_G_prime(uniform_mesh(n), KnotheBoundary{derivative}, plane);
+            const MatrixX<double> shifted = assemble_G_prime(uniform_mesh(n), Collocation{1, 1, derivative}, plane);
+            const MatrixX<double> remaining =
+                assemble_G_prime(uniform_mesh(n - 1), Collocation{1, 1, derivative}, plane);
+            CAPTURE(n);
+            CHECK(distance<double>(boundary, shifted.topLeftCorner(n - 1, n - 1)) < 1e-13);
+            CHECK(distance<double>(boundary, remaining) < 1e-13);  // slopes of the plane have no length scale
+        }
+        // for the strip the contact without its leading element is shorter
+        const StripKernel<double> strip(2, 0.75, 0.25), shorter(2 * 10.0 / 9, 0.75, 0.25);
+        CHECK(distance<double>(assemble_G_prime(uniform_mesh(10), KnotheBoundary{derivative}, strip),
+                               assemble_G_prime(uniform_mesh(9), Collocation{1, 1, derivative}, shorter)) < 1e-13);
+    }
+    const MatrixX<double> G = assemble_G(cosine_mesh(6), KnotheBoundary{}, plane);
+    CHECK(distance<double>(G, assemble_G(cosine_mesh(6), Collocation{0, 0}, plane).bottomLeftCorner(5, 5)) < 1e-13);
+}
+
+TEST_CASE("Extreme grading keeps the entries to the ratio of the sizes", "[influence]") {
+    const auto check = [](const Mesh<double>& mesh, const Mesh<Real>& exact, double limit) {
+        for (const reference::Scheme& scheme :
+             std::vector<reference::Scheme>{Collocation{0, 0.625}, Collocation{0, 0.625, analytic}}) {
+            for (const reference::Kernel& kernel :
+                 {reference::Kernel{true, 1024, 0.75L, 0.25L}, reference::Kernel{false, 1, 0.75L, 0.25L}}) {
+                for (const bool slope : {true, false}) {
+                    const double error = static_cast<double>(
+                        reference::largest_error(build(mesh, scheme, kernel, slope), kernel, exact, scheme, slope));
+                    CAPTURE(mesh.widths()[0], mesh.widths()[mesh.size() - 1], kernel.plane, slope, error);
+                    CHECK(error < limit);
+                }
+            }
+        }
+    };
+    check(knothe_mesh(8, 1e-8), knothe_mesh<Real>(8, 1e-8L), 1e-6);
+    check(modified_knothe_mesh(8, 1e-8), modified_knothe_mesh<Real>(8, 1e-8L), 1e-6);
+    check(geometric_mesh(12, 1e6), geometric_mesh<Real>(12, 1e6L), 1e-9);
+    check(geometric_mesh(12, 1e-6), geometric_mesh<Real>(12, 1e-6L), 1e-9);
+}
+
+TEST_CASE("Assembly refuses what it cannot do, by name", "[influence]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const PlaneKernel<double> plane(infinity, 0.75, 0.25);
+    CHECK(assemble_G_prime(uniform_mesh(4), Collocation{}, plane).allFinite());
+    CHECK(assemble_G_prime(cosine_mesh(4), Collocation{0.5, 0.5, analytic}, StripKernel<double>(infinity, 0.75, 0.25))
+              .allFinite());
+    CHECK(distance(assemble_G_prime(cosine_mesh(4), Collocation{}, plane),
+                   assemble_G_prime(cosine_mesh(4), Collocation{}, PlaneKernel<double>(7, 0.75, 0.25))) < 1e-13);
+    CHECK_THROWS_WITH(assemble_G(uniform_mesh(4), Collocation{}, plane),
+                      Catch::Matchers::ContainsSubstring("an infinite aspect is for steady problems only"));
+    CHECK_THROWS_AS(assemble_G_prime(uniform_mesh(1), Collocation{}, plane), std::invalid_argument);
+    CHECK_THROWS_AS(assemble_G_prime(uniform_mesh(1), KnotheBoundary{}, plane), std::invalid_argument);
+    CHECK_THROWS_AS(assemble_G_prime(uniform_mesh(4), Galerkin{.quadrature = -1}, plane), std::invalid_argument);
+}
+
+}  // namespace

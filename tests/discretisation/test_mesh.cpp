@@ -1,0 +1,238 @@
+// rollbem/discretisation/mesh.hpp
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "../support/reference.hpp"
+#include "rollbem/discretisation/mesh.hpp"
+
+namespace {
+
+using namespace rollbem;
+using reference::Real;
+
+// Largest relative difference, in roundings of Scalar; 0 must meet 0.
+template <class A, class B>
+double in_eps(const A& values, const B& exact) {
+    if (values.size() != exact.size()) return 1e300;
+    double largest = 0;
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        const Real value = static_cast<Real>(values[i]), reference = static_cast<Real>(exact[i]);
+        const Real error = reference == 0 ? (value == 0 ? 0 : 1e300L) : std::abs(value / reference - 1);
+        largest = std::max(largest, static_cast<double>(error / std::numeric_limits<typename A::Scalar>::epsilon()));
+    }
+    return largest;
+}
+
+TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[mesh]", float, double, long double) {
+    using Scalar = TestType;
+    const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+    for (const Eigen::Index n : {3, 4, 17, 40, 1000, 10000}) {
+        const auto meshes = reference::every_mesh<Scalar>(std::min<Eigen::Index>(n, 1000));
+        const auto large = [&]() -> std::vector<reference::NamedMesh<Scalar>> {
+            if (n <= 1000) return meshes;
+            return {{"uniform", uniform_mesh<Scalar>(n)},
+                    {"geometric 5", geometric_mesh<Scalar>(n, Scalar(5))},
+                    {"knothe", knothe_mesh<Scalar>(n, Scalar(0.25))},
+                    {"modified knothe", modified_knothe_mesh<Scalar>(n, Scalar(0.375))},
+                    {"cosine", cosine_mesh<Scalar>(n)}};
+        }();
+        const auto exact = [&]() -> std::vector<reference::NamedMesh<Real>> {
+            if (n <= 1000) return reference::every_mesh<Real>(n);
+            return {{"uniform", uniform_mesh<Real>(n)},
+                    {"geometric 5", geometric_mesh<Real>(n, Real(5))},
+                    {"knothe", knothe_mesh<Real>(n, Real(0.25))},
+                    {"modified knothe", modified_knothe_mesh<Real>(n, Real(0.375))},
+                    {"cosine", cosine_mesh<Real>(n)}};
+        }();
+        REQUIRE(large.size() == exact.size());
+        for (std::size_t i = 0; i < large.size(); ++i) {
+            const Mesh<Scalar>& mesh = large[i].mesh;
+            const Mesh<Real>& fine = exact[i].mesh;
+            CAPTURE(n, large[i].name);
+            REQUIRE(mesh.size() == n);
+            // everything against long double, relative even beside an edge
+            CHECK(in_eps(mesh.widths(), fine.widths()) < 40);
+            CHECK(in_eps(mesh.edges_from_trailing(), fine.edges_from_trailing()) < 40);
+            CHECK(in_eps(mesh.edges_from_leading(), fine.edges_from_leading()) < 40);
+            CHECK(in_eps(mesh.from_trailing(), fine.from_trailing()) < 40);
+            CHECK(in_eps(mesh.from_leading(), fine.from_leading()) < 40);
+            CHECK(static_cast<double>((mesh.centres().template cast<Real>() - fine.centres()).abs().maxCoeff()) <
+                  4 * eps);
+            // and among one another
+            CHECK(mesh.edges_from_trailing()[0] == 0);
+            CHECK(mesh.edges_from_trailing()[n] == 2);
+            CHECK(mesh.edges_from_leading()[0] == 2);
+            CHECK(mesh.edges_from_leading()[n] == 0);
+            CHECK(mesh.edges()[0] == -1);
+            CHECK(mesh.edges()[n] == 1);
+            const auto sum = static_cast<double>(mesh.widths().template cast<Real>().sum() - 2);
+            CHECK(std::abs(sum) < (30 + static_cast<double>(n) / 4) * eps);  // a sum of n roundings
+            const auto both = (mesh.edges_from_trailing() + mesh.edges_from_leading() - 2).abs().maxCoeff();
+            CHECK(static_cast<double>(both) < 10 * eps);
+            const Eigen::Array<Real, Eigen::Dynamic, 1> trailing = fine.edges_from_trailing();
+            const Eigen::Array<Real, Eigen::Dynamic, 1> leading = fine.edges_from_leading();
+            const auto edges = mesh.edges(), centres = mesh.centres();
+            bool ordered = true;
+            Real mismatch = 0;
+            for (Eigen::Index e = 0; e < n; ++e) {
+                const Real width = trailing[e] < 1 ? trailing[e + 1] - trailing[e] : leading[e] - leading[e + 1];
+                mismatch = std::max(mismatch, std::abs(width / fine.widths()[e] - 1));
+                ordered = ordered && edges[e] <= centres[e] && centres[e] <= edges[e + 1];
+            }
+            CHECK(ordered);
+            CHECK(static_cast<double>(mismatch) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("Edges of the makers meet their formulas", "[mesh]") {
+    for (const Eigen::Index n : {3, 10, 10000}) {
+        const Mesh<double> cosine = cosine_mesh(n), uniform = uniform_mesh(n);
+        CAPTURE(n);
+        for (Eigen::Index j = 0; j <= n; ++j) {
+            const Real angle = std::numbers::pi_v<Real> * static_cast<Real>(j) / static_cast<Real>(n);
+            CHECK(std::abs(static_cast<Real>(cosine.edges()[j]) + std::cos(angle)) < 4.5e-16L);
+            const Real line = -1 + 2 * static_cast<Real>(j) / static_cast<Real>(n);
+            CHECK(std::abs(static_cast<Real>(uniform.edges()[j]) - line) < 3e-16L);
+        }
+        const Real first = 2 * std::pow(std::sin(std::numbers::pi_v<Real> / static_cast<Real>(2 * n)), Real(2));
+        CHECK(std::abs(cosine.widths()[0] / static_cast<double>(first) - 1) < 1e-15);
+        CHECK(uniform.is_uniform());
+        CHECK_FALSE(cosine.is_uniform());
+    }
+}
+
+TEMPLATE_TEST_CASE("Symmetric meshes mirror exactly", "[mesh]", float, double, long double) {
+    using Scalar = TestType;
+    for (const Eigen::Index n : {3, 4, 7, 40, 161, 10000}) {
+        for (const Mesh<Scalar>& mesh : {uniform_mesh<Scalar>(n), knothe_mesh<Scalar>(n, Scalar(0.3)),
+                                         knothe_mesh<Scalar>(n, Scalar(3)), cosine_mesh<Scalar>(n)}) {
+            CAPTURE(n, mesh.widths()[0]);
+            CHECK((mesh.widths() == mesh.widths().reverse()).all());
+            CHECK((mesh.edges_from_trailing() == mesh.edges_from_leading().reverse()).all());
+            CHECK((mesh.from_trailing() == mesh.from_leading().reverse()).all());
+            CHECK((mesh.centres() == -mesh.centres().reverse()).all());
+        }
+        const Mesh<Scalar> graded = geometric_mesh<Scalar>(n, Scalar(4)),
+                           mirror = geometric_mesh<Scalar>(n, Scalar(0.25));
+        CHECK(in_eps(graded.widths(), mirror.widths().reverse().eval()) < 40);
+    }
+}
+
+TEST_CASE("Ratios of the graded meshes", "[mesh]") {
+    for (const Eigen::Index n : {2, 3, 5, 40, 1000}) {
+        for (const double ratio : {1e-6, 0.2, 0.999999, 1 + 1e-12, 2.0, 10.0, 1e6}) {
+            const Mesh<double> mesh = geometric_mesh(n, ratio);
+            CAPTURE(n, ratio);
+            CHECK(std::abs(mesh.widths()[0] / mesh.widths()[n - 1] / ratio - 1) < 1e-13);
+            const double step = std::pow(ratio, -1 / static_cast<double>(n - 1));
+            CHECK((mesh.widths().tail(n - 1) / mesh.widths().head(n - 1) / step - 1).abs().maxCoeff() < 1e-13);
+        }
+        for (const double epsilon : {1e-8, 0.25, 1.0, 3.0}) {
+            CAPTURE(n, epsilon);
+            const Mesh<double> modified = modified_knothe_mesh(n, epsilon);
+            CHECK(std::abs(modified.widths()[0] / modified.widths()[n - 1] / epsilon - 1) < 1e-14);
+            CHECK(modified.widths()[n - 1] == modified.widths()[1]);
+            if (n < 3) continue;
+            const Mesh<double> both = knothe_mesh(n, epsilon);
+            CHECK(std::abs(both.widths()[0] / both.widths()[1] / epsilon - 1) < 1e-14);
+            CHECK(both.widths()[0] == both.widths()[n - 1]);
+            CHECK((both.widths().segment(1, n - 2) == both.widths()[1]).all());
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE("Graded meshes have the uniform mesh as their limit", "[mesh]", float, double, long double) {
+    using Scalar = TestType;
+    for (const Eigen::Index n : {3, 4, 40, 999}) {
+        const Mesh<Scalar> uniform = uniform_mesh<Scalar>(n);
+        for (const Mesh<Scalar>& mesh : {geometric_mesh<Scalar>(n, Scalar(1)), knothe_mesh<Scalar>(n, Scalar(1)),
+                                         modified_knothe_mesh<Scalar>(n, Scalar(1)),
+                                         geometric_mesh<Scalar>(n, 1 + std::numeric_limits<Scalar>::epsilon())}) {
+            CAPTURE(n);
+            CHECK(in_eps(mesh.widths(), uniform.widths()) < 8);
+            CHECK(in_eps(mesh.edges_from_trailing(), uniform.edges_from_trailing()) < 8);
+            CHECK(in_eps(mesh.edges_from_leading(), uniform.edges_from_leading()) < 8);
+        }
+    }
+    CHECK(cosine_mesh<Scalar>(1).widths()[0] == 2);
+    CHECK(uniform_mesh<Scalar>(1).widths()[0] == 2);
+    CHECK(in_eps(cosine_mesh<Scalar>(2).widths(), uniform_mesh<Scalar>(2).widths()) < 2);
+}
+
+TEST_CASE("A mesh from edges keeps them", "[mesh]") {
+    const Eigen::Array4d edges(-1, -0.3, 0.75, 1);
+    const Mesh<double> mesh = mesh_from_edges<double>(edges);
+    CHECK(mesh.size() == 3);
+    CHECK((mesh.edges() - edges).abs().maxCoeff() < 2e-16);
+    CHECK(mesh.widths()[1] == 0.75 + 0.3);
+    CHECK_FALSE(mesh.is_uniform());
+    // as accepted from vectors and expressions
+    const Eigen::Vector3d ends(-2, 0, 2);
+    CHECK(mesh_from_edges<double>(ends / 2).size() == 2);
+    // a round trip through the edges of every maker
+    for (const auto& [name, made] : reference::every_mesh<double>(12)) {
+        const Mesh<double> again = mesh_from_edges<double>(made.edges());
+        CAPTURE(name);
+        CHECK((again.widths() / made.widths() - 1).abs().maxCoeff() < 1e-14);
+        CHECK((again.centres() - made.centres()).abs().maxCoeff() < 4e-16);
+    }
+}
+
+TEST_CASE("Meshes refuse what cannot be, by name and value", "[mesh]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(uniform_mesh(0), "uniform_mesh: n = 0 must be at least 1");
+    CHECK_THROWS_WITH(uniform_mesh(-3), "uniform_mesh: n = -3 must be at least 1");
+    CHECK_THROWS_WITH(cosine_mesh(0), "cosine_mesh: n = 0 must be at least 1");
+    CHECK_THROWS_WITH(geometric_mesh(1, 2.0), "geometric_mesh: n = 1 must be at least 2");
+    CHECK_THROWS_WITH(geometric_mesh(4, 0.0), "geometric_mesh: size_ratio = 0 must be positive and finite");
+    CHECK_THROWS_WITH(geometric_mesh(4, -1.0), "geometric_mesh: size_ratio = -1 must be positive and finite");
+    CHECK_THROWS_WITH(geometric_mesh(4, infinity), "geometric_mesh: size_ratio = inf must be positive and finite");
+    CHECK_THROWS_WITH(geometric_mesh(4, nan), "geometric_mesh: size_ratio = nan must be positive and finite");
+    CHECK_THROWS_WITH(knothe_mesh(2, 0.5), "knothe_mesh: n = 2 must be at least 3");
+    CHECK_THROWS_WITH(knothe_mesh(3, 0.0), "knothe_mesh: epsilon = 0 must be positive and finite");
+    CHECK_THROWS_WITH(knothe_mesh(3, nan), "knothe_mesh: epsilon = nan must be positive and finite");
+    CHECK_THROWS_WITH(modified_knothe_mesh(1, 0.5), "modified_knothe_mesh: n = 1 must be at least 2");
+    CHECK_THROWS_WITH(modified_knothe_mesh(2, infinity),
+                      "modified_knothe_mesh: epsilon = inf must be positive and finite");
+    const auto from = [](std::vector<double> edges) {
+        return mesh_from_edges<double>(
+            Eigen::Map<Eigen::ArrayXd>(edges.data(), static_cast<Eigen::Index>(edges.size())));
+    };
+    CHECK_THROWS_WITH(from({}), "mesh_from_edges: number of edges = 0 must be at least 2");
+    CHECK_THROWS_WITH(from({-1}), "mesh_from_edges: number of edges = 1 must be at least 2");
+    CHECK_THROWS_WITH(from({-0.5, 1}), "mesh_from_edges: first edge = -0.5 must be -1");
+    CHECK_THROWS_WITH(from({-1, 0.5}), "mesh_from_edges: last edge = 0.5 must be 1");
+    CHECK_THROWS_WITH(from({-1, 0.25, 0.25, 1}), "mesh_from_edges: edge = 0.25 must be larger than the edge before it");
+    CHECK_THROWS_WITH(from({-1, nan, 1}), "mesh_from_edges: edge = nan must be larger than the edge before it");
+    CHECK_THROWS_AS(from({-1, 2, 1}), std::invalid_argument);
+}
+
+TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
+    using Data = Mesh<double>::Data;
+    const Data good{Eigen::Array2d(0.5, 1.5), Eigen::Array3d(0, 0.5, 2), Eigen::Array3d(2, 1.5, 0)};
+    CHECK_NOTHROW(Mesh<double>(good));
+    CHECK_THROWS_WITH(Mesh<double>(Data{}), "Mesh: number of elements = 0 must be at least 1");
+    Data data = good;
+    data.edges_from_trailing.conservativeResize(2);
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: number of edges = 2 must be one more than the number of elements");
+    data = good;
+    data.widths[1] = 0;
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: element width = 0 must be positive and finite");
+    for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, 2.0}) {
+        CAPTURE(wrong);
+        data = good;
+        data.edges_from_trailing[1] = wrong;
+        CHECK_THROWS_AS(Mesh<double>(data), std::invalid_argument);
+        data = good;
+        data.edges_from_leading[1] = wrong;
+        CHECK_THROWS_AS(Mesh<double>(data), std::invalid_argument);
+    }
+    // ratios so extreme that elements vanish are refused, not returned as a broken mesh
+    for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
+}
+
+}  // namespace

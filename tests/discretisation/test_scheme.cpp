@@ -1,0 +1,68 @@
+// rollbem/discretisation/scheme.hpp
+#include <cmath>
+#include <limits>
+
+#include "../support/catch.hpp"
+#include "../support/reference.hpp"
+#include "rollbem/discretisation/scheme.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+TEMPLATE_TEST_CASE("Alpha is linear in the centre and exact at both ends", "[scheme]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+    for (const Eigen::Index n : {3, 4, 10, 41, 160}) {
+        for (const auto& [name, mesh] : reference::every_mesh<Scalar>(n)) {
+            for (const auto& [alpha_L, alpha_T] :
+                 {std::pair{0.0, 0.5}, {0.5, 0.0}, {0.0, 0.63}, {-0.5, 1.5}, {1.0, -0.25}}) {
+                const auto alpha = interpolate_alpha(mesh, alpha_L, alpha_T);
+                CAPTURE(n, name, alpha_L, alpha_T);
+                REQUIRE(alpha.size() == n);
+                // exactly: an end value of 0.5 must not become a point beyond the edge
+                CHECK(alpha[0] == static_cast<Scalar>(alpha_T));
+                CHECK(alpha[n - 1] == static_cast<Scalar>(alpha_L));
+                const auto& x = mesh.centres();
+                for (Eigen::Index l = 1; l + 1 < n; ++l) {
+                    const Scalar line = static_cast<Scalar>(alpha_T) +
+                                        static_cast<Scalar>(alpha_L - alpha_T) * (x[l] - x[0]) / (x[n - 1] - x[0]);
+                    CHECK(std::abs(alpha[l] - line) <= 16 * eps);
+                }
+            }
+            CHECK((interpolate_alpha(mesh, 0.3, 0.3) == static_cast<Scalar>(0.3)).all());
+        }
+    }
+    CHECK(interpolate_alpha(uniform_mesh<Scalar>(1), 0.25, 0.25)[0] == Scalar(0.25));
+}
+
+TEST_CASE("Unknowns and their widths", "[scheme]") {
+    const Mesh<double> mesh = geometric_mesh(7, 3.0);
+    CHECK((unknown_widths(mesh, Collocation{}) == mesh.widths()).all());
+    CHECK((unknown_widths(mesh, Galerkin{}) == mesh.widths()).all());
+    const Eigen::ArrayXd trailing = unknown_widths(mesh, KnotheBoundary{});
+    REQUIRE(trailing.size() == 6);
+    CHECK((trailing == mesh.widths().head(6)).all());
+}
+
+TEST_CASE("Schemes refuse what cannot be, by name and value", "[scheme]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_NOTHROW(check_scheme(Collocation{2, -2}, 2));
+    CHECK_NOTHROW(check_scheme(Collocation{0.5, 0.5}, 1));
+    CHECK_THROWS_WITH(check_scheme(Collocation{2.5, 0}, 4), "Collocation: alpha_L = 2.5 must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{0, nan}, 4), "Collocation: alpha_T = nan must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{0, -3}, 4), "Galerkin: alpha_T = -3 must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, 4), "Collocation: lambda = 1.5 must lie in [0, 1]");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, 4), "Galerkin: lambda = nan must lie in [0, 1]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{}, 1),
+                      "Collocation: n = 1 must be at least 2 where alpha_L and alpha_T differ");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{}, 1),
+                      "Galerkin: n = 1 must be at least 2 where alpha_L and alpha_T differ");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{.quadrature = -1}, 4),
+                      "Galerkin: quadrature = -1 must be exact_quadrature (0) or lie in [1, 1000]");
+    CHECK_THROWS_AS(check_scheme(Galerkin{.quadrature = 1001}, 4), std::invalid_argument);
+    CHECK_THROWS_WITH(check_scheme(KnotheBoundary{}, 1), "KnotheBoundary: n = 1 must be at least 2");
+    CHECK_NOTHROW(check_scheme(KnotheBoundary{}, 2));
+}
+
+}  // namespace
