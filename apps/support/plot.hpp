@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,9 +34,14 @@ struct Series {
     bool line = true;
 };
 
+struct PlotRange {
+    double low, high;
+};
+
 struct Plot {
     std::string title, x_label, y_label;
     bool log_x = false, log_y = false;
+    std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
     std::vector<Series> series;
 };
 
@@ -113,10 +119,14 @@ inline std::string gnuplot_script(const Plot& plot, bool png) {
         script += "set terminal svg size 900,600 dynamic enhanced font 'sans,14' background '#ffffff'\n";
     }
     script += "set title " + gnuplot_string(plot.title) + "\nset xlabel " + gnuplot_string(plot.x_label) +
-              "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lc rgb '#d0d0d0' lw 0.5\n";
-    script += plot.series.size() > 8 ? "set key outside right top vertical\n" : "set key below\n";
+              "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
+    script += "set key outside right top vertical\nset autoscale xfix\n";
     for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
         if (is_log) script += "set logscale " + std::string(axis) + "\nset format " + axis + " '%h'\n";
+    }
+    for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
+        if (!range) continue;
+        script += "set " + std::string(axis) + "range [" + Cell(range->low).text() + ":" + Cell(range->high).text() + "]\n";
     }
     std::string commands;
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
