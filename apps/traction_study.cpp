@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
             study::Plot plot{.title = "Traction in steady rolling",
                              .x_label = "x / a (leading edge at 1)",
                              .y_label = "p / (G ξ)",
+                             .x_range = study::PlotRange{-1, 1},
                              .series = {}};
             study::add_series(plot, columns, rows,
                               {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction"});

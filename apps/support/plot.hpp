@@ -126,7 +126,8 @@ inline std::string gnuplot_script(const Plot& plot, bool png) {
     }
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
         if (!range) continue;
-        script += "set " + std::string(axis) + "range [" + Cell(range->low).text() + ":" + Cell(range->high).text() + "]\n";
+        script +=
+            "set " + std::string(axis) + "range [" + Cell(range->low).text() + ":" + Cell(range->high).text() + "]\n";
     }
     std::string commands;
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
