@@ -112,32 +112,28 @@ RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const Sampling<Scalar>& s
 
 // On a uniform mesh with one alpha the matrix is Toeplitz: the 2n-1 different entries are those of one element seen
 // from 2n-1 points.
-template <class Kernel>
-void fill_toeplitz(const Kernel& kernel, Quantity quantity, int averages, Eigen::Index n,
-                   typename Kernel::Scalar offset, Eigen::Ref<MatrixX<typename Kernel::Scalar>> out) {
-    using Scalar = typename Kernel::Scalar;
+template <class Scalar>
+void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Eigen::Index n, Scalar offset,
+                   MatrixX<Scalar>& out) {
     const Scalar width = 2 / static_cast<Scalar>(n);
-    RowPoints<Scalar> rows;
-    rows.from_trailing = ArrayX<Scalar>::LinSpaced(2 * n - 1, Scalar(1 - n), Scalar(n - 1)) * width + 1;
-    rows.from_leading = 2 - rows.from_trailing;
+    RowPoints<Scalar> rows;  // distances from the element instead of from an edge: exact multiples of the width
+    rows.from_trailing = ArrayX<Scalar>::LinSpaced(2 * n - 1, Scalar(1 - n), Scalar(n - 1)) * width;
+    rows.from_leading = -rows.from_trailing;
     rows.offset.setConstant(2 * n - 1, offset);
     rows.half.setConstant(2 * n - 1, width / 2);
     ColumnElements<Scalar> column;
-    column.from_trailing.setOnes(1);
-    column.from_leading.setOnes(1);
+    column.from_trailing.setZero(1);
+    column.from_leading.setZero(1);
     column.half.setConstant(1, width / 2);
     MatrixX<Scalar> entries(2 * n - 1, 1);
-    LineIntegrals<Kernel>(kernel, quantity, averages, rows, column, true).fill(entries);
+    LineIntegrals<Scalar>(kernel, quantity, averages, rows, column, true).fill(entries);
     for (Eigen::Index m = 0; m < n; ++m) out.col(m) = entries.col(0).segment(n - 1 - m, n);
 }
 
-template <class Scalar, class Scheme, class Kernel>
-MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
-                                 Quantity quantity) {
-    check_scheme(scheme, mesh.size());
-    const Sampling<Scalar> samples = sampling<Scalar>(scheme, quantity);
-    const Eigen::Index first = first_equation(scheme);
-    const Eigen::Index size = unknown_count(scheme, mesh.size());
+// Equations first ... first + size - 1 for the tractions of elements 0 ... size - 1.
+template <class Scalar>
+MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Sampling<Scalar>& samples, Eigen::Index first,
+                                 Eigen::Index size, const KernelView<Scalar>& kernel, Quantity quantity) {
     const ColumnElements<Scalar> columns{mesh.from_trailing().head(size), mesh.from_leading().head(size),
                                          mesh.widths().head(size) / 2};
     const auto fill = [&](Scalar node, MatrixX<Scalar>& out) {
@@ -148,7 +144,7 @@ MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Scheme& scheme,
         }
         rows = {rows.from_trailing.segment(first, size), rows.from_leading.segment(first, size),
                 rows.offset.segment(first, size), rows.half.segment(first, size)};
-        LineIntegrals<Kernel>(kernel, quantity, samples.averages, rows, columns, mesh.is_uniform()).fill(out);
+        LineIntegrals<Scalar>(kernel, quantity, samples.averages, rows, columns, mesh.is_uniform()).fill(out);
     };
     MatrixX<Scalar> result(size, size);
     if (samples.rule.nodes.size() == 1) {
@@ -164,20 +160,29 @@ MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Scheme& scheme,
     return result;
 }
 
+template <class Scalar, class Scheme>
+MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Scheme& scheme, const KernelView<Scalar>& kernel,
+                                 Quantity quantity) {
+    check_scheme(scheme, mesh.size());
+    return influence_matrix(mesh, sampling<Scalar>(scheme, quantity), first_equation(scheme),
+                            unknown_count(scheme, mesh.size()), kernel, quantity);
+}
+
 }  // namespace detail
 
 /// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G. All that a steady problem needs.
 /// Throws std::invalid_argument when the scheme does not fit the mesh.
 template <class Scalar, class Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    return detail::influence_matrix(mesh, scheme, kernel, detail::Quantity::slope);
+    return detail::influence_matrix<Scalar>(mesh, scheme, detail::KernelView<Scalar>(kernel), detail::Quantity::slope);
 }
 
 /// G of Eqs. (13) and (14), same shape, in units of a/G. The kernel's half-width must be finite.
 /// Throws std::invalid_argument when the scheme does not fit the mesh or G is not finite.
 template <class Scalar, class Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    MatrixX<Scalar> G = detail::influence_matrix(mesh, scheme, kernel, detail::Quantity::displacement);
+    MatrixX<Scalar> G = detail::influence_matrix<Scalar>(mesh, scheme, detail::KernelView<Scalar>(kernel),
+                                                         detail::Quantity::displacement);
     detail::require(std::isfinite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
                     "be finite: an infinite aspect is for steady problems only");
     return G;

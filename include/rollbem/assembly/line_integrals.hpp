@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,29 +42,53 @@ enum class Quantity {
     slope,         ///< q = 1, an entry of G'
 };
 
+/// A kernel behind functions of arrays, so that the integrals below are compiled once for a scalar type and not for
+/// every kernel; a call costs nothing beside the array it works on. Refers to the kernel.
+template <class Scalar>
+struct KernelView {
+    using Array = ArrayX<Scalar>;
+    using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+    std::function<Array(int level, const Array& x)> antiderivative;          ///< g (0), H (1), H_integral (2)
+    std::function<std::optional<LogSplit<Scalar>>(Scalar reach)> log_split;  ///< empty where there is none
+    std::function<Table(const Array& x, Eigen::Index order)> taylor;         ///< empty where there is none
+
+    template <LineKernel Kernel>
+    KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor): a view of any kernel
+        : antiderivative([&kernel](int level, const Array& x) -> Array {
+              if (level == 0) return kernel.g(x);
+              return level == 1 ? Array(kernel.H(x)) : Array(kernel.H_integral(x));
+          }) {
+        if constexpr (SplitKernel<Kernel>) log_split = [&kernel](Scalar reach) { return kernel.log_split(reach); };
+        if constexpr (TaylorKernel<Kernel>) {
+            taylor = [&kernel](const Array& x, Eigen::Index order) -> Table { return kernel.taylor(x, order); };
+        }
+    }
+};
+
 /// Fills matrices of line integrals. Near entries take differences of the kernel's antiderivatives, sharing evaluations
 /// along a row; entries with |d| well above h + averages delta take a series in the even moments of w, whose sums
 /// neither cancel nor need a logarithm for the slope.
-template <class Kernel>
+template <class Scalar_>
 class LineIntegrals {
 public:
-    using Scalar = typename Kernel::Scalar;
+    using Scalar = Scalar_;
     using Array = ArrayX<Scalar>;
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
     /// `equal_widths`: every h and delta are one number, and neighbours are 2h apart.
-    LineIntegrals(const Kernel& kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
+    LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
                   const ColumnElements<Scalar>& columns, bool equal_widths)
-        : kernel_(kernel),
+        : kernel_(std::move(kernel)),
           quantity_(quantity),
           averages_(averages),
           equal_widths_(equal_widths),
           rows_(padded(rows)),
           columns_(columns),
           count_(rows.half.size()) {
-        if constexpr (SplitKernel<Kernel>) {
-            split_ = kernel.log_split(
+        if (kernel_.log_split) {
+            split_ = kernel_.log_split(
                 (rows_.from_leading.max(rows_.from_trailing) + rows_.offset.abs() + Scalar(averages) * rows_.half)
                     .maxCoeff());
         }
@@ -76,7 +102,7 @@ public:
     void fill(Eigen::Ref<Matrix> out) const {
         if (split_) {
             split_series(out);
-        } else if constexpr (TaylorKernel<Kernel>) {
+        } else if (kernel_.taylor) {
             taylor_series(out);
         }
         near_differences(out);
@@ -99,7 +125,7 @@ private:
         return {pad(rows.from_trailing), pad(rows.from_leading), pad(rows.offset), pad(rows.half)};
     }
 
-    bool has_series() const { return split_.has_value() || TaylorKernel<Kernel>; }
+    bool has_series() const { return split_.has_value() || kernel_.taylor; }
     Scalar distance(Eigen::Index l, Eigen::Index m) const {
         const Scalar between = columns_.from_trailing[m] <= 1 ? rows_.from_trailing[l] - columns_.from_trailing[m]
                                                               : columns_.from_leading[m] - rows_.from_leading[l];
@@ -135,7 +161,7 @@ private:
                 default: break;
             }
         }
-        return level() == 0 ? Array(kernel_.g(x)) : level() == 1 ? Array(kernel_.H(x)) : Array(kernel_.H_integral(x));
+        return kernel_.antiderivative(level(), x);
     }
 
     void near_differences(Eigen::Ref<Matrix> result) const {
@@ -484,7 +510,7 @@ private:
         return {Array::Zero(1), Array::Constant(1, Scalar(2))};
     }
 
-    const Kernel& kernel_;
+    KernelView<Scalar> kernel_;
     Quantity quantity_;
     int averages_;
     bool equal_widths_;

@@ -57,7 +57,7 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1);
     solution.rcond = lu.rcond();
     const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = solution.rcond > rounding && solution.residual <= 100 * rounding;
+    const bool trusted = solution.rcond > 100 * rounding && solution.residual <= 100 * rounding;
     solution.status = trusted ? Status::ok : Status::ill_conditioned;
     return solution;
 }
