@@ -1,0 +1,96 @@
+// Steps of the time-domain contact beside one matrix-vector product of the same size.
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "rollbem/problem/transient.hpp"
+#include "rollbem/reference/step_response.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+TransientModel<double> make_model(Eigen::Index n, Integrator integrator) {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    return {contact,
+            cosine_mesh<double>(n),
+            Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+            PlaneKernel<double>::longitudinal(contact),
+            unchecked,
+            integrator};
+}
+
+/// Relative error of the force at q/a = 1 after a step of creepage, in the steps of dq that are measured.
+template <class Dq>
+double step_error(const TransientModel<double>& model, const Dq& dq, int steps) {
+    TransientState<double> state = model.at_rest(), next = state;
+    double force = 0;
+    for (int k = 0; k < steps; ++k) {
+        force = model.advance(state, dq, 1.0, next).force_per_width;
+        std::swap(state, next);
+    }
+    return -force / reference::step_response_de_hoog(1, 0.25, 100) - 1;
+}
+
+void count(benchmark::State& bench, double error) {
+    bench.counters["n"] = static_cast<double>(bench.range(0));
+    bench.counters["relative_error"] = error;
+}
+
+/// y = A x, what a step cannot be cheaper than.
+void BM_Gemv(benchmark::State& bench) {
+    const Eigen::Index n = bench.range(0);
+    const MatrixX<double> A = MatrixX<double>::Random(n, n);
+    const VectorX<double> x = VectorX<double>::Random(n);
+    VectorX<double> y(n);
+    for (auto _ : bench) {
+        y.noalias() = A * x;
+        benchmark::DoNotOptimize(y.data());
+        benchmark::ClobberMemory();
+    }
+    bench.counters["n"] = static_cast<double>(n);
+}
+BENCHMARK(BM_Gemv)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
+
+constexpr int steps_to_one = 64;
+
+/// A prepared step; second argument: the Integrator.
+void BM_TransientStep(benchmark::State& bench) {
+    const TransientModel<double> model = make_model(bench.range(0), static_cast<Integrator>(bench.range(1)));
+    const PreparedStep<double> prepared = model.prepare(1.0 / steps_to_one);
+    TransientState<double> state = model.at_rest(), next = state;
+    for (auto _ : bench) {
+        benchmark::DoNotOptimize(model.advance(state, prepared, 1.0, next));
+        std::swap(state, next);
+    }
+    count(bench, step_error(model, prepared, steps_to_one));
+}
+BENCHMARK(BM_TransientStep)->ArgsProduct({{20, 40, 80, 160, 320}, {static_cast<int>(Integrator::sdirk2)}});
+BENCHMARK(BM_TransientStep)->Args({40, static_cast<int>(Integrator::implicit_euler)});
+BENCHMARK(BM_TransientStep)->Args({40, static_cast<int>(Integrator::matrix_exponential)});
+
+/// A step of a dq that was not prepared.
+void BM_TransientNewStep(benchmark::State& bench) {
+    const TransientModel<double> model = make_model(bench.range(0), Integrator::sdirk2);
+    TransientState<double> state = model.at_rest(), next = state;
+    for (auto _ : bench) {
+        benchmark::DoNotOptimize(model.advance(state, 1.0 / steps_to_one, 1.0, next));
+        std::swap(state, next);
+    }
+    count(bench, step_error(model, 1.0 / steps_to_one, steps_to_one));
+}
+BENCHMARK(BM_TransientNewStep)->Arg(20)->Arg(40)->Arg(80)->Arg(128);
+
+/// Preparing a step; second argument: the Integrator.
+void BM_TransientPrepare(benchmark::State& bench) {
+    const TransientModel<double> model = make_model(bench.range(0), static_cast<Integrator>(bench.range(1)));
+    for (auto _ : bench) benchmark::DoNotOptimize(model.prepare(1.0 / steps_to_one));
+    count(bench, step_error(model, model.prepare(1.0 / steps_to_one), steps_to_one));
+}
+BENCHMARK(BM_TransientPrepare)
+    ->ArgsProduct({{20, 40, 80, 160, 320},
+                   {static_cast<int>(Integrator::sdirk2), static_cast<int>(Integrator::matrix_exponential)}});
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,39 @@
+// LU with partial pivoting in memory that the caller owns: for steps that must not touch the heap.
+// Eigen's keeps its permutation on the heap, or in a type of its own for every bound on the size.
+#pragma once
+
+#include <utility>
+
+#include <Eigen/Core>
+
+namespace rollbem::detail {
+
+/// Overwrites A with its factors, rows swapped as a whole; row k was swapped with row swaps[k] >= k. A singular A
+/// leaves infinities or NaN in what is solved with it.
+template <class Matrix, class Swaps>
+void factorise_in_place(Matrix& A, Swaps& swaps) {
+    const Eigen::Index n = A.rows();
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Eigen::Index rest = n - k - 1;
+        Eigen::Index pivot = 0;
+        A.col(k).tail(rest + 1).cwiseAbs().maxCoeff(&pivot);
+        swaps[k] = k + pivot;
+        if (pivot != 0) A.row(k).swap(A.row(k + pivot));
+        A.col(k).tail(rest) /= A(k, k);
+        for (Eigen::Index j = k + 1; j < n; ++j) A.col(j).tail(rest) -= A(k, j) * A.col(k).tail(rest);
+    }
+}
+
+/// Overwrites x with the solution of A y = x, A and swaps as factorise_in_place left them.
+template <class Matrix, class Swaps, class Vector>
+void solve_in_place(const Matrix& A, const Swaps& swaps, Vector&& x) {
+    const Eigen::Index n = A.rows();
+    for (Eigen::Index k = 0; k < n; ++k) std::swap(x[k], x[swaps[k]]);
+    for (Eigen::Index k = 0; k < n; ++k) x.tail(n - k - 1) -= x[k] * A.col(k).tail(n - k - 1);
+    for (Eigen::Index k = n - 1; k >= 0; --k) {
+        x[k] /= A(k, k);
+        x.head(k) -= x[k] * A.col(k).head(k);
+    }
+}
+
+}  // namespace rollbem::detail
