@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -82,19 +83,21 @@ template <class Scalar>
 Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar position) {
     const auto& widths = mesh.widths();
     const Scalar half = Scalar(0.5), inside = Scalar(0.499), outside = Scalar(0.501);
+    const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();  // this near to an edge is on it
+    const Scalar upper = half + rounding, lower = rounding - half;
     Eigen::Index e = own;
-    while (position > half && e + 1 < mesh.size()) {
+    while (position > upper && e + 1 < mesh.size()) {
         position = (position - half) * widths[e] / widths[e + 1] - half;
         ++e;
     }
-    while (position <= -half && e > 0) {
+    while (position <= lower && e > 0) {
         position = half - (-half - position) * widths[e] / widths[e - 1];
         --e;
     }
-    if (position > inside && position <= half) position = inside;
-    if (position > half && position < outside) position = outside;
-    if (position < -inside && position > -half) position = -inside;
-    if (position <= -half && position > -outside) position = -outside;
+    if (position > inside && position <= upper) position = inside;
+    if (position > upper && position < outside) position = outside;
+    if (position < -inside && position > lower) position = -inside;
+    if (position <= lower && position > -outside) position = -outside;
     const Scalar between = mesh.centres()[own] < 0 ? mesh.from_trailing()[e] - mesh.from_trailing()[own]
                                                    : mesh.from_leading()[own] - mesh.from_leading()[e];
     return between + position * widths[e];
@@ -138,8 +141,11 @@ MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Sampling<Scalar
                                          mesh.widths().head(size) / 2};
     const auto fill = [&](Scalar node, MatrixX<Scalar>& out) {
         RowPoints<Scalar> rows = row_points(mesh, samples, node);
-        if (mesh.is_uniform() && samples.alpha_L == samples.alpha_T && size == mesh.size()) {
-            fill_toeplitz(kernel, quantity, samples.averages, size, rows.offset[size / 2], out);
+        // the guard can move the points of the outermost rows elsewhere than those of the others
+        if (mesh.is_uniform() && size == mesh.size() &&
+            (rows.offset - rows.offset[0]).abs().maxCoeff() <=
+                64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
+            fill_toeplitz(kernel, quantity, samples.averages, size, rows.offset[0], out);
             return;
         }
         rows = {rows.from_trailing.segment(first, size), rows.from_leading.segment(first, size),

@@ -5,14 +5,17 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace rollbem::detail {
 
-/// A number as a user would type it: 12 significant digits, no trailing zeros.
+/// A number as a user would type it: 12 significant digits (float: 6), no trailing zeros.
 template <class Value>
 std::string to_text(Value value) {
+    if (value != value) return "nan";
+    const int digits = std::is_same_v<Value, float> ? 6 : 12;
     char text[64];
-    std::snprintf(text, sizeof text, "%.12Lg", static_cast<long double>(value));
+    std::snprintf(text, sizeof text, "%.*Lg", digits, static_cast<long double>(value));
     return text;
 }
 

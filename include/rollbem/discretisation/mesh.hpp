@@ -41,6 +41,7 @@ public:
             detail::require(data_.widths[i] > 0 && std::isfinite(data_.widths[i]), "Mesh", "element width",
                             data_.widths[i], "be positive and finite");
         }
+        check_edges(data_.edges_from_trailing, data_.edges_from_leading);
         from_trailing_ = (data_.edges_from_trailing.head(n) + data_.edges_from_trailing.tail(n)) / 2;
         from_leading_ = (data_.edges_from_leading.head(n) + data_.edges_from_leading.tail(n)) / 2;
         centres_ = (from_trailing_ - from_leading_) / 2;
@@ -57,6 +58,19 @@ public:
     Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
 
 private:
+    // Near one edge of the contact the distance from the other may round to one number for neighbours.
+    static void check_edges(const Array& trailing, const Array& leading) {
+        const Eigen::Index n = trailing.size() - 1;
+        const char* rule = "be 0 at its own edge of the contact, 2 at the other, and monotonic between";
+        detail::require(trailing[0] == 0 && trailing[n] == 2, "Mesh", "1 + x of the edges", trailing[n], rule);
+        detail::require(leading[n] == 0 && leading[0] == 2, "Mesh", "1 - x of the edges", leading[0], rule);
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
+                                 (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
+            detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
+        }
+    }
+
     Data data_;
     Array from_trailing_, from_leading_, centres_;
 };

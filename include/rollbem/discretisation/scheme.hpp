@@ -78,7 +78,11 @@ typename Mesh<Scalar>::Array interpolate_alpha(const Mesh<Scalar>& mesh, double 
     const Array& from_trailing = mesh.from_trailing();
     const Array& from_leading = mesh.from_leading();
     const Scalar span = from_trailing[n - 1] - from_trailing[0];
-    return last * (from_trailing - from_trailing[0]) / span + first * (from_leading - from_leading[n - 1]) / span;
+    Array alpha =
+        last * (from_trailing - from_trailing[0]) / span + first * (from_leading - from_leading[n - 1]) / span;
+    alpha[0] = first;  // exactly: an alpha of 0.5 must not fall on the other side of an edge
+    alpha[n - 1] = last;
+    return alpha;
 }
 
 /// The elements whose tractions are unknown: the first `count` of the mesh.

@@ -66,7 +66,7 @@ auto finite_log(const Eigen::ArrayBase<Derived>& x) {
 template <class Scalar>
 ArrayX<Scalar> log1p_array(const ArrayX<Scalar>& u) {
     const ArrayX<Scalar> w = u + 1;
-    return (w == Scalar(1)).select(u, w.log() * u / (w - 1));
+    return (w == Scalar(1)).select(u, w.log() * (u / (w - 1)));
 }
 
 }  // namespace detail
@@ -198,7 +198,7 @@ private:
 
     // asinh(b/|x|) = ln(1 + (b + b^2/(r + |x|)) / |x|)
     Array asinh_of_inverse(const Array& x) const {
-        const Array size = x.abs().max(std::numeric_limits<Scalar>::min());
+        const Array size = x.abs().max(std::numeric_limits<Scalar>::min() * 8 * (1 + b_));  // b/size stays finite
         return detail::log1p_array<Scalar>((b_ + b_ * b_ / (radius(x) + size)) / size);
     }
     // asinh(x/b) = sign(x) ln(1 + (|x| + x^2/(r + b)) / b)
