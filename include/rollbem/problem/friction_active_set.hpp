@@ -222,6 +222,7 @@ private:
                 if (bound[i] > 0) ++count;
             }
         }
+        if (count == 0) measure(bound);  // those without bound have turned round
         return count;
     }
 
@@ -274,7 +275,10 @@ private:
             return valid_ = transform_.allFinite();
         }
         lu_.compute(system_);
-        transform_ = lu_.inverse();
+        transform_.setZero();  // the inverse in place: Eigen's own copies the factors
+        for (Index i = 0; i < size(); ++i) transform_(lu_.permutationP().indices()[i], i) = 1;
+        lu_.matrixLU().template triangularView<Eigen::UnitLower>().solveInPlace(transform_);
+        lu_.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(transform_);
         if (stuck < static_cast<Scalar>(size())) {
             system_.noalias() = matrix_ * transform_;
             for (Index i = 0; i < size(); ++i) {
@@ -293,6 +297,13 @@ private:
         return outcome;
     }
 
+    // what has no bound slips either way
+    void orient_free(const Vector& bound) {
+        for (Index i = 0; i < size(); ++i) {
+            if (bound[i] == 0) set_zone(i, slip_[i] < 0 ? Scalar(-1) : Scalar(1));
+        }
+    }
+
     void finish_by_path(const Vector& bound, Outcome& outcome) {
         outcome.pivots = follow_path(bound);
         // The end of the path once more from its zones, freed of the rounding picked up along the way. Where M is
@@ -301,6 +312,7 @@ private:
         if (refresh()) {
             evaluate(bound);
             if (verify()) {
+                orient_free(bound);
                 measure(bound);
                 if (judge(bound, outcome).status == FrictionStatus::ok) return;
             }
@@ -308,6 +320,7 @@ private:
         valid_ = false;
         traction_ = path_direction_.head(size());
         find_slip();
+        orient_free(bound);
         measure(bound);
     }
 
