@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -32,6 +33,7 @@ struct Series {
     std::vector<std::pair<double, double>> points;
     bool markers = true;  ///< besides the line
     bool line = true;
+    std::optional<std::size_t> colour{};  ///< index; by default each series has its own
 };
 
 struct PlotRange {
@@ -41,8 +43,10 @@ struct PlotRange {
 struct Plot {
     std::string title, x_label, y_label;
     bool log_x = false, log_y = false;
+    int log_base = 10;                              ///< of the marks on logarithmic axes
     std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
     std::vector<Series> series;
+    std::vector<Plot> beside{};  ///< panels to the right of this one
 };
 
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
@@ -102,32 +106,31 @@ inline std::string gnuplot_string(std::string text) {
     return "'" + text + "'";
 }
 
-inline std::string gnuplot_script(const Plot& plot, bool png) {
+inline std::string number_text(double number) {
+    std::array<char, 32> buffer;
+    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
+}
+
+inline std::string panel_script(const Plot& plot) {
     constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
     constexpr std::array dashes{"1", "(12,6)", "(3,4)", "(12,5,3,5)", "(20,6,6,6)"};
     constexpr std::array markers{7, 5, 9, 13, 6, 4, 8, 12};
     const auto usable = [&](const std::pair<double, double>& point) {
         return (!plot.log_x || point.first > 0) && (!plot.log_y || point.second > 0);
     };
-    std::string script = "set encoding utf8\n";
-    if (png) {
-        script +=
-            "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) "
-            "set terminal pngcairo size 1200,800 enhanced font 'sans,16' background '#ffffff'; "
-            "else set terminal png size 1200,800 enhanced background '#ffffff'\n";
-    } else {
-        script += "set terminal svg size 900,600 dynamic enhanced font 'sans,14' background '#ffffff'\n";
-    }
+    std::string script;
     script += "set title " + gnuplot_string(plot.title) + "\nset xlabel " + gnuplot_string(plot.x_label) +
               "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key outside right top vertical\nset autoscale xfix\n";
     for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
-        if (is_log) script += "set logscale " + std::string(axis) + "\nset format " + axis + " '%h'\n";
+        if (is_log)
+            script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\nset format " +
+                      axis + " '%h'\n";
     }
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
         if (!range) continue;
         script +=
-            "set " + std::string(axis) + "range [" + Cell(range->low).text() + ":" + Cell(range->high).text() + "]\n";
+            "set " + std::string(axis) + "range [" + number_text(range->low) + ":" + number_text(range->high) + "]\n";
     }
     std::string commands;
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
@@ -136,18 +139,38 @@ inline std::string gnuplot_script(const Plot& plot, bool png) {
         const std::string data = "$data" + std::to_string(k);
         script += data + " << EOD\n";
         for (const auto& point : series.points) {
-            if (usable(point)) script += Cell(point.first).text() + " " + Cell(point.second).text() + "\n";
+            if (usable(point)) script += number_text(point.first) + " " + number_text(point.second) + "\n";
         }
         script += "EOD\n";
         const std::string style = !series.markers ? "lines" : series.line ? "linespoints" : "points";
         commands += (commands.empty() ? "plot " : ", ") + data + " with " + style + " lw 2 lc rgb '" +
-                    colours[k % colours.size()] + "'";
+                    colours[series.colour.value_or(k) % colours.size()] + "'";
         if (series.line) commands += " dt " + std::string(dashes[k % dashes.size()]);
         if (series.markers) commands += " pt " + std::to_string(markers[k % markers.size()]);
         commands += series.label.empty() ? " notitle" : " title " + gnuplot_string(series.label);
     }
     if (commands.empty()) throw PlotError("the plot has no point to draw");
     return script + commands + "\n";
+}
+
+inline std::string gnuplot_script(const Plot& plot, bool png) {
+    const std::size_t panels = 1 + plot.beside.size();
+    const auto size = [&](std::size_t width, std::size_t height) {
+        return "size " + std::to_string(panels * width) + "," + std::to_string(height) + " ";
+    };
+    std::string script = "set encoding utf8\n";
+    if (png) {
+        script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + size(1200, 800) +
+                  "enhanced font 'sans,16' background '#ffffff'; else set terminal png " + size(1200, 800) +
+                  "enhanced background '#ffffff'\n";
+    } else {
+        script += "set terminal svg " + size(900, 600) + "dynamic enhanced font 'sans,14' background '#ffffff'\n";
+    }
+    if (panels > 1) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
+    script += panel_script(plot);
+    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel);
+    if (panels > 1) script += "unset multiplot\n";
+    return script;
 }
 
 }  // namespace detail

@@ -1,0 +1,179 @@
+// The library calls behind the figures and claims of the paper.
+#include "evaluate.hpp"
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/problem/critical_alpha.hpp>
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/stability_count.hpp>
+#include <rollbem/problem/steady.hpp>
+
+#include "support/timing.hpp"
+
+namespace paper {
+
+namespace {
+
+using Kernel = rollbem::StripKernel<double>;
+using Mesh = rollbem::Mesh<double>;
+
+Kernel strip() { return Kernel::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio)); }
+
+Mesh make_mesh(const Case& c) {
+    switch (c.mesh) {
+        case Topology::uniform: break;
+        case Topology::geometric: return rollbem::geometric_mesh(c.n, c.grading);
+        case Topology::knothe: return rollbem::knothe_mesh(c.n, c.grading);
+        case Topology::modified_knothe: return rollbem::modified_knothe_mesh(c.n, c.grading);
+    }
+    return rollbem::uniform_mesh(c.n);
+}
+
+/// function(scheme) with the scheme's own type.
+template <class Function>
+auto with_scheme(const Case& c, const Function& function) {
+    if (c.method == Method::collocation) {
+        return function(rollbem::Collocation{c.alpha_L, c.alpha_T, c.derivative, c.lambda});
+    }
+    const int quadrature = c.method == Method::galerkin_7 ? 7 : rollbem::exact_quadrature;
+    return function(rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature});
+}
+
+rollbem::InfluenceMatrices<double> matrices(const Case& c) {
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble(make_mesh(c), scheme, strip()); });
+}
+
+Eigen::MatrixXd G_prime(const Case& c) {
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble_G_prime(make_mesh(c), scheme, strip()); });
+}
+
+rollbem::UnitSteadySolution<double> steady(const Case& c) {
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::solve_steady(make_mesh(c), scheme, strip()); });
+}
+
+double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
+    return (first - second).cwiseAbs().maxCoeff() / second.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+std::string name(Topology mesh) {
+    switch (mesh) {
+        case Topology::uniform: break;
+        case Topology::geometric: return "geometric";
+        case Topology::knothe: return "knothe";
+        case Topology::modified_knothe: return "modified-knothe";
+    }
+    return "uniform";
+}
+
+std::string name(Method method) {
+    switch (method) {
+        case Method::collocation: break;
+        case Method::galerkin_7: return "galerkin-7";
+        case Method::galerkin_exact: return "galerkin-exact";
+    }
+    return "collocation";
+}
+
+std::string name(Derivative derivative) { return derivative == Derivative::analytic ? "analytic" : "fd"; }
+
+ElementField element_field(double x_over_width) {
+    const double width = 2.0 / 40;
+    const auto at = [&](double offset) {
+        return Eigen::ArrayXd(Eigen::ArrayXd::Constant(1, width * (x_over_width + offset)));
+    };
+    const Eigen::ArrayXd ahead = at(0.5), behind = at(-0.5);
+    return {(strip().H(ahead) - strip().H(behind))[0], (strip().g(ahead) - strip().g(behind))[0]};
+}
+
+double c11_ratio(const Case& c) {
+    const rollbem::UnitSteadySolution<double> solution = steady(c);
+    if (solution.status != rollbem::Status::ok) return std::numeric_limits<double>::quiet_NaN();
+    return solution.c11 / rollbem::steady_c11(poisson_ratio);
+}
+
+Tractions tractions(const Case& c) {
+    const Mesh mesh = make_mesh(c);
+    Tractions result{mesh.centres(), steady(c).traction, Eigen::ArrayXd(c.n), Eigen::ArrayXd(c.n)};
+    for (Eigen::Index i = 0; i < c.n; ++i) {
+        result.carter[i] = rollbem::carter_traction(
+            rollbem::EdgeDistances<double>{mesh.from_trailing()[i], mesh.from_leading()[i]}, poisson_ratio);
+        result.carter_mean[i] = rollbem::carter_mean_traction(
+            rollbem::ContactInterval<double>{mesh.edges_from_trailing()[i], mesh.widths()[i],
+                                             mesh.edges_from_leading()[i + 1]},
+            poisson_ratio);
+    }
+    return result;
+}
+
+double knothe_boundary_difference(Eigen::Index n, Derivative derivative) {
+    const rollbem::PlaneKernel<double> plane =
+        rollbem::PlaneKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
+    const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
+    const rollbem::UnitSteadySolution<double> boundary =
+        rollbem::solve_steady(rollbem::uniform_mesh(n + 1), rollbem::KnotheBoundary{derivative}, plane);
+    const rollbem::UnitSteadySolution<double> collocation =
+        rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
+    return relative_difference(boundary.traction, collocation.traction);
+}
+
+double G_prime_difference(const Case& first, const Case& second) {
+    return relative_difference(G_prime(first), G_prime(second));
+}
+
+double G_difference(const Case& first, const Case& second) {
+    return relative_difference(matrices(first).G, matrices(second).G);
+}
+
+double gauss_galerkin_difference(int points) {
+    const rollbem::Galerkin galerkin{.alpha_L = 0, .alpha_T = 0.63, .quadrature = points};
+    const double c11 = rollbem::solve_steady(rollbem::uniform_mesh(40), galerkin, strip()).c11;
+    return std::abs(c11 / rollbem::steady_c11(poisson_ratio) - c11_ratio({}));
+}
+
+Eigen::Index unstable_count(const Case& c) {
+    const rollbem::InfluenceMatrices<double> pencil = matrices(c);
+    const rollbem::UnstableCount<double> fast = rollbem::count_unstable(pencil);
+    if (fast.status == rollbem::Status::ok) return fast.unstable_count;
+    const rollbem::StabilityResult<double> slow = rollbem::solve_stability(pencil);
+    if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");
+    return slow.unstable_count;
+}
+
+bool certainly_unstable(const Case& c) { return rollbem::verdict(matrices(c)).certainly_unstable(); }
+
+std::optional<double> critical_alpha_T(const Case& c) {
+    const rollbem::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};
+    const Mesh mesh = make_mesh(c);
+    return with_scheme(c, [&](auto scheme) {
+        const auto scheme_of = [&scheme](double alpha_T) {
+            auto moved = scheme;
+            moved.alpha_T = alpha_T;
+            return moved;
+        };
+        return rollbem::critical_alpha_T(mesh, scheme_of, strip(), options);
+    });
+}
+
+std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z) {
+    const rollbem::FrequencySweep<double> sweep = with_scheme(
+        c, [&](const auto& scheme) { return rollbem::FrequencySweep<double>(make_mesh(c), scheme, strip()); });
+    std::vector<std::complex<double>> result;
+    for (const double frequency : z) {
+        const rollbem::SweepPoint<double> point = sweep(frequency);
+        const double nothing = std::numeric_limits<double>::quiet_NaN();
+        result.push_back(point.status == rollbem::Status::ok ? point.c11 : std::complex(nothing, nothing));
+    }
+    return result;
+}
+
+double steady_time_us(const Case& c) {
+    return study::median_time_us([&] { return steady(c).c11; });
+}
+
+}  // namespace paper

@@ -1,0 +1,154 @@
+// What claims are judged by: optima, crossings, rates and oscillation of computed curves.
+// All work on points (x, y) with ascending x.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace paper {
+
+using Points = std::vector<std::pair<double, double>>;
+
+/// The points whose x is in `grid`.
+inline Points on_grid(const Points& points, const std::vector<double>& grid) {
+    Points result;
+    for (const auto& point : points) {
+        const auto is_x = [&](double x) { return std::abs(x - point.first) < 1e-9; };
+        if (std::any_of(grid.begin(), grid.end(), is_x)) result.push_back(point);
+    }
+    return result;
+}
+
+/// The points with low <= x <= high.
+inline Points within(const Points& points, double low, double high) {
+    Points result;
+    for (const auto& point : points) {
+        if (point.first > low - 1e-9 && point.first < high + 1e-9) result.push_back(point);
+    }
+    return result;
+}
+
+/// y at x; not a number where there is no such point.
+inline double value_at(const Points& points, double x) {
+    const Points there = within(points, x, x);
+    return there.empty() ? std::numeric_limits<double>::quiet_NaN() : there.front().second;
+}
+
+/// Deviation from 1 at x, signed.
+inline double error_at(const Points& points, double x) { return value_at(points, x) - 1; }
+
+/// The point whose y is nearest to 1; points that are not numbers are passed over.
+inline std::pair<double, double> best(const Points& points) {
+    std::pair<double, double> result{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+    for (const auto& point : points) {
+        if (std::abs(point.second - 1) < std::abs(result.second - 1)) result = point;
+    }
+    return result;
+}
+
+/// |y - 1| of the best point.
+inline double least_error(const Points& points) { return std::abs(best(points).second - 1); }
+
+/// Largest and mean |y - 1|.
+inline double largest_error(const Points& points) {
+    double result = 0;
+    for (const auto& point : points) result = std::max(result, std::abs(point.second - 1));
+    return result;
+}
+inline double mean_error(const Points& points) {
+    double sum = 0;
+    for (const auto& point : points) sum += std::abs(point.second - 1);
+    return sum / static_cast<double>(points.size());
+}
+
+/// Largest |difference of y| of two curves with the same x.
+inline double largest_difference(const Points& first, const Points& second) {
+    if (first.size() != second.size()) return std::numeric_limits<double>::infinity();
+    double result = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        result = std::max(result, std::abs(first[i].second - second[i].second));
+    }
+    return result;
+}
+
+/// Largest y less smallest y.
+inline double spread(const Points& points) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto& point : points) {
+        low = std::min(low, point.second);
+        high = std::max(high, point.second);
+    }
+    return high - low;
+}
+
+/// Every x at which y passes through 1, interpolated linearly.
+inline std::vector<double> crossings(const Points& points) {
+    std::vector<double> result;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double before = points[i - 1].second - 1, after = points[i].second - 1;
+        if (before * after >= 0) continue;
+        const double x = points[i - 1].first, dx = points[i].first - x;
+        result.push_back(x + dx * before / (before - after));
+    }
+    return result;
+}
+
+/// The smallest x with y > 0.
+inline std::optional<double> first_positive(const Points& points) {
+    for (const auto& point : points) {
+        if (point.second > 0) return point.first;
+    }
+    return std::nullopt;
+}
+
+/// Exponent q of y ~ x^q by least squares in logarithms, of |y|.
+inline double power(const Points& points) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const auto& point : points) {
+        const double x = std::log(point.first), y = std::log(std::abs(point.second));
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// How much a distribution runs to and fro: its total variation over largest less smallest value, less 1. Zero for any
+/// monotone distribution, such as Carter's; each reversal adds twice its height.
+inline double oscillation(const Eigen::Ref<const Eigen::ArrayXd>& values) {
+    const Eigen::Index steps = values.size() - 1;
+    const double variation = (values.tail(steps) - values.head(steps)).abs().sum();
+    return variation / (values.maxCoeff() - values.minCoeff()) - 1;
+}
+
+/// Where |f - 1| is least in [low, high]: the best of 41 points, then of 41 around it, until known to 1e-6.
+template <class Function>
+double true_optimum(const Function& f, double low, double high) {
+    double optimum = low;
+    while (high - low > 1e-6) {
+        const double step = (high - low) / 40;
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= 40; ++k) {
+            const double error = std::abs(f(low + k * step) - 1);
+            if (error < least) {
+                least = error;
+                optimum = low + k * step;
+            }
+        }
+        const double first = low, last = high;
+        low = std::max(first, optimum - step);
+        high = std::min(last, optimum + step);
+    }
+    return optimum;
+}
+
+}  // namespace paper
