@@ -405,7 +405,7 @@ std::vector<Claim> claims_of_steady_collocation() {
                      "n = 40: " + percent(error_at(fd, 40)) + " against " + percent(error_at(closed, 40))};
          }},
         {"8B", "The best precision is that of finite differences with alpha_T = 0.63", "best of three", false,
-         "at most n it is; the error of the analytic derivative with alpha_T = 0.6 changes its sign near n = 38",
+         "so at every other n; the error of the analytic derivative with alpha_T = 0.6 changes its sign near n = 38",
          [](const Results& r) -> Finding {
              const Points &fd = r.curve("08b", 0), &slow = r.curve("08b", 1), &other = r.curve("08b", 2);
              std::string lost;

@@ -278,7 +278,7 @@ inline std::vector<Panel> panels() {
          three_ways({.method = galerkin_7, .derivative = analytic}),
          over_alpha,
          axis,
-         {.y = Range{0.97, 1.03}}},
+         {.y = Range{0.97, 1.035}}},
         {"12b",
          "Galerkin in closed form, analytic derivative, n = 40",
          Q::c11_ratio,

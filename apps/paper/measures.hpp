@@ -91,11 +91,18 @@ inline double spread(const Points& points) {
 /// Every x at which y passes through 1, interpolated linearly.
 inline std::vector<double> crossings(const Points& points) {
     std::vector<double> result;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const double before = points[i - 1].second - 1, after = points[i].second - 1;
-        if (before * after >= 0) continue;
-        const double x = points[i - 1].first, dx = points[i].first - x;
-        result.push_back(x + dx * before / (before - after));
+    double before = 0, x_before = 0;  // the last point that is not on 1
+    std::optional<double> met;        // a point on 1 since then
+    for (const auto& [x, y] : points) {
+        const double here = y - 1;
+        if (here == 0) {
+            met = x;
+            continue;
+        }
+        if (before * here < 0) result.push_back(met ? *met : x_before + (x - x_before) * before / (before - here));
+        before = here;
+        x_before = x;
+        met.reset();
     }
     return result;
 }

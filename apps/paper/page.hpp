@@ -142,7 +142,7 @@ inline std::string page(const Results& results, const std::vector<Judged>& claim
             " differ from what is expected. The same as a table: <a href=\"claims.csv\">claims.csv</a>.</p>\n";
     text +=
         "<p>Conditions everywhere, since the paper is silent: Poisson's ratio ν = " + number(poisson_ratio) +
-        ", b/a = " + number(aspect) +
+        ", b/a = " + number(aspect, 4) +
         ", strip kernel, rectangle 2a × 2b. c<sub>11</sub> = π/(2(1-ν)). The ratio of steady c<sub>11</sub> does not "
         "depend on ν, and on b/a only by (a/b)². Finite differences are central over the element's own width about "
         "the collocation point; with the analytic derivative, points nearer than 0.001 of an element to an edge are "

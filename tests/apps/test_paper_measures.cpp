@@ -1,5 +1,6 @@
 // apps/paper/measures.hpp
 #include <cmath>
+#include <vector>
 
 #include "paper/measures.hpp"
 #include "support/catch.hpp"
@@ -43,6 +44,8 @@ TEST_CASE("crossings are every passage through 1", "[paper]") {
     CHECK(found[0] == Approx(0.3).epsilon(1e-4));
     CHECK(found[1] == Approx(2).epsilon(1e-4));
     CHECK(paper::crossings(sampled(tilted, 0.5, 1.5, 100)).empty());
+    CHECK(paper::crossings({{0, 0.5}, {1, 1}, {2, 3}}) == std::vector<double>{1});  // met, not straddled
+    CHECK(paper::crossings({{0, 0.5}, {1, 1}, {2, 0.5}}).empty());                  // touched
 }
 
 TEST_CASE("the true optimum is where a function meets 1, or comes nearest to it", "[paper]") {
