@@ -1,0 +1,155 @@
+// The problems solved with ready influence matrices, each fast route beside the plain one, and the steady problem whole.
+// Sample run: ./bench_problems --benchmark_filter='Stability|Sweep'
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/stability_count.hpp>
+#include <rollbem/problem/steady.hpp>
+
+namespace {
+
+using namespace rollbem;
+
+const Contact<double> contact = Contact<double>::dimensionless(1000, 0.25);
+const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+
+InfluenceMatrices<double> recommended(Eigen::Index n) { return assemble(uniform_mesh(n), Collocation{}, kernel); }
+
+void finish(benchmark::State& state) {
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.SetComplexityN(state.range(0));
+}
+
+double relative_error(const UnitSteadySolution<double>& solution) {
+    return solution.c11 / steady_c11(contact.poisson_ratio()) - 1;
+}
+
+void BM_SteadySolve(benchmark::State& state) {
+    const Mesh<double> mesh = uniform_mesh(state.range(0));
+    const MatrixX<double> G_prime = assemble_G_prime(mesh, Collocation{}, kernel);
+    UnitSteadySolution<double> solution;
+    for (auto _ : state) benchmark::DoNotOptimize(solution = solve_steady<double>(G_prime, mesh.widths()));
+    state.counters["relative_error"] = relative_error(solution);
+    finish(state);
+}
+BENCHMARK(BM_SteadySolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Complexity();
+
+template <class MakeMesh, class Scheme>
+void steady(benchmark::State& state, MakeMesh make_mesh, const Scheme& scheme) {
+    UnitSteadySolution<double> solution;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(solution = solve_steady(make_mesh(state.range(0)), scheme, kernel));
+    }
+    state.counters["relative_error"] = relative_error(solution);
+    finish(state);
+}
+
+// The plain use of the dense product, to compare a step in time with.
+void BM_Gemv(benchmark::State& state) {
+    const MatrixX<double> G_prime = recommended(state.range(0)).G_prime;
+    const VectorX<double> p = VectorX<double>::Ones(state.range(0));
+    VectorX<double> product(state.range(0));
+    for (auto _ : state) {
+        product.noalias() = G_prime * p;
+        benchmark::DoNotOptimize(product.data());
+        benchmark::ClobberMemory();
+    }
+    finish(state);
+}
+BENCHMARK(BM_Gemv)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Complexity();
+
+void BM_StabilityQZ(benchmark::State& state) {
+    const InfluenceMatrices<double> matrices = recommended(state.range(0));
+    Eigen::Index count = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(count = solve_stability(matrices).unstable_count);
+    state.counters["unstable_count"] = static_cast<double>(count);
+    finish(state);
+}
+BENCHMARK(BM_StabilityQZ)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+void BM_StabilityCount(benchmark::State& state) {
+    const InfluenceMatrices<double> matrices = recommended(state.range(0));
+    Eigen::Index count = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(count = count_unstable(matrices).unstable_count);
+    state.counters["unstable_count"] = static_cast<double>(count);
+    finish(state);
+}
+BENCHMARK(BM_StabilityCount)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+std::vector<double> frequencies() {
+    std::vector<double> values(200);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = 1e-3 * std::pow(5e3, static_cast<double>(k) / 199);
+    return values;
+}
+
+void BM_SweepLU(benchmark::State& state) {
+    const InfluenceMatrices<double> matrices = recommended(state.range(0));
+    const ArrayX<double> widths = uniform_mesh(state.range(0)).widths();
+    const std::vector<double> omega = frequencies();
+    for (auto _ : state) {
+        std::complex<double> sum = 0;
+        for (const double z : omega) sum += solve_harmonic(matrices, widths, z).c11;
+        benchmark::DoNotOptimize(sum);
+    }
+    finish(state);
+}
+BENCHMARK(BM_SweepLU)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200);
+
+// The reduction is part of it. difference: largest relative one to BM_SweepLU's way.
+void BM_SweepHessenberg(benchmark::State& state) {
+    const InfluenceMatrices<double> matrices = recommended(state.range(0));
+    const ArrayX<double> widths = uniform_mesh(state.range(0)).widths();
+    const std::vector<double> omega = frequencies();
+    for (auto _ : state) {
+        const FrequencySweep<double> sweep(matrices, widths);
+        std::complex<double> sum = 0;
+        for (const double z : omega) sum += sweep(z).c11;
+        benchmark::DoNotOptimize(sum);
+    }
+    const FrequencySweep<double> sweep(matrices, widths);
+    double difference = 0;
+    for (std::size_t k = 0; k < omega.size(); k += 20) {
+        const std::complex<double> plain = solve_harmonic(matrices, widths, omega[k]).c11;
+        difference = std::max(difference, std::abs(sweep(omega[k]).c11 / plain - 1.0));
+    }
+    state.counters["difference"] = difference;
+    finish(state);
+}
+BENCHMARK(BM_SweepHessenberg)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200);
+
+template <class MakeMesh, class Scheme>
+void register_steady(const std::string& name, MakeMesh make_mesh, const Scheme& scheme) {
+    benchmark::RegisterBenchmark(("BM_Steady/" + name).c_str(),
+                                 [=](benchmark::State& state) { steady(state, make_mesh, scheme); })
+        ->Arg(20)
+        ->Arg(40)
+        ->Arg(80)
+        ->Arg(160)
+        ->Arg(320);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto uniform = [](Eigen::Index n) { return uniform_mesh(n); };
+    const auto cosine = [](Eigen::Index n) { return cosine_mesh(n); };
+    const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+    register_steady("uniform_0_0.63", uniform, Collocation{});
+    register_steady("uniform_0.5_0.5", uniform, halves);
+    register_steady("cosine_0.5_0.5", cosine, halves);
+    register_steady("galerkin_exact_0_0.63", uniform, Galerkin{});
+    register_steady("galerkin_7_0_0.63", uniform, Galerkin{.quadrature = 7});
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
