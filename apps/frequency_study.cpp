@@ -1,0 +1,266 @@
+// Harmonic creepage: the complex creep coefficient c11 over the frequency z = omega a/V, by elements or by the polynomial
+// approach, against the exact response of the plane model:
+//
+//     ./frequency_study --n 60 --omega 0.1,1,5
+//     ./frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
+//     ./frequency_study --method polynomial --basis chebyshev --omega 200
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/non_steady.hpp"
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/scenes.hpp"
+#include "support/table.hpp"
+
+namespace {
+
+using Complex = std::complex<double>;
+
+const std::vector<std::string> columns{"n",        "omega",    "c11_re",         "c11_im",
+                                       "exact_re", "exact_im", "relative_error", "alpha_L",
+                                       "alpha_T",  "lambda",   "order"};
+
+/// The frequencies, in units of V/a.
+std::vector<double> make_omegas(const study::Options& options) {
+    if (options.given("omega")) {
+        for (const char* name : {"omega-min", "omega-max", "points"}) options.ignored(name, "with --omega");
+        return options.numbers("omega",
+                               {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
+    }
+    const study::Rule rule{study::positive().holds,
+                           "be positive and finite, as points are spaced evenly in its "
+                           "logarithm (--omega takes 0 too)"};
+    const double low = options.number("omega-min", rule), high = options.number("omega-max", rule);
+    if (!(low < high)) {
+        throw study::BadInput(options.said("omega-max") + " must be larger than " + options.said("omega-min"));
+    }
+    const std::ptrdiff_t points = options.integer("points", 2, 1000000);
+    std::vector<double> omegas{low};
+    for (std::ptrdiff_t i = 1; i + 1 < points; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(points - 1);
+        omegas.push_back(std::exp(std::log(low) + share * (std::log(high) - std::log(low))));
+    }
+    omegas.push_back(high);
+    return omegas;
+}
+
+/// The row's cells up to relative_error. Where `c11` is not finite, it and the error are left out, as is what needs the
+/// exact value where the plane model has none.
+study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& contact, double omega, Complex c11) {
+    const bool has_exact = study::plane_model_decays(contact);
+    const Complex exact =
+        has_exact ? rollbem::reference::laplace_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect())
+                  : Complex(std::nan(""), std::nan(""));
+    return {n, omega, c11.real(), c11.imag(), exact.real(), exact.imag(), std::abs(c11 / exact - 1.0)};
+}
+
+// --- elements ------------------------------------------------------------------------------------------------------
+
+void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, study::RowRange range,
+                const study::Emit& emit) {
+    // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
+    const auto sweep_of = [](const auto& mesh, const auto& scheme, const auto& kernel) {
+        return rollbem::FrequencySweep<double>(mesh, scheme, kernel);
+    };
+    const rollbem::FrequencySweep<double> sweep = scene.visit(sweep_of);
+
+    // 4. Solve for each. A c11 that cannot be trusted is left out.
+    for (std::size_t i = range.first; i < range.last; ++i) {
+        const rollbem::SweepPoint<double> point = sweep(omegas[i]);
+        const bool trusted = point.status == rollbem::Status::ok;
+        const Complex c11 = trusted ? point.c11 : Complex(std::nan(""), std::nan(""));
+        study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
+        row.insert(row.end(), {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell()});
+        emit(std::move(row));
+    }
+}
+
+// --- the polynomial approach ---------------------------------------------------------------------------------------
+
+/// Throws BadInput where monomials have broken down.
+Complex monomial_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
+    constexpr Eigen::Index highest = 1000;
+    const std::string name = "--order = " + std::to_string(order);
+    if (order > highest) {
+        throw study::BadInput(name + " must be at most " + std::to_string(highest) +
+                              " with --basis monomial, which costs its third power; take --basis chebyshev");
+    }
+    const rollbem::PolynomialSolution<double> solution =
+        rollbem::solve_monomial<double>(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
+    if (solution.status != rollbem::PolynomialStatus::ok) {
+        throw study::BadInput(name + " with --basis monomial must give a result that can be trusted; at omega = " +
+                              study::Cell(omega).text(6) + " it does not: " + rollbem::advice(solution.status) +
+                              " (--basis chebyshev)");
+    }
+    return solution.c11;
+}
+
+/// All rows, one for each order and frequency: what must be refused shows before anything is written.
+std::vector<study::Row> polynomial_rows(const study::Options& options, const std::vector<double>& omegas) {
+    for (const char* name : {"n", "mesh", "edges", "size-ratio", "epsilon", "quadrature", "alpha-L", "alpha-T", "alpha",
+                             "lambda", "derivative"}) {
+        options.ignored(name, "with --method polynomial, which has no elements");
+    }
+    if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
+        throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
+    }
+    const rollbem::Contact<double> contact = study::make_contact(options, study::Problem::non_steady);
+    study::require_plane_model(options, contact);
+    const bool monomial = options.choice("basis", {"monomial", "chebyshev"}) == "monomial";
+    std::vector<std::optional<Eigen::Index>> orders{std::nullopt};  // the default order of each frequency
+    if (options.given("order")) {
+        orders.clear();
+        for (const Eigen::Index order : options.integers("order", 1, 100000000)) orders.emplace_back(order);
+    }
+
+    std::vector<study::Row> rows;
+    for (const std::optional<Eigen::Index>& given : orders) {
+        for (const double omega : omegas) {
+            const Complex s(0, omega);
+            if (!given && omega > 1e8) {
+                throw study::BadInput("--omega = " + study::Cell(omega).text(6) +
+                                      " must be at most 1e8 without --order");
+            }
+            const Eigen::Index order = given ? *given : rollbem::default_polynomial_order(s);
+            const Complex c11 = monomial
+                                    ? monomial_c11(contact, omega, order)
+                                    : rollbem::polynomial_c11(s, contact.poisson_ratio(), contact.aspect(), order).c11;
+            study::Row row = response_cells({}, contact, omega, c11);
+            row.resize(columns.size() - 1);
+            row.emplace_back(order);
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows;
+}
+
+// --- the plot ------------------------------------------------------------------------------------------------------
+
+/// The Argand diagram, and beside it both parts over the frequency.
+study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title) {
+    const std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda", "order"};
+    constexpr std::size_t black = 6;
+
+    study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
+    study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im"});
+    const std::size_t cases = argand.series.size();
+    if (cases == 1) argand.series[0].label = "computed";
+    std::map<double, Complex> exact;
+    for (const study::Row& row : rows) {
+        const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
+        if (omega && re && im) exact[*omega] = {*re, *im};
+    }
+    study::Series exact_curve{.label = "exact", .points = {}, .markers = false, .colour = black};
+    for (const auto& [omega, c11] : exact) exact_curve.points.emplace_back(c11.real(), c11.imag());
+    argand.series.push_back(exact_curve);
+
+    study::Plot parts{.title = "", .x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .series = {}};
+    for (const bool real : {true, false}) {
+        const std::string name = real ? "Re" : "Im";
+        study::Plot part;
+        study::add_series(part, columns, rows, {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im"});
+        for (std::size_t k = 0; k < cases; ++k) {
+            study::Series& series = part.series[k];
+            series.label = name + " " + argand.series[k].label;
+            series.colour = k;
+            parts.series.push_back(std::move(series));
+        }
+        study::Series curve{.label = name + " exact", .points = {}, .markers = false, .colour = black};
+        for (const auto& [omega, c11] : exact) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
+        parts.series.push_back(std::move(curve));
+    }
+
+    // markers where there are few points, a logarithmic axis where frequencies of several orders ask for it
+    double lowest = HUGE_VAL, highest = 0;
+    for (study::Plot* panel : {&argand, &parts}) {
+        for (study::Series& series : panel->series) series.markers = series.markers && series.points.size() <= 30;
+    }
+    for (const study::Series& series : parts.series) {
+        for (const auto& [omega, value] : series.points) {
+            lowest = std::min(lowest, omega);
+            highest = std::max(highest, omega);
+        }
+    }
+    parts.log_x = lowest > 0 && highest > 20 * lowest;
+    argand.beside.push_back(std::move(parts));
+    return argand;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("frequency_study",
+                           "Complex creep coefficient c11 under harmonic creepage over its frequency, and its error.");
+    options.add("omega", "LIST", "frequencies omega a/V, at least 0 (dimensionless)");
+    options.add("omega-min", "Z", "or: the lowest frequency omega a/V, above 0 (dimensionless)", "0.01");
+    options.add("omega-max", "Z", "the highest (dimensionless)", "10");
+    options.add("points", "N", "number of frequencies, both included, evenly spaced in the logarithm (dimensionless)",
+                "61");
+    options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
+    options.add(
+        "order", "LIST",
+        "with --method polynomial: its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis "
+        "needs for machine precision at each frequency");
+    options.footer(
+        "Example: three meshes, with the Argand diagram and both parts over the frequency\n"
+        "  frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg\n"
+        "\n"
+        "Creepage e^{i omega t}; --omega is omega a/V, c11 = -F/(a G xi), both dimensionless. exact_re + i exact_im is "
+        "the\n"
+        "response of the plane model b >> a in closed form; relative_error = |c11/exact - 1|. With the strip kernel "
+        "it\n"
+        "contains the difference of the models, of order (a/b)^2 (1.7e-5 at b/a = 100, 1.7e-7 at 1000); --kernel "
+        "plane\n"
+        "leaves the error of the discretisation alone.\n"
+        "--method polynomial takes no elements: n is empty and the column order has the order. --basis monomial is "
+        "the\n"
+        "paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is "
+        "refused.\n"
+        "c11 is empty where the equations are singular to working precision, exact and error for contacts so narrow\n"
+        "that the plane model does not decay.\n");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        // 2. One row for each scene, or order, and frequency.
+        const std::string method = given.choice("method", {"collocation", "galerkin", "knothe-bc", "polynomial"});
+        const std::vector<double> omegas = make_omegas(given);
+        study::Table table;
+        table.columns = columns;
+        std::vector<study::Scene> scenes;
+        std::vector<study::Row> polynomial;
+        if (method == "polynomial") {
+            polynomial = polynomial_rows(given, omegas);
+            table.rows_of_task = {polynomial.size()};
+            table.compute = [&](std::size_t, study::RowRange range, const study::Emit& emit) {
+                for (std::size_t i = range.first; i < range.last; ++i) emit(polynomial[i]);
+            };
+        } else {
+            for (const char* name : {"order", "basis"}) {
+                given.ignored(name, "with --method " + method + "; it is for --method polynomial");
+            }
+            scenes = study::make_non_steady_scenes(given);
+            table.rows_of_task.assign(scenes.size(), omegas.size());
+            table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+                emit_sweep(scenes[task], omegas, range, emit);
+            };
+        }
+
+        // 5. --plot.
+        table.plot = [&](const std::vector<study::Row>& rows) {
+            return draw_response(rows, "Harmonic creepage, " + method);
+        };
+        study::write_table(given, table);
+        return study::exit_ok;
+    });
+}

@@ -1,0 +1,319 @@
+// Stability in time: the eigenvalues nu of G' p = nu G p, modes that grow like e^{nu V t}. How many grow, and which signs
+// rounding leaves open; the smallest alpha_T at which one grows; or the eigenvalues themselves beside the exact ones:
+//
+//     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
+//     ./stability_study --critical --n 20,40,80,160
+//     ./stability_study --spectrum --n 60 --mesh cosine --alpha 0.5 --plot spectrum.svg
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <rollbem/problem/critical_alpha.hpp>
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/reference/bessel.hpp>
+
+#include "support/non_steady.hpp"
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/scenes.hpp"
+#include "support/table.hpp"
+#include "support/timing.hpp"
+
+namespace {
+
+using Complex = std::complex<double>;
+
+rollbem::InfluenceMatrices<double> assemble(const study::Scene& scene) {
+    return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
+        return rollbem::assemble(mesh, scheme, kernel);
+    });
+}
+
+// --- how many modes grow -------------------------------------------------------------------------------------------
+
+const std::vector<std::string> count_columns{"method",
+                                             "derivative",
+                                             "mesh",
+                                             "n",
+                                             "alpha_L",
+                                             "alpha_T",
+                                             "lambda",
+                                             "unstable_count",
+                                             "uncertain_count",
+                                             "unstable_fraction",
+                                             "spectral_abscissa",
+                                             "cond_G",
+                                             "time_us"};
+
+study::Row count_row(const study::Options& options, const study::Scene& scene) {
+    // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
+    const rollbem::StabilityResult<double> result =
+        rollbem::solve_stability(assemble(scene), {.settle_signs = true, .condition = true});
+
+    // 4. Time what a bare count takes, unless other jobs would spoil it.
+    study::Cell time_us;
+    if (study::job_count(options) == 1) {
+        time_us = study::median_time_us([&] { return rollbem::solve_stability(assemble(scene)).spectral_abscissa; });
+    }
+
+    study::Row row{scene.method,  scene.derivative, scene.mesh_name, scene.n(),
+                   scene.alpha_L, scene.alpha_T,    scene.lambda};
+    if (result.status == rollbem::Status::ok) {
+        row.insert(row.end(), {result.unstable_count, result.uncertain_count, result.unstable_fraction(),
+                               result.spectral_abscissa, result.cond_G, time_us});
+    }
+    row.resize(count_columns.size());
+    return row;
+}
+
+study::Table count_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
+    study::Table table;
+    table.columns = count_columns;
+    table.rows_of_task.assign(scenes.size(), 1);
+    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
+        emit(count_row(options, scenes[task]));
+    };
+
+    // 5. --plot: the share of growing modes over what is swept.
+    table.plot = [&](const std::vector<study::Row>& rows) {
+        const auto swept = [&](const char* name) { return options.text(name).find(',') != std::string::npos; };
+        const bool equal = options.given("alpha");
+        const std::string x = equal && swept("alpha")      ? "alpha_T"
+                              : !equal && swept("alpha-T") ? "alpha_T"
+                              : swept("lambda")            ? "lambda"
+                              : !equal && swept("alpha-L") ? "alpha_L"
+                                                           : "n";
+        study::Plot plot{.title = "Stability",
+                         .x_label = equal && x == "alpha_T" ? "alpha = alpha_L = alpha_T"
+                                    : x == "n"              ? "number of elements n"
+                                                            : x,
+                         .y_label = "share of unstable eigenvalues",
+                         .series = {}};
+        study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction"};
+        for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {
+            const bool follows = equal && x == "alpha_T" && name == std::string("alpha_L");
+            if (name != x && !follows) selection.by.emplace_back(name);
+        }
+        study::add_series(plot, count_columns, rows, selection);
+        return plot;
+    };
+    return table;
+}
+
+// --- the smallest unstable alpha_T ---------------------------------------------------------------------------------
+
+const std::vector<std::string> critical_columns{"method",  "derivative",       "mesh",  "n",
+                                                "alpha_L", "critical_alpha_T", "lambda"};
+
+std::optional<double> critical_alpha_T(const study::Scene& scene) {
+    return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) -> std::optional<double> {
+        if constexpr (std::is_same_v<std::decay_t<decltype(scheme)>, rollbem::KnotheBoundary>) {
+            return std::nullopt;  // refused in main: it has no alpha_T
+        } else {
+            const auto scheme_of = [&scheme](double alpha_T) {
+                auto changed = scheme;
+                changed.alpha_T = alpha_T;
+                return changed;
+            };
+            return rollbem::critical_alpha_T(mesh, scheme_of, kernel);
+        }
+    });
+}
+
+study::Table critical_table(const std::vector<study::Scene>& scenes) {
+    study::Table table;
+    table.columns = critical_columns;
+    table.rows_of_task.assign(scenes.size(), 1);
+    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
+        const study::Scene& scene = scenes[task];
+        emit({scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical_alpha_T(scene),
+              scene.lambda});
+    };
+    table.plot = [](const std::vector<study::Row>& rows) {
+        study::Plot plot{.title = "Smallest unstable alpha_T",
+                         .x_label = "number of elements n",
+                         .y_label = "critical alpha_T",
+                         .log_x = true,
+                         .series = {}};
+        study::add_series(
+            plot, critical_columns, rows,
+            {.by = {"method", "derivative", "mesh", "alpha_L", "lambda"}, .x = "n", .y = "critical_alpha_T"});
+        return plot;
+    };
+    return table;
+}
+
+// --- the eigenvalues -----------------------------------------------------------------------------------------------
+
+const std::vector<std::string> spectrum_columns{"n",        "re",      "im",      "exact_re",
+                                                "exact_im", "alpha_L", "alpha_T", "lambda"};
+
+/// Closed-form eigenvalues, of which there are infinitely many, about pi apart: those that matter to given ones.
+class ExactSpectrum {
+public:
+    ExactSpectrum(const rollbem::Contact<double>& contact, const std::vector<Complex>& computed) {
+        double largest = 0;
+        for (const Complex& nu : computed) {
+            if (reaches(nu)) largest = std::max(largest, std::abs(nu));
+        }
+        if (!study::plane_model_decays(contact)) return;
+        values_ = rollbem::reference::eigenvalues(static_cast<std::size_t>(largest / std::numbers::pi) + 8,
+                                                  contact.poisson_ratio(), contact.aspect());
+    }
+
+    std::optional<Complex> nearest(Complex nu) const {
+        if (values_.empty() || !reaches(nu)) return std::nullopt;
+        const Complex above(nu.real(), std::abs(nu.imag()));
+        const auto nearer = [&](Complex left, Complex right) {
+            return std::abs(left - above) < std::abs(right - above);
+        };
+        const Complex found = *std::min_element(values_.begin(), values_.end(), nearer);
+        return nu.imag() < 0 ? std::conj(found) : found;
+    }
+
+    const std::vector<Complex>& upper_half() const { return values_; }  ///< Im >= 0, by ascending modulus
+
+private:
+    // far beyond what any mesh resolves, and the list stays short
+    static bool reaches(const Complex& nu) { return std::abs(nu) <= 3e4; }
+
+    std::vector<Complex> values_;
+};
+
+void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
+    // 3. The eigenvalues by ascending modulus; infinite ones come last.
+    const rollbem::StabilityResult<double> result = rollbem::solve_stability(assemble(scene));
+    std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
+    if (result.status == rollbem::Status::ok) {
+        const Eigen::VectorXcd computed = result.eigenvalues();
+        eigenvalues.assign(computed.begin(), computed.end());
+        std::stable_sort(eigenvalues.begin(), eigenvalues.end(),
+                         [](const Complex& left, const Complex& right) { return std::abs(left) < std::abs(right); });
+    }
+
+    // 4. Each beside the nearest exact one.
+    const ExactSpectrum exact(scene.contact, eigenvalues);
+    for (std::size_t k = range.first; k < range.last; ++k) {
+        const Complex nu = eigenvalues[k];
+        const bool finite = std::isfinite(nu.real());
+        const std::optional<Complex> near = exact.nearest(nu);
+        study::Cell im, exact_re, exact_im;
+        if (finite) im = nu.imag();
+        if (near) exact_re = near->real();
+        if (near) exact_im = near->imag();
+        emit({scene.n(), nu.real(), im, exact_re, exact_im, scene.alpha_L, scene.alpha_T, scene.lambda});
+    }
+}
+
+study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
+    study::Table table;
+    table.columns = spectrum_columns;
+    for (const study::Scene& scene : scenes) {
+        const auto count = [](const auto& mesh, const auto& scheme, const auto&) {
+            return rollbem::unknown_count(scheme, mesh.size());
+        };
+        table.rows_of_task.push_back(static_cast<std::size_t>(scene.visit(count)));
+    }
+    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        emit_spectrum(scenes[task], range, emit);
+    };
+
+    // 5. --plot: the complex plane up to the highest wave that the elements can carry, with some room at its sides.
+    table.plot = [&](const std::vector<study::Row>& rows) {
+        Eigen::Index n = 0;
+        for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
+        const double height = std::numbers::pi / 2 * static_cast<double>(n);
+        study::Plot plot{.title = scenes.front().method + ", " + scenes.front().mesh_name + ", eigenvalues",
+                         .x_label = "Re(ν a)",
+                         .y_label = "Im(ν a)",
+                         .series = {}};
+        study::add_series(plot, spectrum_columns, rows,
+                          {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im"});
+        double left = -1, right = 0;
+        for (study::Series& series : plot.series) {
+            series.line = false;
+            if (plot.series.size() == 1) series.label = "computed";
+            for (const auto& [re, im] : series.points) {
+                if (std::abs(im) > height) continue;
+                left = std::min(left, std::max(re, -height));
+                right = std::max(right, std::min(re, height));
+            }
+        }
+        study::Series exact{.label = "exact", .points = {}, .line = false};
+        const ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
+        for (const Complex& nu : known.upper_half()) {
+            exact.points.emplace_back(nu.real(), nu.imag());
+            if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
+            left = std::min(left, nu.real());
+        }
+        plot.series.push_back(exact);
+        const double margin = (right - left) / 20;
+        plot.x_range = {left - margin, right + margin};
+        plot.y_range = {-height, height};
+        return plot;
+    };
+    return table;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options(
+        "stability_study",
+        "Eigenvalues of the discretised contact in time: how many grow, from which alpha_T on, or all.");
+    options.add_flag("critical",
+                     "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5");
+    options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
+    options.footer(
+        "Example: the scheme that is best in steady state, on refined meshes, with a plot\n"
+        "  stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg\n"
+        "\n"
+        "Modes grow like e^{nu V t}; all eigenvalues are nu a, dimensionless. unstable_count: real part > 0 as "
+        "computed;\n"
+        "uncertain_count: those of either sign that rounding of G and G' could move across zero, infinite ones\n"
+        "included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 with knothe-bc);\n"
+        "spectral_abscissa: the largest real part of the finite ones; cond_G in the 2-norm, empty for a singular G;\n"
+        "time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs.\n"
+        "--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled\n"
+        "eigenvalue, empty where there is none. Above it the scheme can be stable again. n = 320 takes minutes.\n"
+        "--spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in "
+        "closed\n"
+        "form, also with the strip kernel, whose model differs from it by order (a/b)^2. Infinite eigenvalues, which "
+        "a\n"
+        "singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no "
+        "mesh\n"
+        "resolves, and for contacts so narrow that the plane model does not decay.\n");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        // 2. One row, or one for each eigenvalue, of each scene.
+        const bool critical = given.flag("critical"), spectrum = given.flag("spectrum");
+        if (critical && spectrum) throw study::BadInput("--critical and --spectrum must not be given together");
+        if (critical) {
+            given.ignored("alpha-T", "with --critical, which searches for it");
+            given.ignored("alpha", "with --critical, which takes --alpha-L and searches for alpha_T");
+            if (given.text("method") == "knothe-bc") {
+                throw study::BadInput(
+                    "--method = knothe-bc must be collocation or galerkin with --critical: it has no "
+                    "alpha_T");
+            }
+        }
+        const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given);
+        for (const study::Scene& scene : scenes) {
+            if (critical && scene.n() < 2) {
+                throw study::BadInput(
+                    "--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
+                    std::to_string(scene.n()));
+            }
+        }
+        study::write_table(given, critical   ? critical_table(scenes)
+                                  : spectrum ? spectrum_table(scenes)
+                                             : count_table(given, scenes));
+        return study::exit_ok;
+    });
+}

@@ -1,0 +1,179 @@
+#!/bin/sh
+# apps/stability_study.cpp and apps/frequency_study.cpp, seen from outside: what they refuse, columns, rows, shards and
+# jobs, and numbers that are known by other routes.
+# Usage: stability_frequency.sh FOLDER-OF-PROGRAMS
+set -u
+programs=$(cd "$1" && pwd) || exit 1
+stability=$programs/stability_study
+frequency=$programs/frequency_study
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failures=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# bad TEXT PROGRAM ARG...: bad input, one line on stderr that has TEXT, nothing on stdout, no file.
+bad() {
+    text=$1
+    shift
+    mkdir work
+    (cd work && "$@" --output x.csv >../out 2>../err)
+    code=$?
+    [ $code -eq 2 ] || fail "exit $code instead of 2: $*"
+    [ "$(wc -l <err)" -eq 1 ] || fail "not one line on stderr: $*"
+    grep -qF -e "$text" err || fail "no '$text' in '$(cat err)': $*"
+    [ ! -s out ] || fail "something on stdout: $*"
+    [ -z "$(ls -A work)" ] || fail "a file is left: $*"
+    rm -rf work
+}
+
+# good LINES PROGRAM ARG...: exit 0, so many lines in the file out, nothing on stderr.
+good() {
+    lines=$1
+    shift
+    "$@" >out 2>err </dev/null
+    code=$?
+    [ $code -eq 0 ] || fail "exit $code instead of 0: $*: $(cat err)"
+    [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
+    [ ! -s err ] || fail "something on stderr: $*"
+}
+
+# check WHAT CONDITION: an awk expression that holds in every row of the file out.
+check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
+
+# header NAMES: the first columns of the file out.
+header() {
+    case $(head -n 1 out) in
+    "$1" | "$1",*) ;;
+    *) fail "columns $(head -n 1 out)" ;;
+    esac
+}
+
+# shards PROGRAM ARG...: 4 shards concatenate to the whole, whatever the number of jobs.
+shards() {
+    "$@" --jobs 3 >whole
+    for k in 1 2 3 4; do "$@" --jobs 2 --shard $k/4; done >parts
+    cmp -s whole parts || fail "shards or jobs change rows: $*"
+}
+
+# --- stability: bad input
+s="$stability --n 10"
+bad '--critical and --spectrum must not be given together' $s --critical --spectrum
+bad '--alpha-T = 0.5 has no effect with --critical' $s --critical --alpha-T 0.5
+bad '--alpha = 0.5 has no effect with --critical' $s --critical --alpha 0.5
+bad '--method = knothe-bc must be collocation or galerkin with --critical' $s --critical --method knothe-bc
+bad 'at least 2' "$stability" --critical --n 1 --alpha-L 0.63
+bad '--alpha-T = 0.5 has no effect with --method knothe-bc' $s --method knothe-bc --alpha-T 0.5
+bad '--aspect = inf must be positive and finite' $s --aspect inf
+bad '--aspect = 0.1 must be larger than' $s --kernel plane --aspect 0.1
+bad 'unstable in time' $s --kernel plane --aspect 0.1 --spectrum
+bad '--lambda = 1.5 must lie in [0, 1]' $s --lambda 1.5
+bad '--omega' $s --omega 1
+
+# --- stability: columns, rows, numbers (kernel and contact of the published values)
+s="$stability --poisson 0.25"
+good 5 $s --n 20,40 --alpha-T 0.5,0.63
+header method,derivative,mesh,n,alpha_L,alpha_T,lambda,unstable_count,uncertain_count,unstable_fraction,spectral_abscissa,cond_G,time_us
+check 'alpha_T up to 0.63 is stable' '$8 == 0 && $9 == 0 && $10 == 0 && $11 < 0 && $12 > 1 && $13 > 0'
+good 2 $s --n 20 --alpha 0.55
+check 'equal alphas above 0.5 are unstable' '$8 > 0 && $10 == $8 / 20 && $11 > 0'
+good 2 $s --n 20 --alpha 1 --lambda 0.45
+check 'lambda below 0.5 is stable' '$8 == 0 && $7 == 0.45'
+good 2 $s --n 30 --mesh cosine --alpha 0.5
+check 'cosine mesh is stable' '$8 == 0 && $9 == 0'
+good 2 $s --n 20 --method knothe-bc --jobs 2
+check 'knothe-bc: no alpha, no time' '$5 $6 $7 $13 == "" && $8 >= 0'
+good 2 $s --n 8 --kernel strip --aspect 0.1
+good 3 $s --n 20,40 --critical --jobs 2
+header method,derivative,mesh,n,alpha_L,critical_alpha_T
+check 'critical alpha_T' '($6 - ($4 == 20 ? 0.8974 : 0.7687)) ^ 2 < 1e-8'
+good 3 $s --n 6 --critical --lambda 0.4,1
+check 'no critical alpha_T for lambda below 0.5' '($6 == "") == ($7 < 0.5)'
+good 61 $s --n 60 --spectrum --mesh cosine --alpha 0.5 --aspect 100 --kernel plane
+header n,re,im,exact_re,exact_im
+awk -F, 'NR == 2 { real = ($2 / -0.17302005735 - 1) ^ 2 < 1e-6 && ($4 / -0.17302005735 - 1) ^ 2 < 1e-20 && $3 == 0 }
+    NR == 3 { pair = ($3 / 2.98100869072 - 1) ^ 2 < 1e-4 && ($5 / 2.98100869072 - 1) ^ 2 < 1e-20 }
+    NR == 4 { pair = pair && $3 < 0 && $5 < 0 } END { exit !(real && pair) }' out || fail 'first eigenvalues'
+good 20 $s --n 20 --spectrum --method knothe-bc
+good 9 $s --n 8 --spectrum --aspect 0.1
+check 'no exact eigenvalues where the plane model does not decay' '$2 != "" && $4 == "" && $5 == ""'
+good 11 $s --n 10 --spectrum --alpha 1
+# one element, uniform, alpha = 0: G' is zero, and so is the eigenvalue
+good 2 $s --n 1 --spectrum --alpha 0
+shards $s --n 6,9 --alpha-T 0.5,0.63,0.8
+shards $s --n 5,8 --spectrum
+shards $s --n 4,6,8 --critical
+
+# --- frequency: bad input
+f="$frequency --n 10"
+bad '--omega = -1 must be at least 0 and finite' $f --omega -1
+bad '--omega = nan must be at least 0 and finite' $f --omega 1,nan
+bad '--omega = inf must be at least 0 and finite' $f --omega inf
+bad 'repeated items: 1' $f --omega 1,1
+bad '--omega-min = 0.1 has no effect with --omega' $f --omega 1 --omega-min 0.1
+bad '--points = 5 has no effect with --omega' $f --omega 1 --points 5
+bad '--omega-min = 0 must be positive' $f --omega-min 0
+bad '--omega-min = nan must be positive' $f --omega-min nan
+bad '--omega-max = 0.5 must be larger than --omega-min = 1' $f --omega-min 1 --omega-max 0.5
+bad '--points = 0 must be an integer in [2, 1000000]' $f --points 0
+bad '--aspect = inf must be positive and finite' $f --omega 1 --aspect inf
+bad '--aspect = 0.1 must be larger than' $f --omega 1 --kernel plane --aspect 0.1
+bad '--order = 20 has no effect with --method collocation' $f --omega 1 --order 20
+bad '--basis = monomial has no effect with --method galerkin' $f --omega 1 --method galerkin --basis monomial
+bad '--method = foo must be one of collocation, galerkin, knothe-bc, polynomial' $f --method foo
+p="$frequency --method polynomial"
+for option in --n --alpha --alpha-L --alpha-T --lambda; do
+    bad "$option = 0.5 has no effect with --method polynomial" $p --omega 1 $option 0.5
+done
+bad '--mesh = cosine has no effect with --method polynomial' $p --omega 1 --mesh cosine
+bad '--kernel = strip must be plane with --method polynomial' $p --omega 1 --kernel strip
+bad '--aspect = 0.1 must be larger than' $p --omega 1 --aspect 0.1
+bad '--order = 0 must be an integer in' $p --omega 1 --order 0
+bad '--basis = foo must be one of monomial, chebyshev' $p --omega 1 --basis foo
+bad 'chebyshev' $p --omega 20 --basis monomial
+bad 'chebyshev' $p --omega 1 --basis monomial --order 100000000
+bad 'chebyshev' $p --omega 1,50 --basis monomial --order 60
+
+# --- frequency: columns, rows, numbers
+f="$frequency --poisson 0.25 --kernel plane"
+good 184 "$frequency"
+good 4 $f --n 60 --omega 0,1,5
+header n,omega,c11_re,c11_im,exact_re,exact_im,relative_error
+check 'uniform 0/0.63' '$7 < 2.2e-4 && $7 > 0'
+awk -F, 'NR == 2 { ok = $4 == 0 && $6 == 0 && ($5 - 2.0943951023931953) ^ 2 < 1e-28 } END { exit !ok }' out ||
+    fail 'the steady limit'
+good 22 $f --n 60 --mesh cosine --alpha 0.5 --omega-min 1e-3 --omega-max 5 --points 21
+check 'cosine 0.5/0.5' '$7 < 3e-4'
+awk -F, 'NR == 2 { first = $2 == 1e-3 } NR == 12 { middle = ($2 / sqrt(5e-3) - 1) ^ 2 < 1e-24 }
+    NR == 22 { last = $2 == 5 } END { exit !(first && middle && last) }' out || fail 'spacing of the frequencies'
+for method in galerkin knothe-bc; do
+    good 3 $f --n 20 --method $method --omega 0.5,1e300
+    check "$method: finite at every frequency" '$3 != "" && $5 != "" && $7 < 10'
+done
+good 2 "$frequency" --n 20 --aspect 0.1 --omega 1
+check 'no exact value where the plane model does not decay' '$3 != "" && $5 == "" && $7 == ""'
+good 6 "$frequency" --method polynomial --omega 0,1,5,50,200
+check 'Chebyshev basis: machine precision' '$1 == "" && $7 < 1e-12 && $11 > 0'
+good 2 "$frequency" --method polynomial --basis monomial --order 20 --omega 1 --kernel plane
+check 'monomial basis' '$7 < 1e-13 && $11 == 20'
+good 3 "$frequency" --method polynomial --order 3,5 --omega 1
+awk -F, 'NR == 2 { low = $7 } END { exit !($7 < low / 10 && low > 1e-6) }' out || fail 'a higher order is better'
+shards $f --n 7,9 --omega 0.1,1,3
+shards "$frequency" --method polynomial --order 10,20 --omega 0.1,1,3
+
+# --- plots
+if command -v gnuplot >/dev/null; then
+    for arguments in '--alpha-T 0.6,0.9' '--lambda 0.4,1' '--spectrum' '--critical'; do
+        good "$("$stability" --n 8,10 $arguments | wc -l)" "$stability" --n 8,10 $arguments --plot s.svg
+        [ "$(grep -c '</svg>' s.svg)" -eq 1 ] || fail "plot of $arguments"
+    done
+    good 7 "$frequency" --n 5,10 --omega 0.1,1,5 --plot f.svg
+    [ "$(grep -c '</svg>' f.svg)" -eq 1 ] && grep -q 'Im exact' f.svg && grep -q 'Re c' f.svg || fail 'both panels'
+fi
+
+[ $failures -eq 0 ] || exit 1
+echo "all checks passed"
