@@ -1,0 +1,287 @@
+// Rolling in time: the force after a step, a ramp, a sine or any history of creepage from rest, step by step, against
+// the exact response of the plane model:
+//
+//     ./transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 --until 20
+//     ./transient_study --history creepage.csv --integrator exponential --dq 0.1 --output force.csv --plot force.svg
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/transient.hpp>
+#include <rollbem/reference/step_response.hpp>
+
+#include "support/non_steady.hpp"
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/scenes.hpp"
+#include "support/table.hpp"
+
+namespace {
+
+using Model = rollbem::TransientModel<double>;
+
+constexpr double largest_steps = 1e7;
+
+/// Creepage over q/a from rest: what the steps take, and the exact force -F_bar/(a G) where there is one.
+struct History {
+    enum class Kind { step, ramp, sine, points } kind = Kind::step;
+    double amplitude = 0, omega = 0;         // of step and sine, or the rate of the ramp; omega in V/a
+    std::vector<double> knots, knot_values;  // of Kind::points, ascending; equal knots make a jump
+
+    /// Creepage just before (or at) q and just after it differ at a jump only.
+    double before(double q) const { return at(q, false); }
+    double after(double q) const { return at(q, true); }
+
+    double exact(const rollbem::reference::StepResponse& response, double q) const {
+        switch (kind) {
+            case Kind::step: return amplitude * response.step(q);
+            case Kind::ramp: return amplitude * response.ramp(q);
+            case Kind::sine: return amplitude * response.sine(omega, q);
+            default: return response.history(knots, knot_values, q);
+        }
+    }
+
+private:
+    double at(double q, bool behind) const {
+        if (kind == Kind::step) return amplitude;
+        if (kind == Kind::ramp) return amplitude * q;
+        if (kind == Kind::sine) return amplitude * std::sin(omega * q);
+        // zero before the first knot, constant after the last, linear between
+        const auto next =
+            behind ? std::upper_bound(knots.begin(), knots.end(), q) : std::lower_bound(knots.begin(), knots.end(), q);
+        const std::size_t j = static_cast<std::size_t>(next - knots.begin());
+        if (j == 0) return 0;
+        if (j == knots.size()) return knot_values.back();
+        const double part = (q - knots[j - 1]) / (knots[j] - knots[j - 1]);
+        return knot_values[j - 1] + part * (knot_values[j] - knot_values[j - 1]);
+    }
+};
+
+History history_from_file(const study::Options& options) {
+    const std::string path = options.text("history");
+    const std::string said = options.said("history");
+    std::ifstream file(path);
+    std::error_code error;
+    if (!file || std::filesystem::is_directory(path, error))
+        throw study::BadInput(said + " must be a file that can be read");
+    History history{.kind = History::Kind::points, .knots = {}, .knot_values = {}};
+    std::string line;
+    for (std::size_t number = 1; std::getline(file, line); ++number) {
+        const std::string text(study::detail::trim(line));
+        const std::string where = said + ": line " + std::to_string(number) + " = " + text;
+        if (number == 1) {
+            if (text != "q_over_a,creepage") throw study::BadInput(where + " must be q_over_a,creepage");
+            continue;
+        }
+        if (text.empty() && file.peek() == std::ifstream::traits_type::eof()) break;
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const auto q = study::detail::parse_number<double>(study::detail::trim(text.substr(0, comma)));
+        const auto value =
+            study::detail::parse_number<double>(study::detail::trim(text.substr(std::min(comma + 1, text.size()))));
+        if (!q || !value || !std::isfinite(*q) || !std::isfinite(*value)) {
+            throw study::BadInput(where + " must be two finite numbers with a comma between them");
+        }
+        if (*q < 0) throw study::BadInput(where + " must not lie at q_over_a < 0: rolling starts from rest at 0");
+        if (!history.knots.empty() && *q < history.knots.back()) {
+            throw study::BadInput(where + " must not lie before the line above it");
+        }
+        history.knots.push_back(*q);
+        history.knot_values.push_back(*value);
+    }
+    if (history.knots.empty()) throw study::BadInput(said + " must have at least one row below its header");
+    return history;
+}
+
+History make_history(const study::Options& options) {
+    std::vector<std::string> given;
+    for (const char* name : {"step", "ramp", "sine", "history"}) {
+        if (options.given(name)) given.push_back(name);
+    }
+    if (given.empty()) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
+    if (given.size() > 1) throw study::BadInput(options.said(given[1]) + " cannot go with --" + given[0]);
+    const study::Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
+    if (given[0] == "history") return history_from_file(options);
+    History history{.knots = {}, .knot_values = {}};
+    if (given[0] == "sine") {
+        const std::string text = options.text("sine");
+        const std::size_t comma = text.find(',');
+        const auto amplitude = study::detail::parse_number<double>(text.substr(0, comma));
+        const auto omega =
+            comma == std::string::npos ? std::nullopt : study::detail::parse_number<double>(text.substr(comma + 1));
+        if (!amplitude || !omega || !not_zero.holds(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
+            throw study::BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
+        }
+        history.kind = History::Kind::sine;
+        history.amplitude = *amplitude;
+        history.omega = *omega;
+        return history;
+    }
+    history.kind = given[0] == "step" ? History::Kind::step : History::Kind::ramp;
+    history.amplitude = options.number(given[0], not_zero);
+    return history;
+}
+
+/// One run: emits the rows of `range`, but steps from the start, as the state requires.
+void run(const study::Scene& scene, const Model& model, const History& history, double dq,
+         const std::string& integrator, std::size_t steps, const rollbem::reference::StepResponse* exact,
+         study::RowRange range, const study::Emit& emit) {
+    // 4. The creepage's largest size, the reference for the force. Knots count as far as the run goes.
+    double reference = 0;
+    for (std::size_t k = 1; k <= steps; ++k) {
+        reference = std::max(reference, std::abs(history.before(static_cast<double>(k) * dq)));
+    }
+    const double end = static_cast<double>(steps) * dq;
+    for (std::size_t j = 0; j < history.knots.size(); ++j) {
+        if (history.knots[j] <= end) reference = std::max(reference, std::abs(history.knot_values[j]));
+    }
+    if (reference == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
+
+    // 5. Step by step, the creepage linear over each. A step with a knot inside is divided there. Each length is
+    // prepared once.
+    std::map<double, Model::Prepared> prepared;
+    Model::State state = model.at_rest(), next = state;
+    std::size_t knot = 0;
+    for (std::size_t k = 1; k <= std::min(range.last, steps); ++k) {
+        double from = static_cast<double>(k - 1) * dq;
+        const double to = static_cast<double>(k) * dq;
+        rollbem::TransientStep<double> step;
+        while (from < to) {
+            while (knot < history.knots.size() && history.knots[knot] <= from) ++knot;
+            const double stop = knot < history.knots.size() ? std::min(history.knots[knot], to) : to;
+            const bool whole = stop == to && from == static_cast<double>(k - 1) * dq;
+            const double length = whole ? dq : stop - from;
+            auto found = prepared.find(length);
+            if (found == prepared.end()) found = prepared.emplace(length, model.prepare(length)).first;
+            const auto motion = rollbem::RigidMotion<double>::linear(history.after(from), history.before(stop));
+            step = model.advance(state, found->second, motion, next);
+            if (step.status != rollbem::StepStatus::ok) {
+                throw study::BadInput("the force is not finite at q/a = " + study::Cell(to).text(6) +
+                                      ": creepage or --until is too large");
+            }
+            if (!whole) prepared.erase(found);
+            std::swap(state, next);
+            from = stop;
+        }
+        if (k <= range.first) continue;
+
+        // 6. Compare with the exact response of the plane model.
+        const double force = -step.force_per_width / reference;  // a = G = 1
+        study::Cell exact_force, error;
+        if (exact) {
+            const double value = history.exact(*exact, to) / reference;
+            exact_force = value;
+            if (value != 0) error = force / value - 1;
+        }
+        emit({to, history.before(to), force, exact_force, error, scene.method, scene.derivative, scene.mesh_name,
+              scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda, integrator});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options(
+        "transient_study",
+        "Force of a contact that rolls from rest under a given creepage, step by step, and its error.");
+    options.set_default("n", "40");
+    options.add("step", "X", "creepage X from q = 0 on (dimensionless)");
+    options.add("ramp", "RATE", "creepage RATE q/a (dimensionless)");
+    options.add(
+        "sine", "AMP,OMEGA",
+        "creepage AMP sin(OMEGA q/a), OMEGA in V/a; steps take its chords, which are low by a part (OMEGA D)^2/12 "
+        "(dimensionless)");
+    options.add("history", "FILE",
+                "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
+                "after the last; two rows at one q_over_a make a jump (dimensionless)");
+    options.add("dq", "D", "distance rolled in a step, in units of a (dimensionless)", "0.05");
+    options.add("until", "Q", "distance rolled in all, in units of a (dimensionless)", "10");
+    options.add(
+        "integrator", "NAME",
+        "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
+        "sdirk2");
+    options.add_flag("unchecked", "step even where the scheme is unstable or rounding leaves that open");
+    options.footer(
+        "Example: the step response of the second-order scheme\n"
+        "  transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \\\n"
+        "      --integrator exponential --until 40 --output step.csv --plot step.svg\n"
+        "\n"
+        "One row per step, from q = dq on. force is -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run. "
+        "exact\n"
+        "is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It "
+        "is\n"
+        "empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly\n"
+        "stable is refused unless --unchecked is given.\n");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        const History history = make_history(given);
+        const double dq = given.number("dq", study::positive());
+        const double until = given.number("until", study::positive());
+        const double count = std::floor(until / dq * (1 + 1e-12));
+        if (count < 1) throw study::BadInput(given.said("until") + " must be at least --dq");
+        if (count > largest_steps) throw study::BadInput(given.said("until") + " must be at most 1e7 times --dq");
+        const std::size_t steps = static_cast<std::size_t>(count);
+        const std::string integrator = given.choice("integrator", {"sdirk2", "implicit-euler", "exponential"});
+        const rollbem::Integrator method = integrator == "sdirk2"           ? rollbem::Integrator::sdirk2
+                                           : integrator == "implicit-euler" ? rollbem::Integrator::implicit_euler
+                                                                            : rollbem::Integrator::matrix_exponential;
+
+        // 2. One model for each scene. Eigenvalues tell whether stepping makes sense.
+        const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given);
+        std::vector<Model> models;
+        for (const study::Scene& scene : scenes) {
+            models.push_back(scene.visit([&](const auto& mesh, const auto& scheme, const auto& kernel) {
+                rollbem::InfluenceMatrices<double> matrices = rollbem::assemble(mesh, scheme, kernel);
+                const Eigen::ArrayXd widths = rollbem::unknown_widths(mesh, scheme);
+                if (given.flag("unchecked")) {
+                    return Model(scene.contact, std::move(matrices), widths, rollbem::unchecked, method);
+                }
+                const rollbem::StabilityVerdict verdict = rollbem::verdict(matrices);
+                if (!verdict.stable()) {
+                    throw study::BadInput("n = " + std::to_string(scene.n()) + ": the scheme has " +
+                                          std::to_string(verdict.unstable_count) + " unstable and " +
+                                          std::to_string(verdict.uncertain_count) +
+                                          " uncertain eigenvalues; it must be stable, or --unchecked be given");
+                }
+                return Model(scene.contact, std::move(matrices), widths, verdict, method);
+            }));
+        }
+
+        // 3. The exact response, which is the same for all of them.
+        const rollbem::Contact<double>& contact = scenes.front().contact;
+        std::optional<rollbem::reference::StepResponse> exact;
+        if (study::plane_model_decays(contact)) exact.emplace(contact.poisson_ratio(), contact.aspect());
+
+        study::Table table;
+        table.columns = {"q_over_a", "creepage", "force",   "exact",   "relative_error", "method",    "derivative",
+                         "mesh",     "n",        "alpha_L", "alpha_T", "lambda",         "integrator"};
+        table.rows_of_task.assign(scenes.size(), steps);
+        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+            run(scenes[task], models[task], history, dq, integrator, steps, exact ? &*exact : nullptr, range, emit);
+        };
+
+        // 7. --plot: the force over the distance.
+        table.plot = [&](const std::vector<study::Row>& rows) {
+            study::Plot plot{.title = "Rolling from rest",
+                             .x_label = "distance rolled q/a",
+                             .y_label = "-F / (a G {/Symbol x}_{ref})",
+                             .series = {}};
+            study::add_series(plot, table.columns, rows,
+                              {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"},
+                               .x = "q_over_a",
+                               .y = "force"});
+            for (study::Series& series : plot.series) series.markers = false;
+            return plot;
+        };
+        study::write_table(given, table);
+        return study::exit_ok;
+    });
+}
