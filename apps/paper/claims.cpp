@@ -887,8 +887,7 @@ std::vector<Claim> claims_of_stability() {
             std::string text;
             for (const std::string& panel : panels) {
                 double before = 2;
-                text += (text.empty() ? "" : "; ") + std::to_string(std::stoi(panel)) + char(panel.back() - 'a' + 'A') +
-                        " ";
+                text += (text.empty() ? "" : "; ") + printed(panel) + " ";
                 for (std::size_t k = 0; k < 3; ++k) {
                     const double here = first_positive(r.curve(panel, k)).value_or(1.5);
                     holds = holds && here < before;
@@ -1024,12 +1023,13 @@ std::vector<Claim> claims_of_stability() {
              std::string text;
              for (const std::string panel : {"21a", "21b", "21c", "21d"}) {
                  double before = 1;
-                 text += (text.empty() ? "" : "; ") + std::string("21") + char(panel.back() - 'a' + 'A');
+                 text += (text.empty() ? "" : "; ") + printed(panel);
                  for (const double lambda : {1.0, 0.75, 0.5, 0.25}) {
                      const double here = value_at(r.curve(panel, 2), lambda);
                      holds = holds && here <= before;
                      before = here;
-                     text += " " + number(here, 2);
+                     text += ' ';
+                     text += number(here, 2);
                  }
              }
              return {holds, text};

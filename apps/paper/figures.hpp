@@ -44,7 +44,12 @@ struct Panel {
     Axes axes{};
 };
 
-/// `at` with the curve's variable set to x.
+/// "05a" as the paper prints it, "5A".
+inline std::string printed(const std::string& figure) {
+    return std::to_string(std::stoi(figure)) + char(figure.back() - 'a' + 'A');
+}
+
+/// The curve's case with its variable set to x.
 inline Case at(const Curve& curve, double x) {
     Case c = curve.at;
     switch (curve.vary) {

@@ -86,16 +86,18 @@ inline std::string y_label(Quantity quantity) {
     return "";
 }
 
-inline study::Row case_cells(const Curve& curve, const Case& c) {
-    study::Cell grading;
-    if (c.mesh != Topology::uniform) grading = c.grading;
-    return {curve.label, name(c.method), name(c.derivative), name(c.mesh), grading,
-            c.n,         c.alpha_L,      c.alpha_T,          c.lambda};
+template <class... Values>
+void append(study::Row& row, const Values&... values) {
+    (row.emplace_back(values), ...);
 }
 
-inline void add(CurveResult& result, const Curve& curve, const Case& c, const study::Row& values) {
-    study::Row row = case_cells(curve, c);
-    row.insert(row.end(), values.begin(), values.end());
+/// A row of `result`: the curve, its case and the values computed.
+template <class... Values>
+void add_row(CurveResult& result, const Curve& curve, const Case& c, const Values&... values) {
+    study::Row row;
+    append(row, curve.label, name(c.method), name(c.derivative), name(c.mesh));
+    c.mesh == Topology::uniform ? append(row, "") : append(row, c.grading);
+    append(row, c.n, c.alpha_L, c.alpha_T, c.lambda, values...);
     result.rows.push_back(std::move(row));
 }
 
@@ -111,7 +113,7 @@ inline CurveResult compute_field(const Panel& panel, const Curve& curve) {
         if (!displacement && std::abs(std::abs(x) - 0.5) < 1e-9) x += x > 0 ? -1e-9 : 1e-9;
         const ElementField field = element_field(x);
         const double value = displacement ? field.displacement : field.slope;
-        result.rows.push_back({x, value});
+        append(result.rows.emplace_back(), x, value);
         result.series[0].points.emplace_back(x, value);
     }
     return result;
@@ -124,11 +126,11 @@ inline CurveResult compute_over_grid(const Panel& panel, const Curve& curve) {
         double value = 0;
         if (panel.quantity == Quantity::c11_ratio) {
             value = c11_ratio(c);
-            add(result, curve, c, {value, value - 1});
+            add_row(result, curve, c, value, value - 1);
         } else {
             const Eigen::Index count = unstable_count(c);
             value = static_cast<double>(count) / static_cast<double>(c.n);
-            add(result, curve, c, {count, value});
+            add_row(result, curve, c, count, value);
         }
         if (std::isfinite(value)) result.series[0].points.emplace_back(x, value);
     }
@@ -139,7 +141,7 @@ inline CurveResult compute_traction(const Panel& panel, const Curve& curve) {
     CurveResult result{{}, {{.label = with_greek(curve.label), .points = {}, .markers = panel.axes.markers}}};
     const Tractions traction = tractions(curve.at);
     for (Eigen::Index i = 0; i < traction.x.size(); ++i) {
-        add(result, curve, curve.at, {traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i]});
+        add_row(result, curve, curve.at, traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i]);
         result.series[0].points.emplace_back(traction.x[i], traction.value[i]);
     }
     return result;
@@ -158,9 +160,8 @@ inline CurveResult compute_response(const Panel& panel, const Curve& curve) {
         const double z = panel.grid[i];
         const std::complex<double> polynomial = polynomial_c11(z);
         const std::complex<double> exact = rollbem::reference::harmonic_c11(z, poisson_ratio, aspect);
-        add(result, curve, curve.at,
-            {z, c11[i].real(), c11[i].imag(), polynomial.real(), polynomial.imag(), exact.real(), exact.imag(),
-             std::abs(c11[i] - exact) / std::abs(exact)});
+        add_row(result, curve, curve.at, z, c11[i].real(), c11[i].imag(), polynomial.real(), polynomial.imag(),
+                exact.real(), exact.imag(), std::abs(c11[i] - exact) / std::abs(exact));
         if (argand) {
             result.series[0].points.emplace_back(c11[i].real(), c11[i].imag());
         } else {
@@ -246,8 +247,7 @@ inline CurveResult compute(const Panel& panel, const Curve& curve) {
 
 inline study::Plot plot(const PanelResult& result) {
     const Panel& panel = result.panel;
-    study::Plot plot{.title = "Fig. " + std::to_string(std::stoi(panel.figure)) +
-                              char(panel.figure.back() - 'a' + 'A') + "  " + detail::with_greek(panel.title),
+    study::Plot plot{.title = "Fig. " + printed(panel.figure) + "  " + detail::with_greek(panel.title),
                      .x_label = detail::with_greek(panel.x_label),
                      .y_label = detail::y_label(panel.quantity),
                      .log_x = panel.axes.log_base > 0,
