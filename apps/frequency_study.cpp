@@ -161,7 +161,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
         if (omega && re && im) exact[*omega] = {*re, *im};
     }
-    study::Series exact_curve{.label = "exact", .points = {}, .markers = false, .colour = black};
+    study::Series exact_curve{.label = "exact", .points = {}, .markers = false, .style = black};
     for (const auto& [omega, c11] : exact) exact_curve.points.emplace_back(c11.real(), c11.imag());
     argand.series.push_back(exact_curve);
 
@@ -172,11 +172,11 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         study::add_series(part, columns, rows, {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im"});
         for (std::size_t k = 0; k < cases; ++k) {
             study::Series& series = part.series[k];
-            series.label = name + " " + argand.series[k].label;
-            series.colour = k;
+            series.label = name + ", " + argand.series[k].label;
+            series.style = k;
             parts.series.push_back(std::move(series));
         }
-        study::Series curve{.label = name + " exact", .points = {}, .markers = false, .colour = black};
+        study::Series curve{.label = name + ", exact", .points = {}, .markers = false, .style = black};
         for (const auto& [omega, c11] : exact) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
         parts.series.push_back(std::move(curve));
     }

@@ -240,11 +240,11 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
             if (plot.series.size() == 1) series.label = "computed";
             for (const auto& [re, im] : series.points) {
                 if (std::abs(im) > height) continue;
-                left = std::min(left, std::max(re, -height));
+                left = std::min(left, std::max(re, -height / 4));
                 right = std::max(right, std::min(re, height));
             }
         }
-        study::Series exact{.label = "exact", .points = {}, .line = false};
+        study::Series exact{.label = "exact", .points = {}, .line = false, .style = 6};  // open markers
         const ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
         for (const Complex& nu : known.upper_half()) {
             exact.points.emplace_back(nu.real(), nu.imag());

@@ -33,7 +33,7 @@ struct Series {
     std::vector<std::pair<double, double>> points;
     bool markers = true;  ///< besides the line
     bool line = true;
-    std::optional<std::size_t> colour{};  ///< index; by default each series has its own
+    std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
 };
 
 struct PlotRange {
@@ -121,11 +121,9 @@ inline std::string panel_script(const Plot& plot) {
     std::string script;
     script += "set title " + gnuplot_string(plot.title) + "\nset xlabel " + gnuplot_string(plot.x_label) +
               "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
-    script += "set key outside right top vertical\nset autoscale xfix\n";
+    script += "set key outside right top vertical\nset autoscale xfix\nset format '%h'\n";
     for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
-        if (is_log)
-            script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\nset format " +
-                      axis + " '%h'\n";
+        if (is_log) script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\n";
     }
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
         if (!range) continue;
@@ -142,11 +140,12 @@ inline std::string panel_script(const Plot& plot) {
             if (usable(point)) script += number_text(point.first) + " " + number_text(point.second) + "\n";
         }
         script += "EOD\n";
-        const std::string style = !series.markers ? "lines" : series.line ? "linespoints" : "points";
-        commands += (commands.empty() ? "plot " : ", ") + data + " with " + style + " lw 2 lc rgb '" +
-                    colours[series.colour.value_or(k) % colours.size()] + "'";
-        if (series.line) commands += " dt " + std::string(dashes[k % dashes.size()]);
-        if (series.markers) commands += " pt " + std::to_string(markers[k % markers.size()]);
+        const std::string kind = !series.markers ? "lines" : series.line ? "linespoints" : "points";
+        const std::size_t style = series.style.value_or(k);
+        commands += (commands.empty() ? "plot " : ", ") + data + " with " + kind + " lw 2 lc rgb '" +
+                    colours[style % colours.size()] + "'";
+        if (series.line) commands += " dt " + std::string(dashes[style % dashes.size()]);
+        if (series.markers) commands += " pt " + std::to_string(markers[style % markers.size()]);
         commands += series.label.empty() ? " notitle" : " title " + gnuplot_string(series.label);
     }
     if (commands.empty()) throw PlotError("the plot has no point to draw");

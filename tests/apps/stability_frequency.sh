@@ -172,7 +172,7 @@ if command -v gnuplot >/dev/null; then
         [ "$(grep -c '</svg>' s.svg)" -eq 1 ] || fail "plot of $arguments"
     done
     good 7 "$frequency" --n 5,10 --omega 0.1,1,5 --plot f.svg
-    [ "$(grep -c '</svg>' f.svg)" -eq 1 ] && grep -q 'Im exact' f.svg && grep -q 'Re c' f.svg || fail 'both panels'
+    [ "$(grep -c '</svg>' f.svg)" -eq 1 ] && grep -q 'Im, exact' f.svg && grep -q 'Re c' f.svg || fail 'both panels'
 fi
 
 [ $failures -eq 0 ] || exit 1
