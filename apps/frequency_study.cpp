@@ -148,8 +148,9 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
 // --- the plot ------------------------------------------------------------------------------------------------------
 
 /// The Argand diagram, and beside it both parts over the frequency.
-study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title) {
-    const std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda", "order"};
+study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title, bool order_given) {
+    std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
+    if (order_given) by.emplace_back("order");  // else it differs from frequency to frequency
     constexpr std::size_t black = 6;
 
     study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
@@ -258,7 +259,7 @@ int main(int argc, char** argv) {
 
         // 5. --plot.
         table.plot = [&](const std::vector<study::Row>& rows) {
-            return draw_response(rows, "Harmonic creepage, " + method);
+            return draw_response(rows, "Harmonic creepage, " + method, given.given("order"));
         };
         study::write_table(given, table);
         return study::exit_ok;

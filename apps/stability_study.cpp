@@ -281,7 +281,7 @@ int main(int argc, char** argv) {
         "spectral_abscissa: the largest real part of the finite ones; cond_G in the 2-norm, empty for a singular G;\n"
         "time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs.\n"
         "--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled\n"
-        "eigenvalue, empty where there is none. Above it the scheme can be stable again. n = 320 takes minutes.\n"
+        "eigenvalue, empty where there is none. Above it the scheme can be stable again. n = 320 takes half a minute.\n"
         "--spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in "
         "closed\n"
         "form, also with the strip kernel, whose model differs from it by order (a/b)^2. Infinite eigenvalues, which "

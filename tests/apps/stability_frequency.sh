@@ -173,6 +173,8 @@ if command -v gnuplot >/dev/null; then
     done
     good 7 "$frequency" --n 5,10 --omega 0.1,1,5 --plot f.svg
     [ "$(grep -c '</svg>' f.svg)" -eq 1 ] && grep -q 'Im, exact' f.svg && grep -q 'Re c' f.svg || fail 'both panels'
+    good 62 "$frequency" --method polynomial --plot p.svg
+    grep -q 'Im, computed' p.svg || fail 'default orders make one curve'
 fi
 
 [ $failures -eq 0 ] || exit 1
