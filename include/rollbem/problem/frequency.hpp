@@ -194,7 +194,7 @@ private:
     // entry below the diagonal; the column that remains gives one unknown of the triangular system and is done with.
     // The column operations are applied to the unknowns at the end, O(n).
     SweepPoint<Scalar> solve_reduced(const Complex& s) const {
-        const auto& [H, steady, weights, norm] = *reduced_;
+        const MatrixX<Scalar>& H = reduced_->H;
         const Eigen::Index n = H.rows();
         const Scalar scale = detail::equation_scale(s);
         const Complex ratio(-s.real() / scale, -s.imag() / scale);
@@ -206,7 +206,7 @@ private:
         };
         Column rest(n), y(n), factor(n), column(n), next(n);
         Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
-        rest.re = steady / scale;
+        rest.re = reduced_->steady / scale;
         load(n - 1, column);
         for (Eigen::Index j = n - 1; j > 0; --j) {
             load(j - 1, next);
@@ -229,10 +229,11 @@ private:
     }
 
     SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale) const {
-        const auto& [H, steady, weights, norm] = *reduced_;
+        const Reduced& reduced = *reduced_;
+        const MatrixX<Scalar>& H = reduced.H;
         const Eigen::Index n = H.rows(), below = n - 1;
         SweepPoint<Scalar> point;
-        point.c11 = -Complex((weights * y.re).sum(), (weights * y.im).sum());
+        point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
         if (!std::isfinite(norm_1(point.c11))) return point;
         Column product(n);  // H y
         product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
@@ -240,11 +241,11 @@ private:
         product.re.tail(below) += H.diagonal(-1).array() * y.re.head(below);
         product.im.tail(below) += H.diagonal(-1).array() * y.im.head(below);
         Column difference(n);
-        difference.re = (y.re - steady) / scale;
+        difference.re = (y.re - reduced.steady) / scale;
         difference.im = y.im / scale;
         difference.subtract(-ratio, product, n);
-        point.residual = difference.largest() /
-                         ((std::abs(ratio) * norm + 1 / scale) * y.largest() + steady.abs().maxCoeff() / scale);
+        point.residual = difference.largest() / ((std::abs(ratio) * reduced.norm + 1 / scale) * y.largest() +
+                                                 reduced.steady.abs().maxCoeff() / scale);
         const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
         point.status = point.residual <= 100 * rounding ? Status::ok : Status::ill_conditioned;
         return point;
