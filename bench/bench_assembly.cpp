@@ -98,7 +98,8 @@ void register_all() {
             for (const int n : {20, 40, 80, 160, 320}) bench->Arg(n);
         };
         const auto name = [&](const std::string& family, const std::string& kernel) {
-            return "BM_" + family + "/" + mesh + "/" + kernel;
+            // equal alphas on a uniform mesh: Toeplitz
+            return "BM_" + family + (mesh == "kalker" ? "Toeplitz/uniform/" : "/" + mesh + "/") + kernel;
         };
         benchmark::RegisterBenchmark(name("AssembleGradient", "plane").c_str(), assemble_gradient<PlaneKernel<double>>,
                                      mesh)
@@ -114,7 +115,7 @@ void register_all() {
             ->Apply(sizes);
     }
     benchmark::RegisterBenchmark("BM_AssembleGradientGalerkin/uniform/strip", galerkin_gradient)->Arg(80)->Arg(160);
-    benchmark::RegisterBenchmark("BM_SteadySolve", lu_solve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
+    benchmark::RegisterBenchmark("BM_LU", lu_solve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 }
 
 }  // namespace

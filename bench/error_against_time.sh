@@ -4,6 +4,7 @@
 set -eu
 build=$1
 results=${2:-$(dirname "$0")/results}
+mkdir -p "$results"
 elements=4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640
 common="--kernel plane --aspect inf --quiet"
 

@@ -97,8 +97,8 @@ inline std::pair<std::string, std::vector<MeshPointer>> make_meshes(const Option
     const std::string name = from_file ? "edges" : options.choice("mesh", names);
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
     const bool knothe = name == "knothe" || name == "modified-knothe";
-    const double size_ratio = options.number("size-ratio", positive());
-    const double epsilon = options.number("epsilon", positive());
+    const double size_ratio = options.number("size-ratio", between(1e-12, 1e12));
+    const double epsilon = options.number("epsilon", between(1e-12, 1e12));
     if (name != "geometric") options.ignored("size-ratio", used + "; it is for --mesh geometric");
     if (!knothe) options.ignored("epsilon", used + "; it is for --mesh knothe and modified-knothe");
     if (from_file) return {name, {mesh_from_file(options)}};

@@ -1,5 +1,6 @@
 // rollbem: the two-dimensional tangential rolling contact problem by boundary elements.
-// Umbrella of the library proper; rollbem/reference/ is apart because it needs GSL.
+// Umbrella of all that needs Eigen alone, but for problem/stability.hpp and problem/critical_alpha.hpp, whose eigenvalue
+// solver takes some 20 s to compile; rollbem/reference/ is apart because it needs GSL.
 #pragma once
 
 #include "assembly/influence.hpp"
@@ -8,6 +9,10 @@
 #include "discretisation/mesh.hpp"
 #include "discretisation/scheme.hpp"
 #include "elasticity/line_kernel.hpp"
+#include "problem/frequency.hpp"
+#include "problem/friction.hpp"
+#include "problem/stability_count.hpp"
 #include "problem/steady.hpp"
+#include "problem/transient.hpp"
 #include "scene/contact.hpp"
 #include "spectral/polynomial.hpp"

@@ -90,10 +90,14 @@ public:
         if (kernel_.log_split) {
             split_ = kernel_.log_split(
                 (rows_.from_leading.max(rows_.from_trailing) + rows_.offset.abs() + Scalar(averages) * rows_.half)
-                    .maxCoeff());
+                    .maxCoeff() +
+                columns_.half.maxCoeff());
         }
-        // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d
-        far_ratio_ = Scalar(1) / (split_ ? 16 : equal_widths_ ? 4096 : 256);
+        // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d, and a
+        // Taylor series, which costs more a term than the other, of fewer terms
+        const bool short_series = !split_ && equal_widths_;
+        far_ratio_ = Scalar(1) / (short_series ? 4096 : 16);
+        last_taylor_ = short_series ? last_moment / 3 + 1 : last_moment;
         if (split_) prepare_moments();
         if (split_) prepare_polynomial();
     }
@@ -112,7 +116,6 @@ private:
     static constexpr Eigen::Index chunk = 8;  // rows a series is evaluated for at once: a few registers
     using Chunk = Eigen::Array<Scalar, chunk, 1>;
     static constexpr int last_moment = (std::numeric_limits<Scalar>::digits + 3) / 4;  // 16^-last is below rounding
-    static constexpr int last_taylor = last_moment / 2 + 1;                            // 256^-last is
 
     static RowPoints<Scalar> padded(const RowPoints<Scalar>& rows) {
         const Eigen::Index count = rows.half.size();
@@ -489,11 +492,11 @@ private:
     // sum of M_2j g^{(q+2j)}(d) / (2j)! with the moments of prepare_moments
     Array taylor_sum(const Array& d, Scalar h, const Array& delta) const {
         const Eigen::Index q = quantity_ == Quantity::slope ? 1 : 0;
-        const Table series = kernel_.taylor(d, 2 * last_taylor + q);
+        const Table series = kernel_.taylor(d, 2 * last_taylor_ + q);
         const Array A = ((averages_ > 0 ? Array(h + delta) : Array::Constant(d.size(), h)) / d).square();
         const Array B = averages_ > 0 ? Array(((h - delta) / d).square()) : Array::Zero(d.size());
         Array sum = Array::Zero(d.size()), moment = Array::Ones(d.size()), power = B;
-        for (Eigen::Index j = 0; j <= last_taylor; ++j) {
+        for (Eigen::Index j = 0; j <= last_taylor_; ++j) {
             const Scalar factor = averages_ > 0 ? 1 / Scalar((2 * j + 1) * (j + 1)) : 1 / Scalar(2 * j + 1);
             sum += (q == 1 ? Scalar(2 * j + 1) : Scalar(1)) * factor * moment * series.col(2 * j + q);
             moment = moment * A + power;
@@ -518,8 +521,8 @@ private:
     ColumnElements<Scalar> columns_;
     Eigen::Index count_;  // rows asked for
     std::optional<LogSplit<Scalar>> split_;
-    // ((h + averages delta) / d)^2 below which the series is taken; a term of a Taylor series costs more: fewer of them
-    Scalar far_ratio_;
+    Scalar far_ratio_;  // ((h + averages delta) / d)^2 below which the series is taken
+    int last_taylor_;   // far_ratio^last is below rounding
     Array coefficients_, bounds_;
     Table row_series_, element_factors_, common_powers_;
 };

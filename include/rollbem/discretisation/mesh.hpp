@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -68,6 +69,9 @@ private:
             const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
                                  (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
             detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
+            const Scalar sum = trailing[j] + leading[j];
+            detail::require(std::abs(sum - 2) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
+                            "(1 + x) + (1 - x) of an edge", sum, "be 2");
         }
     }
 

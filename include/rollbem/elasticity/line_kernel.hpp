@@ -79,11 +79,14 @@ public:
     using Scalar = Scalar_;
     using Array = ArrayX<Scalar>;
 
-    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0.
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
+    /// finite.
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
         : strength_(2 * c1 / std::numbers::pi_v<Scalar>),
           constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
         detail::require(half_width > 0, "PlaneKernel", "half_width", half_width, "be positive");
+        detail::require(std::isfinite(c1), "PlaneKernel", "c1", c1, "be finite");
+        detail::require(std::isfinite(c2), "PlaneKernel", "c2", c2, "be finite");
     }
 
     static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
@@ -112,9 +115,12 @@ public:
     using Scalar = Scalar_;
     using Array = ArrayX<Scalar>;
 
-    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0.
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
+    /// finite.
     StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
         detail::require(half_width > 0, "StripKernel", "half_width", half_width, "be positive");
+        detail::require(std::isfinite(c1), "StripKernel", "c1", c1, "be finite");
+        detail::require(std::isfinite(c2), "StripKernel", "c2", c2, "be finite");
     }
 
     static StripKernel longitudinal(const Contact<Scalar>& contact) {
