@@ -8,10 +8,15 @@
 
 namespace rollbem::detail {
 
-/// Overwrites A with its factors, rows swapped as a whole; row k was swapped with row swaps[k] >= k. A singular A
-/// leaves infinities or NaN in what is solved with it.
-template <class Matrix, class Swaps>
-void factorise_in_place(Matrix& A, Swaps& swaps) {
+template <class Scalar>
+using MatrixRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
+template <class Scalar>
+using VectorRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
+
+/// Overwrites the n x n matrix A with its factors, rows swapped as a whole; row k was swapped with row swaps[k] >= k, of
+/// n. A singular A leaves infinities or NaN in what is solved with it.
+template <class Scalar>
+void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     const Eigen::Index n = A.rows();
     for (Eigen::Index k = 0; k < n; ++k) {
         const Eigen::Index rest = n - k - 1;
@@ -24,9 +29,9 @@ void factorise_in_place(Matrix& A, Swaps& swaps) {
     }
 }
 
-/// Overwrites x with the solution of A y = x, A and swaps as factorise_in_place left them.
-template <class Matrix, class Swaps, class Vector>
-void solve_in_place(const Matrix& A, const Swaps& swaps, Vector&& x) {
+/// Overwrites x with the solution y of A y = x, A and swaps as factorise_in_place left them.
+template <class Scalar>
+void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, VectorRef<Scalar> x) {
     const Eigen::Index n = A.rows();
     for (Eigen::Index k = 0; k < n; ++k) std::swap(x[k], x[swaps[k]]);
     for (Eigen::Index k = 0; k < n; ++k) x.tail(n - k - 1) -= x[k] * A.col(k).tail(n - k - 1);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -319,9 +320,12 @@ private:
     }
 
     static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
-        Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1> swaps(matrix.rows());
-        detail::factorise_in_place(matrix, swaps);
-        for (Eigen::Index j = 0; j < right.cols(); ++j) detail::solve_in_place(matrix, swaps, right.col(j));
+        std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
+        const detail::MatrixRef<Scalar> factors(matrix);
+        detail::factorise_in_place<Scalar>(factors, swaps.data());
+        for (Eigen::Index j = 0; j < right.cols(); ++j) {
+            detail::solve_in_place<Scalar>(factors, swaps.data(), right.col(j));
+        }
     }
 
     StepStatus check(const State& from, Scalar dq, const Motion& motion, const State& to) const noexcept {
@@ -366,29 +370,29 @@ private:
         const Scalar h = dq / half_length_;
         alignas(64) std::array<Scalar, largest_unprepared * largest_unprepared> memory;
         std::array<Eigen::Index, largest_unprepared> swaps;
-        Eigen::Map<MatrixX<Scalar>> matrix(memory.data(), n, n);
-        matrix = G_ - gamma_ * h * G_prime_;
-        detail::factorise_in_place(matrix, swaps);
+        Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n) = G_ - gamma_ * h * G_prime_;
+        const detail::MatrixRef<Scalar> factors(Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n));
+        detail::factorise_in_place<Scalar>(factors, swaps.data());
 
         SmallVector unit = SmallVector::Constant(n, gamma_);
-        detail::solve_in_place(matrix, swaps, unit);
+        detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
         SmallVector right(n);
         SmallVector change(n);
         change.noalias() = G_prime_ * from.traction;
         change *= gamma_ * h;
-        detail::solve_in_place(matrix, swaps, change);
+        detail::solve_in_place<Scalar>(factors, swaps.data(), change);
         SmallVector per_shift = b_[1] * unit;
         SmallVector per_ramp = ramp_weight(1) * unit;
         to.traction = from.traction + b_[1] * change;
         for (int j = 2; j <= stages_; ++j) {
             right.noalias() = G_prime_ * unit;
             unit = gamma_ * h * right;
-            detail::solve_in_place(matrix, swaps, unit);
+            detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
             per_shift += b_[index(j)] * unit;
             per_ramp += ramp_weight(j) * unit;
             right.noalias() = G_prime_ * change;
             change = gamma_ * h * right;
-            detail::solve_in_place(matrix, swaps, change);
+            detail::solve_in_place<Scalar>(factors, swaps.data(), change);
             to.traction += b_[index(j)] * change;
         }
         to.traction -= traction_scale_ * (travel.shift * per_shift + travel.ramp * per_ramp);
