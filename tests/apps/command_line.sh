@@ -1,45 +1,9 @@
 #!/bin/sh
 # apps/support, seen from outside: exit codes, messages, files, shards and jobs of the steady studies.
 # Usage: command_line.sh FOLDER-OF-PROGRAMS
-set -u
-programs=$(cd "$1" && pwd) || exit 1
+. "$(dirname "$0")/functions.sh"
 steady=$programs/steady_study
 traction=$programs/traction_study
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failures=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
-
-# bad TEXT ARG...: bad input, one line on stderr that has TEXT, nothing on stdout, no file.
-bad() {
-    text=$1
-    shift
-    mkdir work
-    (cd work && "$steady" "$@" >../out 2>../err)
-    code=$?
-    [ $code -eq 2 ] || fail "exit $code instead of 2: $*"
-    [ "$(wc -l <err)" -eq 1 ] || fail "not one line on stderr: $*"
-    grep -qF -e "$text" err || fail "no '$text' in '$(cat err)': $*"
-    [ ! -s out ] || fail "something on stdout: $*"
-    [ -z "$(ls -A work)" ] || fail "a file is left: $*"
-    rm -rf work
-}
-
-# good LINES ARG...: exit 0, so many lines on stdout, nothing on stderr.
-good() {
-    lines=$1
-    shift
-    "$steady" "$@" >out 2>err </dev/null
-    code=$?
-    [ $code -eq 0 ] || fail "exit $code instead of 0: $*: $(cat err)"
-    [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
-    [ ! -s err ] || fail "something on stderr: $*"
-}
 
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 printf '%s\n' -1 0.2 0.1 1 >"$scratch/falling"
@@ -47,83 +11,83 @@ printf '%s\n' -1 0.2 0.9 >"$scratch/short"
 printf 'n = 10\nbogus = 1\n' >"$scratch/bogus.toml"
 
 # values out of range; every message names option, value and what is allowed
-bad '--n = 0 must be an integer in [1, 100000]' --n 0 --output x.csv
-bad '--n = -5 must be' --n -5
-bad '--n = 10.0 must be' --n 10.0
-bad '--n = 1e3 must be' --n 1e3
-bad '--n = 1 must be at least 2' --n 1
-bad '--n = 1 must be at least 2 with --method knothe-bc' --n 1 --method knothe-bc
-bad '--n = 2 must be at least 3 with --mesh knothe' --n 10,2 --mesh knothe
-bad '--n = 1 must be at least 2 with --mesh geometric' --n 1 --alpha 0.5 --mesh geometric
-bad "--n = '' must be a list without empty items" --n ''
-bad '--n = 10, must be a list without empty items' --n 10,
-bad 'repeated items: 10' --n 10,20,10
-bad 'repeated items: 20' --n 10,20 --n 20
-bad 'repeated items: 0.50' --alpha-T 0.5,0.50
-bad '--alpha = nan must lie in [-2, 2]' --alpha nan
-bad '--alpha-L = 2.5 must lie in [-2, 2]' --alpha-L 2.5
-bad '--alpha-T = inf must lie in [-2, 2]' --alpha-T inf
-bad '--alpha-T = 0.5x must be a number' --alpha-T 0.5x
-bad '--poisson = 0.7 must lie in [0, 0.5]' --poisson 0.7 --output x.csv --plot x.svg
-bad '--aspect = -1 must be positive' --aspect -1
-bad '--aspect = nan must be positive' --aspect nan
-bad '--epsilon = 0 must lie in' --mesh knothe --epsilon 0
-bad '--epsilon = 0 must lie in' --epsilon 0
-bad '--size-ratio = -2 must lie in' --mesh geometric --size-ratio -2
-bad '--quadrature = 0 must be an integer in [1, 1000]' --method galerkin --quadrature 0
-bad '--mesh = foo must be one of uniform, geometric, knothe, modified-knothe, cosine' --mesh foo
-bad '--mesh = uniform,cosine must be a single value' --mesh uniform --mesh cosine
-bad '--method = foo must be one of' --method foo
-bad '--kernel = foo must be one of' --kernel foo
-bad '--derivative = foo must be one of' --derivative foo
-bad '--jobs = 0 must be an integer in [1, 1024]' --jobs 0 --output x.csv
-bad '--shard = 4/3 must be K/N' --shard 4/3 --output x.csv
-bad '--shard = 1/ must be K/N' --shard 1/
-bad '--plot = x.pdf must end in .svg or .png' --plot x.pdf --output x.csv
-bad '--quiet = 3 must be true or false' --quiet=3
-bad '--foo' --foo
-bad 'foo' foo
-bad '--n' --n
+bad '--n = 0 must be an integer in [1, 100000]' "$steady" --n 0 --output x.csv
+bad '--n = -5 must be' "$steady" --n -5
+bad '--n = 10.0 must be' "$steady" --n 10.0
+bad '--n = 1e3 must be' "$steady" --n 1e3
+bad '--n = 1 must be at least 2' "$steady" --n 1
+bad '--n = 1 must be at least 2 with --method knothe-bc' "$steady" --n 1 --method knothe-bc
+bad '--n = 2 must be at least 3 with --mesh knothe' "$steady" --n 10,2 --mesh knothe
+bad '--n = 1 must be at least 2 with --mesh geometric' "$steady" --n 1 --alpha 0.5 --mesh geometric
+bad "--n = '' must be a list without empty items" "$steady" --n ''
+bad '--n = 10, must be a list without empty items' "$steady" --n 10,
+bad 'repeated items: 10' "$steady" --n 10,20,10
+bad 'repeated items: 20' "$steady" --n 10,20 --n 20
+bad 'repeated items: 0.50' "$steady" --alpha-T 0.5,0.50
+bad '--alpha = nan must lie in [-2, 2]' "$steady" --alpha nan
+bad '--alpha-L = 2.5 must lie in [-2, 2]' "$steady" --alpha-L 2.5
+bad '--alpha-T = inf must lie in [-2, 2]' "$steady" --alpha-T inf
+bad '--alpha-T = 0.5x must be a number' "$steady" --alpha-T 0.5x
+bad '--poisson = 0.7 must lie in [0, 0.5]' "$steady" --poisson 0.7 --output x.csv --plot x.svg
+bad '--aspect = -1 must be positive' "$steady" --aspect -1
+bad '--aspect = nan must be positive' "$steady" --aspect nan
+bad '--epsilon = 0 must lie in' "$steady" --mesh knothe --epsilon 0
+bad '--epsilon = 0 must lie in' "$steady" --epsilon 0
+bad '--size-ratio = -2 must lie in' "$steady" --mesh geometric --size-ratio -2
+bad '--quadrature = 0 must be an integer in [1, 1000]' "$steady" --method galerkin --quadrature 0
+bad '--mesh = foo must be one of uniform, geometric, knothe, modified-knothe, cosine' "$steady" --mesh foo
+bad '--mesh = uniform,cosine must be a single value' "$steady" --mesh uniform --mesh cosine
+bad '--method = foo must be one of' "$steady" --method foo
+bad '--kernel = foo must be one of' "$steady" --kernel foo
+bad '--derivative = foo must be one of' "$steady" --derivative foo
+bad '--jobs = 0 must be an integer in [1, 1024]' "$steady" --jobs 0 --output x.csv
+bad '--shard = 4/3 must be K/N' "$steady" --shard 4/3 --output x.csv
+bad '--shard = 1/ must be K/N' "$steady" --shard 1/
+bad '--plot = x.pdf must end in .svg or .png' "$steady" --plot x.pdf --output x.csv
+bad '--quiet = 3 must be true or false' "$steady" --quiet=3
+bad '--foo' "$steady" --foo
+bad 'foo' "$steady" foo
+bad '--n' "$steady" --n
 
 # options that would be ignored
-bad '--epsilon = 0.5 has no effect with --mesh uniform' --epsilon 0.5
-bad '--size-ratio = 2 has no effect with --mesh cosine' --mesh cosine --size-ratio 2
-bad '--quadrature = 3 has no effect with --method collocation' --quadrature 3
-bad '--alpha-T = 0.5 has no effect with --alpha' --alpha 0.5 --alpha-T 0.5
-bad '--alpha-T = 0.5 has no effect with --method knothe-bc' --method knothe-bc --alpha-T 0.5
-bad '--lambda = 0.4' --lambda 0.4
-bad '--n = 10 has no effect with --edges' --edges "$scratch/edges" --n 10
-bad '--mesh = uniform has no effect with --edges' --edges "$scratch/edges" --mesh uniform
+bad '--epsilon = 0.5 has no effect with --mesh uniform' "$steady" --epsilon 0.5
+bad '--size-ratio = 2 has no effect with --mesh cosine' "$steady" --mesh cosine --size-ratio 2
+bad '--quadrature = 3 has no effect with --method collocation' "$steady" --quadrature 3
+bad '--alpha-T = 0.5 has no effect with --alpha' "$steady" --alpha 0.5 --alpha-T 0.5
+bad '--alpha-T = 0.5 has no effect with --method knothe-bc' "$steady" --method knothe-bc --alpha-T 0.5
+bad '--lambda = 0.4' "$steady" --lambda 0.4
+bad '--n = 10 has no effect with --edges' "$steady" --edges "$scratch/edges" --n 10
+bad '--mesh = uniform has no effect with --edges' "$steady" --edges "$scratch/edges" --mesh uniform
 
 # files
-bad 'line 3 = 0.1 must be larger' --edges "$scratch/falling"
-bad 'must end with 1' --edges "$scratch/short"
-bad 'must be a file that can be read' --edges "$scratch/none"
-bad 'must be a file that can be read' --config "$scratch/none.toml"
-bad 'bogus' --config "$scratch/bogus.toml"
-bad '--output = /nonexistent/x.csv must be a file that can be written' --output /nonexistent/x.csv
-bad '--output = . must be a file that can be written' --output .
-bad "--output = '' must not be empty" --output ''
-bad '--plot = /nonexistent/x.svg must be a file that can be written' --output x.csv --plot /nonexistent/x.svg
+bad 'line 3 = 0.1 must be larger' "$steady" --edges "$scratch/falling"
+bad 'must end with 1' "$steady" --edges "$scratch/short"
+bad 'must be a file that can be read' "$steady" --edges "$scratch/none"
+bad 'must be a file that can be read' "$steady" --config "$scratch/none.toml"
+bad 'bogus' "$steady" --config "$scratch/bogus.toml"
+bad '--output = /nonexistent/x.csv must be a file that can be written' "$steady" --output /nonexistent/x.csv
+bad '--output = . must be a file that can be written' "$steady" --output .
+bad "--output = '' must not be empty" "$steady" --output ''
+bad '--plot = /nonexistent/x.svg must be a file that can be written' "$steady" --output x.csv --plot /nonexistent/x.svg
 if [ "$(id -u)" -ne 0 ]; then
     mkdir locked && chmod 555 locked
-    bad 'must be a file that can be written' --output "$scratch/locked/x.csv"
+    bad 'must be a file that can be written' "$steady" --output "$scratch/locked/x.csv"
 fi
 
 # what can be asked for
-good 7
-good 2 --n 1 --alpha 0.5
-good 4 --n 5 --n 6,7
-good 3 --n 10 --alpha-T ' 0.5, 0.6'
-good 2 --n 10 --alpha-T -0.2
-good 2 --n 10 --aspect inf
-good 2 --edges "$scratch/edges"
+good 7 "$steady"
+good 2 "$steady" --n 1 --alpha 0.5
+good 4 "$steady" --n 5 --n 6,7
+good 3 "$steady" --n 10 --alpha-T ' 0.5, 0.6'
+good 2 "$steady" --n 10 --alpha-T -0.2
+good 2 "$steady" --n 10 --aspect inf
+good 2 "$steady" --edges "$scratch/edges"
 for mesh in uniform geometric knothe modified-knothe cosine; do
     for method in collocation galerkin knothe-bc; do
-        good 2 --n 12 --mesh $mesh --method $method
+        good 2 "$steady" --n 12 --mesh $mesh --method $method
     done
 done
-good 2 --n 12 --method galerkin --quadrature 7 --derivative analytic --kernel plane
+good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic --kernel plane
 "$steady" --help | grep -q 'Example' || fail "--help has no example"
 "$steady" --version | grep -q '^steady_study [0-9]' || fail "--version"
 
@@ -140,8 +104,8 @@ good 2 --n 12 --method galerkin --quadrature 7 --derivative analytic --kernel pl
 
 # a configuration file; the command line wins
 printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
-good 5 --config c.toml
-good 3 --config c.toml --n 30
+good 5 "$steady" --config c.toml
+good 3 "$steady" --config c.toml --n 30
 
 # jobs and shards change nothing
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 | cut -d, -f1-11 >one
@@ -186,19 +150,7 @@ wait
 [ -p pipe ] && [ "$(wc -l <through)" -eq 2 ] && [ ! -e pipe.toml ] || fail "rows through a pipe"
 
 # an interrupt leaves nothing
-"$steady" --n 6000 --output big.csv &
-pid=$!
-tries=0
-while [ -z "$(find . -name 'big.csv.part-*')" ] && [ $tries -lt 100 ]; do
-    sleep 0.05
-    tries=$((tries + 1))
-done
-kill -INT $pid
-{ sleep 20; kill -KILL $pid; } >/dev/null 2>&1 &
-watchdog=$!
-wait $pid
-code=$?
-kill $watchdog 2>/dev/null
+interrupt INT big.csv "$steady" --n 6000 --output big.csv
 [ $code -eq 130 ] || fail "exit $code instead of 130 after an interrupt"
 [ -z "$(find . -name 'big.csv*')" ] || fail "an interrupt leaves files"
 
@@ -214,5 +166,4 @@ if command -v gnuplot >/dev/null; then
     [ "$(head -c 4 traction.png | tail -c 3)" = PNG ] || fail "traction.png is no PNG"
 fi
 
-[ $failures -eq 0 ] || exit 1
-echo "all checks passed"
+finish

@@ -2,71 +2,17 @@
 # apps/stability_study.cpp and apps/frequency_study.cpp, seen from outside: what they refuse, columns, rows, shards and
 # jobs, and numbers that are known by other routes.
 # Usage: stability_frequency.sh FOLDER-OF-PROGRAMS
-set -u
-programs=$(cd "$1" && pwd) || exit 1
+. "$(dirname "$0")/functions.sh"
 stability=$programs/stability_study
 frequency=$programs/frequency_study
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failures=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
-
-# bad TEXT PROGRAM ARG...: bad input, one line on stderr that has TEXT, nothing on stdout, no file.
-bad() {
-    text=$1
-    shift
-    mkdir work
-    (cd work && "$@" --output x.csv >../out 2>../err)
-    code=$?
-    [ $code -eq 2 ] || fail "exit $code instead of 2: $*"
-    [ "$(wc -l <err)" -eq 1 ] || fail "not one line on stderr: $*"
-    grep -qF -e "$text" err || fail "no '$text' in '$(cat err)': $*"
-    [ ! -s out ] || fail "something on stdout: $*"
-    [ -z "$(ls -A work)" ] || fail "a file is left: $*"
-    rm -rf work
-}
-
-# good LINES PROGRAM ARG...: exit 0, so many lines in the file out, nothing on stderr.
-good() {
-    lines=$1
-    shift
-    "$@" >out 2>err </dev/null
-    code=$?
-    [ $code -eq 0 ] || fail "exit $code instead of 0: $*: $(cat err)"
-    [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
-    [ ! -s err ] || fail "something on stderr: $*"
-}
-
-# check WHAT CONDITION: an awk expression that holds in every row of the file out.
-check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
-
-# header NAMES: the first columns of the file out.
-header() {
-    case $(head -n 1 out) in
-    "$1" | "$1",*) ;;
-    *) fail "columns $(head -n 1 out)" ;;
-    esac
-}
-
-# shards PROGRAM ARG...: 4 shards concatenate to the whole, whatever the number of jobs.
-shards() {
-    "$@" --jobs 3 >whole
-    for k in 1 2 3 4; do "$@" --jobs 2 --shard $k/4; done >parts
-    cmp -s whole parts || fail "shards or jobs change rows: $*"
-}
 
 # --- stability: bad input
-s="$stability --n 10"
+s="$stability --output x.csv --n 10"
 bad '--critical and --spectrum must not be given together' $s --critical --spectrum
 bad '--alpha-T = 0.5 has no effect with --critical' $s --critical --alpha-T 0.5
 bad '--alpha = 0.5 has no effect with --critical' $s --critical --alpha 0.5
 bad '--method = knothe-bc must be collocation or galerkin with --critical' $s --critical --method knothe-bc
-bad 'at least 2' "$stability" --critical --n 1 --alpha-L 0.63
+bad 'at least 2' "$stability" --output x.csv --critical --n 1 --alpha-L 0.63
 bad '--alpha-T = 0.5 has no effect with --method knothe-bc' $s --method knothe-bc --alpha-T 0.5
 bad '--aspect = inf must be positive and finite' $s --aspect inf
 bad '--aspect = 0.1 must be larger than' $s --kernel plane --aspect 0.1
@@ -109,7 +55,7 @@ shards $s --n 5,8 --spectrum
 shards $s --n 4,6,8 --critical
 
 # --- frequency: bad input
-f="$frequency --n 10"
+f="$frequency --output x.csv --n 10"
 bad '--omega = -1 must be at least 0 and finite' $f --omega -1
 bad '--omega = nan must be at least 0 and finite' $f --omega 1,nan
 bad '--omega = inf must be at least 0 and finite' $f --omega inf
@@ -125,7 +71,7 @@ bad '--aspect = 0.1 must be larger than' $f --omega 1 --kernel plane --aspect 0.
 bad '--order = 20 has no effect with --method collocation' $f --omega 1 --order 20
 bad '--basis = monomial has no effect with --method galerkin' $f --omega 1 --method galerkin --basis monomial
 bad '--method = foo must be one of collocation, galerkin, knothe-bc, polynomial' $f --method foo
-p="$frequency --method polynomial"
+p="$frequency --output x.csv --method polynomial"
 for option in --n --alpha --alpha-L --alpha-T --lambda; do
     bad "$option = 0.5 has no effect with --method polynomial" $p --omega 1 $option 0.5
 done
@@ -177,5 +123,4 @@ if command -v gnuplot >/dev/null; then
     grep -q 'Im, computed' p.svg || fail 'default orders make one curve'
 fi
 
-[ $failures -eq 0 ] || exit 1
-echo "all checks passed"
+finish

@@ -1,0 +1,83 @@
+# What the scripts of this folder share; to be sourced by them with a folder of programs as $1.
+# Makes an empty folder to work in, which goes away at the end, and counts failures.
+set -u
+programs=$(cd "$1" && pwd) || exit 1
+scratch=$(mktemp -d) || exit 1
+trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failures=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# bad TEXT PROGRAM ARG...: bad input, exit 2, one line on stderr that has TEXT, nothing on stdout, no file.
+bad() {
+    text=$1
+    shift
+    mkdir work
+    (cd work && "$@" >../out 2>../err </dev/null)
+    code=$?
+    [ $code -eq 2 ] || fail "exit $code instead of 2: $*"
+    [ "$(wc -l <err)" -eq 1 ] || fail "not one line on stderr: $*"
+    grep -qF -e "$text" err || fail "no '$text' in '$(cat err)': $*"
+    [ ! -s out ] || fail "something on stdout: $*"
+    [ -z "$(ls -A work)" ] || fail "a file is left: $*"
+    rm -rf work
+}
+
+# good LINES PROGRAM ARG...: exit 0, so many lines in the file out, nothing on stderr.
+good() {
+    lines=$1
+    shift
+    "$@" >out 2>err </dev/null
+    code=$?
+    [ $code -eq 0 ] || fail "exit $code instead of 0: $*: $(cat err)"
+    [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
+    [ ! -s err ] || fail "something on stderr: $*"
+}
+
+# check WHAT CONDITION: an awk expression that holds in every row of the file out.
+check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
+
+# header NAMES: the first columns of the file out.
+header() {
+    case $(head -n 1 out) in
+    "$1" | "$1",*) ;;
+    *) fail "columns $(head -n 1 out)" ;;
+    esac
+}
+
+# shards PROGRAM ARG...: 4 shards concatenate to the whole, whatever the number of jobs.
+shards() {
+    "$@" --jobs 3 >whole
+    for k in 1 2 3 4; do "$@" --jobs 2 --shard $k/4; done >parts
+    cmp -s whole parts || fail "shards or jobs change rows: $*"
+}
+
+# interrupt SIGNAL FILE PROGRAM ARG...: the signal, sent once FILE is being written; leaves the exit code in $code.
+interrupt() {
+    signal=$1
+    file=$2
+    shift 2
+    "$@" &
+    pid=$!
+    tries=0
+    while [ -z "$(find . -name "$file.part-*")" ] && [ $tries -lt 100 ]; do
+        sleep 0.05
+        tries=$((tries + 1))
+    done
+    kill -"$signal" $pid
+    { sleep 20; kill -KILL $pid; } >/dev/null 2>&1 &
+    watchdog=$!
+    wait $pid
+    code=$?
+    kill $watchdog 2>/dev/null
+}
+
+# The last line of each script.
+finish() {
+    [ $failures -eq 0 ] || exit 1
+    echo "all checks passed"
+}
