@@ -56,8 +56,11 @@ int main(int argc, char** argv) {
         "One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, whatever the kernel: with the\n"
         "strip kernel relative_error cannot fall below a floor of order (a/b)^2 (1.7e-5 at b/a = 100, 1.7e-7 at "
         "1000);\n"
-        "--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. Where G' is\n"
-        "singular to working precision, c11 and what follows from it are empty.\n");
+        "--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. c11 and what "
+        "follows\n"
+        "from it are empty where G' is singular to working precision, and where tractions push with the creepage, so "
+        "that\n"
+        "the scheme does not converge to full adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene.

@@ -76,6 +76,20 @@ TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]"
     CHECK(order < 2.15);
 }
 
+TEST_CASE("A scheme that converges to something else than full adhesion is told", "[frequency]") {
+    for (const double alpha : {-0.5, 0.0, 1.5}) {
+        for (const Eigen::Index n : {20, 21}) {  // G' is singular for alpha = 0 and n = 21
+            const FrequencySweep<double> sweep(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000));
+            CAPTURE(alpha, n);
+            for (const double z : {1e-3, 1.0}) {
+                CHECK(sweep(z).status == Status::inconsistent);
+                CHECK(solve_harmonic(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000), z).status ==
+                      Status::inconsistent);
+            }
+        }
+    }
+}
+
 TEST_CASE("Both routes agree, on frequencies of either sign and on complex growth", "[frequency]") {
     const auto check = [](const auto& mesh, const auto& scheme, const auto& kernel) {
         const InfluenceMatrices<double> matrices = assemble(mesh, scheme, kernel);
@@ -93,6 +107,10 @@ TEST_CASE("Both routes agree, on frequencies of either sign and on complex growt
             // beyond what the mesh resolves the matrix tends to G, which is nearly singular for both routes alike
             const double rounding = std::abs(s) > 100 ? 10 * std::numeric_limits<double>::epsilon() / full.rcond : 0;
             CHECK(std::abs(point.c11 / full.c11 - 1.0) < std::max(1e-12, rounding));
+            // both conditions, of different matrices, bound the difference and stay together
+            CHECK(std::abs(point.c11 / full.c11 - 1.0) < 100 * std::numeric_limits<double>::epsilon() / point.rcond);
+            CHECK(point.rcond < 300 * full.rcond);
+            CHECK(point.rcond > full.rcond / 300);
             // the residual of Eq. (16), taken here without anything of the header
             const VectorX<Complex> left = matrices.G_prime * full.traction - s * (matrices.G * full.traction).eval();
             const double size = (matrices.G_prime.cwiseAbs() * full.traction.cwiseAbs() +

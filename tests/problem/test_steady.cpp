@@ -250,8 +250,8 @@ TEST_CASE("Units scale out", "[steady]") {
                    plane_error(cosine_mesh(20), Collocation{0.5, 0.5})) < 1e-14);
 }
 
-TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, and the status says so", "[steady]", float,
-                   double, long double) {
+TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force for an even one; the status says so",
+                   "[steady]", float, double, long double) {
     using Scalar = TestType;
     const PlaneKernel<Scalar> kernel(Scalar(1000), Scalar(0.75), Scalar(0.25));
     for (Eigen::Index n = 1; n < 60; ++n) {
@@ -260,8 +260,37 @@ TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, and the s
         if (n % 2 == 1) {
             CHECK(solution.status != Status::ok);  // antisymmetric of odd size
         } else {
-            CHECK(solution.status == Status::ok);
+            CHECK(solution.status == Status::inconsistent);
             CHECK(std::abs(solution.c11) < 1000 * std::numeric_limits<Scalar>::epsilon() / solution.rcond);  // no force
+        }
+    }
+}
+
+TEST_CASE("A scheme that converges to something else than full adhesion is told", "[steady]") {
+    const PlaneKernel<double> kernel(1000, 0.75, 0.25);
+    struct Case {
+        Collocation scheme;
+        double ratio;  // c11 over the exact one
+    };
+    for (const Case& wrong : {Case{{-0.5, -0.5}, -1}, Case{{0, -0.5}, -1}, Case{{1.5, 1.5}, 3}}) {
+        for (const Eigen::Index n : {20, 21, 80, 160}) {
+            const auto solution = solve_steady(uniform_mesh(n), wrong.scheme, kernel);
+            CAPTURE(n, wrong.scheme.alpha_L, wrong.scheme.alpha_T, solution.c11);
+            // residual and condition alone say nothing
+            CHECK(solution.residual < 1e-15);
+            CHECK(solution.rcond > 1e-6);
+            CHECK(std::abs(solution.c11 / steady_c11(0.25) - wrong.ratio) < 0.05);
+            CHECK(solution.status == Status::inconsistent);
+        }
+    }
+    for (const double alpha : {0.1, 0.2, 0.5, 0.63, 1.0}) {
+        for (const double alpha_L : {0.0, alpha}) {
+            for (const Eigen::Index n : {20, 21, 80}) {
+                const auto solution = solve_steady(uniform_mesh(n), Collocation{alpha_L, alpha}, kernel);
+                CAPTURE(n, alpha, alpha_L, solution.c11);
+                CHECK(std::abs(solution.c11 / steady_c11(0.25) - 1) < 0.5 / static_cast<double>(n));
+                CHECK(solution.status == Status::ok);
+            }
         }
     }
 }

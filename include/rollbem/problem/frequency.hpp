@@ -13,6 +13,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "adhesion.hpp"
 #include "pencil.hpp"
 #include "plane_model.hpp"
 #include "status.hpp"
@@ -34,6 +35,8 @@ template <class Scalar>
 struct SweepPoint {
     std::complex<Scalar> c11 = 0;  ///< as in HarmonicSolution
     Scalar residual = 0;           ///< of the reduced equations, else as in HarmonicSolution
+    Scalar rcond = 0;  ///< of the reduced equations from one more right side: c11 is good to eps/rcond; else
+                       ///< as in HarmonicSolution [-]
     Status status = Status::not_finite;
 };
 
@@ -60,7 +63,8 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
 
 }  // namespace detail
 
-/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. Throws std::invalid_argument for an s that is not
+/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme converges
+/// (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not
 /// finite, matrices that are not square and of one size, or another number of widths.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
@@ -99,12 +103,20 @@ HarmonicSolution<Scalar> solve_harmonic(const InfluenceMatrices<Scalar>& matrice
     return solve_exponential(matrices, widths, std::complex<Scalar>(0, z));
 }
 
-/// Assembles G and G' and solves for one frequency. Throws as assemble and require_stable_model do, too.
+/// Assembles G and G' and solves for one frequency; Status::inconsistent where the steady solution does not oppose the
+/// creepage. Throws as assemble and require_stable_model do, too.
 template <class Scalar, class Scheme, LineKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                         Scalar z) {
     require_stable_model(kernel);
-    return solve_harmonic<Scalar>(assemble(mesh, scheme, kernel), unknown_widths(mesh, scheme), z);
+    const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
+    const ArrayX<Scalar> widths = unknown_widths(mesh, scheme);
+    HarmonicSolution<Scalar> solution = solve_harmonic<Scalar>(matrices, widths, z);
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices.G_prime);
+    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths.size()));
+    const bool consistent = detail::opposes_creepage<Scalar>(steady, widths);
+    if (solution.status == Status::ok && !consistent) solution.status = Status::inconsistent;
+    return solution;
 }
 
 /// c11 at many frequencies. With M = G'^-1 G = U H U^T, H of Hessenberg form, (G' - s G) p = xi turns into
@@ -122,13 +134,14 @@ public:
         detail::require_response("FrequencySweep", matrices_, widths_);
         if (!matrices_.G.allFinite() || !matrices_.G_prime.allFinite()) return;
         const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices_.G_prime);
+        const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
+        consistent_ = detail::opposes_creepage<Scalar>(steady, widths_);
         if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
         const MatrixX<Scalar> M = lu.solve(matrices_.G);
         const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
         Reduced reduced;
         reduced.H = hessenberg.matrixH();
         const MatrixX<Scalar> U = hessenberg.matrixQ();
-        const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
         reduced.steady = U.transpose() * steady;
         reduced.weights = U.transpose() * widths_.matrix();
         reduced.norm = reduced.H.cwiseAbs().rowwise().sum().maxCoeff();
@@ -153,9 +166,15 @@ public:
     /// Response to creepage e^{st}. Throws std::invalid_argument for an s that is not finite.
     SweepPoint<Scalar> at(Complex s) const {
         detail::require_growth("FrequencySweep", s);
-        if (reduced_) return solve_reduced(s);
-        const HarmonicSolution<Scalar> full = solve_exponential(matrices_, widths_, s);
-        return {full.c11, full.residual, full.status};
+        SweepPoint<Scalar> point;
+        if (reduced_) {
+            point = solve_reduced(s);
+        } else {
+            const HarmonicSolution<Scalar> full = solve_exponential(matrices_, widths_, s);
+            point = {full.c11, full.residual, full.rcond, full.status};
+        }
+        if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
+        return point;
     }
 
 private:
@@ -204,9 +223,11 @@ private:
             column.im.head(size) = ratio.imag() * H.col(j).head(size).array();
             column.re[j] += 1 / scale;
         };
-        Column rest(n), y(n), factor(n), column(n), next(n);
+        Column rest(n), y(n), probe(n), factor(n), column(n), next(n);
         Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
         rest.re = reduced_->steady / scale;
+        for (Eigen::Index j = 0; j < n; ++j) probe.re[j] = j % 2 == 0 ? 1 : -1;
+        Scalar largest_probe = 0;  // of A^-1 probe, up to the rotations that are still to come
         load(n - 1, column);
         for (Eigen::Index j = n - 1; j > 0; --j) {
             load(j - 1, next);
@@ -215,20 +236,24 @@ private:
             const Complex pivot = column[j], multiplier = next[j] / pivot, unknown = rest[j] / pivot;
             next.subtract(multiplier, column, j);
             rest.subtract(unknown, column, j);
+            const Complex probed = probe[j] / pivot;
+            probe.subtract(probed, column, j);
+            largest_probe = std::max(largest_probe, norm_1(probed));
             factor.set(j, multiplier);
             y.set(j, unknown);
             column.swap(next);
         }
         y.set(0, rest[0] / column[0]);
+        largest_probe = std::max(largest_probe, norm_1(probe[0] / column[0]));
         for (Eigen::Index j = 1; j < n; ++j) {
             const Complex own = y[j] - factor[j] * y[j - 1], before = y[j - 1];
             y.set(j, swapped[j] ? before : own);
             y.set(j - 1, swapped[j] ? own : before);
         }
-        return finish(y, ratio, scale);
+        return finish(y, ratio, scale, largest_probe);
     }
 
-    SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale) const {
+    SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const {
         const Reduced& reduced = *reduced_;
         const MatrixX<Scalar>& H = reduced.H;
         const Eigen::Index n = H.rows(), below = n - 1;
@@ -244,16 +269,19 @@ private:
         difference.re = (y.re - reduced.steady) / scale;
         difference.im = y.im / scale;
         difference.subtract(-ratio, product, n);
-        point.residual = difference.largest() / ((std::abs(ratio) * reduced.norm + 1 / scale) * y.largest() +
-                                                 reduced.steady.abs().maxCoeff() / scale);
+        const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
+        point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
+        point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
         const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-        point.status = point.residual <= 100 * rounding ? Status::ok : Status::ill_conditioned;
+        const bool trusted = point.rcond > rounding && point.residual <= 100 * rounding;
+        point.status = trusted ? Status::ok : Status::ill_conditioned;
         return point;
     }
 
     InfluenceMatrices<Scalar> matrices_;
     ArrayX<Scalar> widths_;
     std::optional<Reduced> reduced_;
+    bool consistent_ = false;  // the steady solution opposes the creepage
 };
 
 }  // namespace rollbem

@@ -8,6 +8,8 @@ namespace rollbem {
 enum class Status {
     ok,
     ill_conditioned,  ///< the matrix is singular to working precision, or the residual is far above rounding
+    inconsistent,     ///< solved well, but tractions of steady rolling that push with the creepage show that the scheme
+                      ///< does not converge to full adhesion: alpha <= 0, or alpha > 1
     not_finite,       ///< an input or a result is not a number or infinite
 };
 

@@ -12,6 +12,7 @@
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../scene/contact.hpp"
+#include "adhesion.hpp"
 #include "status.hpp"
 
 namespace rollbem {
@@ -58,7 +59,9 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
     solution.rcond = lu.rcond();
     const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
     const bool trusted = solution.rcond > 100 * rounding && solution.residual <= 100 * rounding;
-    solution.status = trusted ? Status::ok : Status::ill_conditioned;
+    solution.status = !trusted                                                      ? Status::ill_conditioned
+                      : detail::opposes_creepage<Scalar>(solution.traction, widths) ? Status::ok
+                                                                                    : Status::inconsistent;
     return solution;
 }
 
