@@ -1,0 +1,112 @@
+// Which mesh, how many elements, and whether to extrapolate: the cheapest stable element scheme for a required precision.
+// Stands on measured errors, given below; knows no matrices.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "../detail/require.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "richardson.hpp"
+
+namespace rollbem {
+
+/// What a scheme is wanted for, and which relative error its tolerance limits.
+enum class Purpose {
+    steady,     ///< c11 of steady rolling
+    frequency,  ///< |c11| at frequencies omega a/V from 0 to 5
+    time_loop,  ///< the force from q/a = 1 on after a step of creepage; what the integrator adds comes on top
+    friction,   ///< the steady force with Coulomb friction under Hertz pressure, at creepage ratios from 0.05 on
+};
+
+/// A scheme that recommended_scheme() returns: always collocation with finite differences at alpha_L = alpha_T = 0.5,
+/// which no mesh tried made unstable.
+struct RecommendedScheme {
+    enum class Topology { uniform, cosine };
+
+    Topology topology = Topology::cosine;
+    Eigen::Index n = 0;      ///< elements; of the finer mesh where results are extrapolated, and even then
+    double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
+    double error_bound = 0;  ///< of the relative error, at most the tolerance asked for
+    Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+
+    /// The recommended mesh with another number of elements. Throws for count < 1.
+    template <class Scalar = double>
+    Mesh<Scalar> mesh(Eigen::Index count) const {
+        return topology == Topology::uniform ? uniform_mesh<Scalar>(count) : cosine_mesh<Scalar>(count);
+    }
+
+    /// solve(mesh), extrapolated where that is recommended; `solve` returns a real or complex number.
+    ///
+    ///     const RecommendedScheme best = recommended_scheme(1e-4, Purpose::steady);
+    ///     const double c11 = best.evaluate(
+    ///         [&](const Mesh<double>& mesh) { return solve_steady(mesh, best.scheme, kernel).c11; });
+    template <class Scalar = double, class Solve>
+    auto evaluate(const Solve& solve) const {
+        auto fine = solve(mesh<Scalar>(n));
+        return order > 0 ? richardson(solve(mesh<Scalar>(n / 2)), fine, static_cast<Scalar>(order)) : fine;
+    }
+};
+
+/// The cheapest stable element scheme whose relative error stays below the tolerance, as measured against the closed
+/// forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. The measured
+/// errors obey
+///
+///     purpose    mesh     extrapolated   error below     n from   e.g. tolerance -> n
+///     steady     uniform  yes, order 1   0.19 n^-2.8      6       1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34
+///     steady     cosine   yes, order 2   0.9 n^-3.4       6       1e-6 -> 58, 1e-8 -> 220
+///     frequency  cosine   yes, order 2   33 n^-3          4       1e-2 -> 16, 1e-4 -> 70, 1e-6 -> 322
+///     time_loop  cosine   no             0.18 n^-2        4       1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
+///     friction   cosine   no             1.4 n^-1.85      4       1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
+///
+/// so that no change of sign of an error counts as precision. With the strip kernel the error against the strip's own
+/// solution is the same; its distance from the plane, of order (a/b)^2, is the model's. Extrapolation has to be on
+/// results that are linear in the tractions: not on forces with friction. Where only c11 for the plane kernel is
+/// wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost.
+/// Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
+inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
+    constexpr Eigen::Index largest = 640;
+    constexpr double cheaper_on_uniform = 1e-5;  // the Toeplitz assembly counts for more than the finer mesh
+    using Topology = RecommendedScheme::Topology;
+    RecommendedScheme result;
+    double factor = 0, exponent = 0;
+    Eigen::Index least = 4;
+    switch (purpose) {
+        case Purpose::steady:
+            result.topology = tolerance < cheaper_on_uniform ? Topology::cosine : Topology::uniform;
+            result.order = result.topology == Topology::cosine ? 2 : 1;
+            factor = result.topology == Topology::cosine ? 0.9 : 0.19;
+            exponent = result.topology == Topology::cosine ? 3.4 : 2.8;
+            least = 6;
+            break;
+        case Purpose::frequency:
+            result.order = 2;
+            factor = 33;
+            exponent = 3;
+            break;
+        case Purpose::time_loop:
+            factor = 0.18;
+            exponent = 2;
+            break;
+        case Purpose::friction:
+            factor = 1.4;
+            exponent = 1.85;
+            break;
+    }
+    const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
+    if (!(tolerance >= smallest && tolerance < 1)) {
+        const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): no more was measured";
+        detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
+    }
+    result.n = std::max(least, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
+    if (result.order > 0) result.n += result.n % 2;
+    result.n = std::min(result.n, largest);  // the rounding of pow
+    result.error_bound = std::min(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
+    return result;
+}
+
+}  // namespace rollbem

@@ -1,0 +1,77 @@
+// Richardson extrapolation of any result of a scheme whose order of convergence is known: c11, real or complex, a force.
+// Knows neither meshes nor matrices.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+/// Whether an extrapolated value can be used.
+enum class ExtrapolationStatus {
+    ok,
+    order_differs,  ///< the values do not converge with the order that was given; the finest of them is returned
+    not_finite,     ///< a value is not a number or infinite
+};
+
+/// Result of extrapolate().
+template <class Value>
+struct Extrapolation {
+    using Real = decltype(std::abs(Value()));
+
+    Value value{};  ///< extrapolated from the two finer values; the finest itself unless the status is ok
+    /// |value - the same of the two coarser values|: an upper estimate of the error in value, absolute.
+    Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
+    /// log2 |(coarse - middle) / (middle - fine)|; not a number where the values agree to rounding.
+    Real observed_order = std::numeric_limits<Real>::quiet_NaN();
+    ExtrapolationStatus status = ExtrapolationStatus::not_finite;
+};
+
+/// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine) elements.
+/// Nothing is checked: p must be known to fit. Throws std::invalid_argument unless `order` p is positive and finite.
+template <class Value>
+Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
+    detail::require(order > 0 && std::isfinite(order), "richardson", "order", order, "be positive and finite");
+    return fine + (fine - coarse) / (std::exp2(order) - 1);
+}
+
+/// Values of solve(n), solve(2n) and solve(4n), extrapolated with the given order if they show it: the observed order
+/// must lie within `band` of it. Refuses otherwise, as on meshes too coarse, for schemes whose error changes sign (the
+/// uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve. Values that agree to rounding count
+/// as converged. `solve` takes a number of elements and returns a real or complex number.
+/// Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and what solve throws.
+template <class Solve>
+auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band = 0.25)
+    -> Extrapolation<std::decay_t<decltype(solve(n))>> {
+    using Value = std::decay_t<decltype(solve(n))>;
+    using Real = typename Extrapolation<Value>::Real;
+    detail::require(n >= 1, "extrapolate", "n", n, "be at least 1");
+    detail::require(order > 0 && std::isfinite(order), "extrapolate", "order", order, "be positive and finite");
+    detail::require(band > 0 && std::isfinite(band), "extrapolate", "band", band, "be positive and finite");
+    const Value coarse = solve(n), middle = solve(2 * n), fine = solve(4 * n);
+    Extrapolation<Value> result;
+    result.value = fine;
+    const Real before = std::abs(coarse - middle), last = std::abs(middle - fine);
+    if (!std::isfinite(before) || !std::isfinite(last)) return result;
+    const Real rounding = static_cast<Real>(64 * n) * std::numeric_limits<Real>::epsilon() * std::abs(fine);
+    if (before <= rounding && last <= rounding) {
+        result.error_estimate = rounding;
+        result.status = ExtrapolationStatus::ok;
+        return result;
+    }
+    result.observed_order = std::log2(before / last);
+    result.status = ExtrapolationStatus::order_differs;
+    const Value extrapolated = richardson(middle, fine, static_cast<Real>(order));
+    result.error_estimate = std::abs(extrapolated - richardson(coarse, middle, static_cast<Real>(order)));
+    if (!(std::abs(result.observed_order - static_cast<Real>(order)) <= static_cast<Real>(band))) return result;
+    result.value = extrapolated;
+    result.status = ExtrapolationStatus::ok;
+    return result;
+}
+
+}  // namespace rollbem
