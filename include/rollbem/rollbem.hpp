@@ -11,6 +11,8 @@
 #include "elasticity/line_kernel.hpp"
 #include "problem/frequency.hpp"
 #include "problem/friction.hpp"
+#include "problem/recommendation.hpp"
+#include "problem/richardson.hpp"
 #include "problem/stability_count.hpp"
 #include "problem/steady.hpp"
 #include "problem/transient.hpp"
