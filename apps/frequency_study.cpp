@@ -27,9 +27,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-const std::vector<std::string> columns{"n",        "omega",    "c11_re",         "c11_im",
-                                       "exact_re", "exact_im", "relative_error", "alpha_L",
-                                       "alpha_T",  "lambda",   "order"};
+const std::vector<std::string> columns{"n",        "omega",          "c11_re",        "c11_im",  "exact_re",
+                                       "exact_im", "relative_error", "alpha_L",       "alpha_T", "lambda",
+                                       "order",    "rcond",          "error_estimate"};
 
 /// The frequencies, in units of V/a.
 std::vector<double> make_omegas(const study::Options& options) {
@@ -81,15 +81,20 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, st
         const bool trusted = point.status == rollbem::Status::ok;
         const Complex c11 = trusted ? point.c11 : Complex(std::nan(""), std::nan(""));
         study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
-        row.insert(row.end(), {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell()});
+        row.insert(row.end(), {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell(), point.rcond, study::Cell()});
         emit(std::move(row));
     }
 }
 
 // --- the polynomial approach ---------------------------------------------------------------------------------------
 
+struct PolynomialResult {
+    Complex c11;
+    double error_estimate;
+};
+
 /// Throws BadInput where monomials have broken down.
-Complex monomial_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
+PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
     constexpr Eigen::Index highest = 1000;
     const std::string name = "--order = " + std::to_string(order);
     if (order > highest) {
@@ -103,7 +108,15 @@ Complex monomial_c11(const rollbem::Contact<double>& contact, double omega, Eige
                               study::Cell(omega).text(6) + " it does not: " + rollbem::advice(solution.status) +
                               " (--basis chebyshev)");
     }
-    return solution.c11;
+    return {solution.c11, solution.error_estimate};
+}
+
+/// Chebyshev polynomials do not break down, but an order can be too low: then c11 is not a number, the estimate stays.
+PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
+    const rollbem::PolynomialC11<double> result =
+        rollbem::polynomial_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
+    const bool trusted = result.status == rollbem::PolynomialStatus::ok;
+    return {trusted ? result.c11 : Complex(std::nan(""), std::nan("")), result.error_estimate};
 }
 
 /// All rows, one for each order and frequency: what must be refused shows before anything is written.
@@ -133,12 +146,11 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
                                       " must be at most 1e8 without --order");
             }
             const Eigen::Index order = given ? *given : rollbem::default_polynomial_order(s);
-            const Complex c11 = monomial
-                                    ? monomial_c11(contact, omega, order)
-                                    : rollbem::polynomial_c11(s, contact.poisson_ratio(), contact.aspect(), order).c11;
-            study::Row row = response_cells({}, contact, omega, c11);
-            row.resize(columns.size() - 1);
-            row.emplace_back(order);
+            const PolynomialResult result =
+                monomial ? monomial_c11(contact, omega, order) : chebyshev_c11(contact, omega, order);
+            study::Row row = response_cells({}, contact, omega, result.c11);
+            row.resize(columns.size() - 3);  // no alphas, no lambda
+            row.insert(row.end(), {order, study::Cell(), result.error_estimate});
             rows.push_back(std::move(row));
         }
     }
@@ -229,8 +241,14 @@ int main(int argc, char** argv) {
         "the\n"
         "paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is "
         "refused.\n"
-        "c11 is empty where the equations are singular to working precision, exact and error for contacts so narrow\n"
-        "that the plane model does not decay.\n");
+        "c11 is empty where the equations are singular to working precision, where the scheme does not converge to "
+        "full\n"
+        "adhesion (alpha at or below 0, or beyond 1), and where --order is too low for eight digits; exact and error "
+        "for\n"
+        "contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal "
+        "condition;\n"
+        "rounding enters c11 by 2e-16/rcond. error_estimate: relative, of c11 by polynomials, truncation and "
+        "rounding.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene, or order, and frequency.

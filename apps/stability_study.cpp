@@ -48,7 +48,9 @@ const std::vector<std::string> count_columns{"method",
                                              "unstable_fraction",
                                              "spectral_abscissa",
                                              "cond_G",
-                                             "time_us"};
+                                             "time_us",
+                                             "spectral_radius",
+                                             "stiffness_ratio"};
 
 study::Row count_row(const study::Options& options, const study::Scene& scene) {
     // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
@@ -64,8 +66,9 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
     study::Row row{scene.method,  scene.derivative, scene.mesh_name, scene.n(),
                    scene.alpha_L, scene.alpha_T,    scene.lambda};
     if (result.status == rollbem::Status::ok) {
-        row.insert(row.end(), {result.unstable_count, result.uncertain_count, result.unstable_fraction(),
-                               result.spectral_abscissa, result.cond_G, time_us});
+        row.insert(row.end(),
+                   {result.unstable_count, result.uncertain_count, result.unstable_fraction(), result.spectral_abscissa,
+                    result.cond_G, time_us, result.spectral_radius, result.stiffness_ratio});
     }
     row.resize(count_columns.size());
     return row;
@@ -279,7 +282,12 @@ int main(int argc, char** argv) {
         "uncertain_count: those of either sign that rounding of G and G' could move across zero, infinite ones\n"
         "included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 with knothe-bc);\n"
         "spectral_abscissa: the largest real part of the finite ones; cond_G in the 2-norm, empty for a singular G;\n"
-        "time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs.\n"
+        "time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu "
+        "a|,\n"
+        "steps of an explicit integrator must stay below 2/spectral_radius; stiffness_ratio: the largest |Re(nu a)| "
+        "over "
+        "the\n"
+        "smallest. Both are empty where an eigenvalue is infinite.\n"
         "--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled\n"
         "eigenvalue, empty where there is none. Above it the scheme can be stable again. n = 320 takes half a minute.\n"
         "--spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in "

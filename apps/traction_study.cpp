@@ -69,7 +69,9 @@ int main(int argc, char** argv) {
         "One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit\n"
         "creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean\n"
         "over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.\n"
-        "Where G' is singular to working precision, traction and relative_error are empty.\n");
+        "Where G' is singular to working precision, and where tractions push with the creepage (alpha at or below 0, "
+        "or\n"
+        "beyond 1), traction and relative_error are empty.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each element of each scene.

@@ -23,8 +23,11 @@ bad '--omega' $s --omega 1
 # --- stability: columns, rows, numbers (kernel and contact of the published values)
 s="$stability --poisson 0.25"
 good 5 $s --n 20,40 --alpha-T 0.5,0.63
-header method,derivative,mesh,n,alpha_L,alpha_T,lambda,unstable_count,uncertain_count,unstable_fraction,spectral_abscissa,cond_G,time_us
+header method,derivative,mesh,n,alpha_L,alpha_T,lambda,unstable_count,uncertain_count,unstable_fraction,spectral_abscissa,cond_G,time_us,spectral_radius,stiffness_ratio
 check 'alpha_T up to 0.63 is stable' '$8 == 0 && $9 == 0 && $10 == 0 && $11 < 0 && $12 > 1 && $13 > 0'
+check 'spectral radius and stiffness ratio' '$14 > $4 / 2 && $14 >= -$11 && $15 > $4 && $15 <= $14 / -$11 * (1 + 1e-12)'
+good 2 $s --n 1 --alpha 0.5
+check 'one element: one eigenvalue' '$14 == -$11 && $15 == 1'
 good 2 $s --n 20 --alpha 0.55
 check 'equal alphas above 0.5 are unstable' '$8 > 0 && $10 == $8 / 20 && $11 > 0'
 good 2 $s --n 20 --alpha 1 --lambda 0.45
@@ -106,8 +109,16 @@ good 6 "$frequency" --method polynomial --omega 0,1,5,50,200
 check 'Chebyshev basis: machine precision' '$1 == "" && $7 < 1e-12 && $11 > 0'
 good 2 "$frequency" --method polynomial --basis monomial --order 20 --omega 1 --kernel plane
 check 'monomial basis' '$7 < 1e-13 && $11 == 20'
-good 3 "$frequency" --method polynomial --order 3,5 --omega 1
-awk -F, 'NR == 2 { low = $7 } END { exit !($7 < low / 10 && low > 1e-6) }' out || fail 'a higher order is better'
+good 3 "$frequency" --method polynomial --order 10,12 --omega 1
+awk -F, 'NR == 2 { low = $7 } END { exit !($7 < low / 10 && low > 1e-13) }' out || fail 'a higher order is better'
+check 'the estimate bounds the error' '$13 >= $7 && $13 < 1e-7 && $12 == ""'
+good 2 "$frequency" --method polynomial --order 5 --omega 1
+check 'an order that is too low gives an estimate alone' '$3 $4 $7 == "" && $5 != "" && $13 > 1e-7'
+good 4 $f --n 200 --omega 1,1e4,1e6
+check 'condition' '$12 > 0 && $12 < 1 && $13 == ""'
+awk -F, 'NR == 2 { near = $12 } END { exit !($12 < near / 1e3) }' out || fail 'the condition at high frequencies'
+good 3 $f --n 40,41 --alpha 1.5 --omega 1
+check 'a scheme that does not converge' '$3 $4 $7 == "" && $5 != ""'
 shards $f --n 7,9 --omega 0.1,1,3
 shards "$frequency" --method polynomial --order 10,20 --omega 0.1,1,3
 

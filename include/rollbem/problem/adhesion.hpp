@@ -7,8 +7,9 @@
 
 namespace rollbem::detail {
 
-/// More than this share of the traction on the wrong side, and a solution is no approximation. Schemes that converge
-/// stay at 0 but for zigzags at alpha below 0.1 on coarse meshes; others reach 0.3 to 1 with the number of elements.
+/// More than this share of the traction on the wrong side, and a solution is no approximation. Schemes whose tractions
+/// converge stay at 0 but for zigzags at alpha_T below 0.1 on coarse meshes; others reach 0.3 to 1 with the number of
+/// elements. Between the two, at 0.14 to 0.27, lies alpha_T = 0 with alpha_L > 0: zigzags that c11 averages out.
 inline constexpr double largest_assisting_share = 0.05;
 
 /// Share, in [0, 1], of the traction that pushes with a positive creepage: the part above zero of the sum of |p| dx.
