@@ -51,7 +51,7 @@ if have apt-get; then
     need_command gnuplot-nox gnuplot
     need_packages installed libeigen3-dev libgsl-dev catch2 libbenchmark-dev libcli11-dev
     if [ $ci = yes ]; then
-        need_packages installed clang-format-14 clang-14
+        need_packages installed clang-format-14 clang-14 libsimbody-dev
     fi
     [ -n "$missing" ] || exit 0
     say apt-get
