@@ -268,16 +268,20 @@ int main(int argc, char** argv) {
             run(scenes[task], models[task], history, dq, integrator, steps, exact ? &*exact : nullptr, range, emit);
         };
 
-        // 7. --plot: the force over the distance.
+        // 7. --plot: the force over the distance, and the exact one where there is one.
         table.plot = [&](const std::vector<study::Row>& rows) {
             study::Plot plot{.title = "Rolling from rest",
                              .x_label = "distance rolled q/a",
                              .y_label = "-F / (a G {/Symbol x}_{ref})",
                              .series = {}};
-            study::add_series(plot, table.columns, rows,
-                              {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"},
-                               .x = "q_over_a",
-                               .y = "force"});
+            const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
+            study::add_series(plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
+            if (plot.series.size() == 1) plot.series.front().label = "computed";
+            study::Plot exact_plot = plot;
+            study::add_series(exact_plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});
+            plot.series.push_back(exact_plot.series[plot.series.size()]);  // the same for all schemes
+            plot.series.back().label = "exact";
+            plot.series.back().style = 6;  // black and dashed
             for (study::Series& series : plot.series) series.markers = false;
             return plot;
         };
