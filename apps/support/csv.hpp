@@ -2,18 +2,9 @@
 // and the TOML file beside a CSV file that says how it was made.
 #pragma once
 
-#include <array>
-#include <atomic>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <concepts>
-#include <csignal>
 #include <cstddef>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,13 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include <Eigen/Core>
-#include <fcntl.h>
-#include <gsl/gsl_version.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include "build_info.hpp"
 #include "errors.hpp"
 #include "options.hpp"
 
@@ -47,18 +31,7 @@ public:
     Cell(const std::optional<Value>& value) : Cell(value ? Cell(*value) : Cell()) {}
 
     /// Numbers with up to 17 significant digits (by default), which is what a double needs to be read back exactly.
-    std::string text(int digits = 17) const {
-        if (const auto* text = std::get_if<std::string>(&value_)) return *text;
-        std::array<char, 64> buffer;
-        char* const end = buffer.data() + buffer.size();
-        if (const auto* number = std::get_if<double>(&value_)) {
-            return {buffer.data(), std::to_chars(buffer.data(), end, *number, std::chars_format::general, digits).ptr};
-        }
-        if (const auto* integer = std::get_if<long long>(&value_)) {
-            return {buffer.data(), std::to_chars(buffer.data(), end, *integer).ptr};
-        }
-        return {};
-    }
+    std::string text(int digits = 17) const;
 
     std::optional<double> number() const {
         if (const auto* number = std::get_if<double>(&value_)) return *number;
@@ -73,273 +46,58 @@ private:
 using Row = std::vector<Cell>;
 
 /// A row as a line of CSV.
-inline std::string csv_line(const Row& row) {
-    std::string line;
-    for (const Cell& cell : row) {
-        if (&cell != &row.front()) line += ',';
-        const std::string text = cell.text();
-        if (text.find_first_of(",\"\r\n") == std::string::npos) {
-            line += text;
-            continue;
-        }
-        line += '"';
-        for (const char c : text) line.append(c == '"' ? 2 : 1, c);
-        line += '"';
-    }
-    return line += '\n';
-}
+std::string csv_line(const Row& row);
 
 namespace detail {
 
-// Temporary files that a signal must remove. A handler may touch lock-free atomics and plain memory only.
-struct TemporaryPath {
-    std::atomic<bool> used{false};
-    std::array<char, 4096> path{};
-};
-inline std::array<TemporaryPath, 8> temporary_paths;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" inline void remove_temporaries_and_exit(int signal) {
-    for (const TemporaryPath& temporary : temporary_paths) {
-        if (temporary.used) ::unlink(temporary.path.data());
-    }
-    ::_exit(128 + signal);
-}
+struct TemporaryPath;
 
 }  // namespace detail
 
 /// An interrupt ends the program with 128 + its number and leaves no partial file; a closed pipe is an error of write().
-inline void handle_signals() {
-    struct sigaction action {};
-    action.sa_handler = detail::remove_temporaries_and_exit;
-    sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-    struct sigaction hangup {};
-    sigaction(SIGHUP, nullptr, &hangup);
-    if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // not under nohup
-    std::signal(SIGPIPE, SIG_IGN);
-}
+void handle_signals();
 
 /// A file to write from start to end. A regular file is written under another name beside it and takes its own name in
 /// commit(); without commit() nothing is left. Pipes and devices are written to directly.
 class OutputFile {
 public:
-    static OutputFile standard_output() { return OutputFile("standard output", STDOUT_FILENO); }
+    static OutputFile standard_output();
 
     /// `name` is the option or quantity that named the path, for messages. Throws BadInput when it cannot be written.
-    OutputFile(const std::string& path, const std::string& name) : shown_(path) {
-        namespace fs = std::filesystem;
-        const auto refuse = [&](const std::string& why) {
-            throw BadInput(name + " = " + path + " must be a file that can be written: " + why);
-        };
-        std::error_code error;
-        if (path == "/dev/stdout") {
-            descriptor_ = ::dup(STDOUT_FILENO);
-            if (descriptor_ < 0) refuse(std::strerror(errno));
-            return;
-        }
-        const fs::file_status status = fs::status(path, error);
-        if (fs::is_directory(status)) refuse("it is a directory");
-        const bool special = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
-        if (fs::exists(status) && (special || !fs::is_regular_file(status))) {
-            descriptor_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-            if (descriptor_ < 0) refuse(std::strerror(errno));
-            return;
-        }
-        if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-        target_ = fs::exists(status) ? fs::canonical(path, error).string() : path;  // a link stays a link
-        temporary_ = target_ + ".part-" + std::to_string(::getpid());
-        for (detail::TemporaryPath& slot : detail::temporary_paths) {
-            if (slot.used || temporary_.size() >= slot.path.size()) continue;
-            std::memcpy(slot.path.data(), temporary_.c_str(), temporary_.size() + 1);
-            slot_ = &slot;
-            break;
-        }
-        if (slot_ == nullptr) refuse("its name is too long");
-        slot_->used = true;
-        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0) {
-            slot_->used = false;
-            refuse(std::strerror(errno));
-        }
-        struct stat before {};
-        if (fs::exists(status) && ::stat(target_.c_str(), &before) == 0) {
-            [[maybe_unused]] const int kept = ::fchmod(descriptor_, before.st_mode & 07777);  // best effort
-        }
-    }
+    OutputFile(const std::string& path, const std::string& name);
 
-    OutputFile(OutputFile&& other) noexcept
-        : shown_(std::move(other.shown_)),
-          target_(std::move(other.target_)),
-          temporary_(std::move(other.temporary_)),
-          buffer_(std::move(other.buffer_)),
-          descriptor_(std::exchange(other.descriptor_, -1)),
-          slot_(std::exchange(other.slot_, nullptr)) {}
+    OutputFile(OutputFile&& other) noexcept;
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     OutputFile& operator=(OutputFile&&) = delete;
 
-    ~OutputFile() {
-        if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
-        remove_temporary();
-    }
+    ~OutputFile();
 
-    bool is_regular() const { return !target_.empty(); }  ///< written under another name first
-    const std::string& path() const { return shown_; }
-    int descriptor() const { return descriptor_; }
+    bool is_regular() const;  ///< written under another name first
+    const std::string& path() const;
+    int descriptor() const;
 
-    void write(std::string_view text) {
-        buffer_ += text;
-        if (buffer_.size() >= 65536) flush();
-    }
+    void write(std::string_view text);
 
     /// Hands everything to the system. Throws WriteError.
-    void flush() {
-        std::string_view rest = buffer_;
-        while (!rest.empty()) {
-            const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail(errno);
-            rest.remove_prefix(static_cast<std::size_t>(written));
-        }
-        buffer_.clear();
-    }
+    void flush();
 
     /// Ends the file and gives it its name. Throws WriteError.
-    void commit() {
-        flush();
-        if (descriptor_ > STDERR_FILENO && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
-        if (slot_ == nullptr) return;
-        if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-        slot_->used = false;
-        slot_ = nullptr;
-    }
+    void commit();
 
 private:
-    OutputFile(std::string shown, int descriptor) : shown_(std::move(shown)), descriptor_(descriptor) {}
+    OutputFile(std::string shown, int descriptor);
 
-    [[noreturn]] void fail(int error) const {
-        throw WriteError(shown_ + " cannot be written: " + std::strerror(error));
-    }
+    [[noreturn]] void fail(int error) const;
 
-    void remove_temporary() {
-        if (slot_ == nullptr) return;
-        ::unlink(temporary_.c_str());
-        slot_->used = false;
-        slot_ = nullptr;
-    }
+    void remove_temporary();
 
     std::string shown_, target_, temporary_, buffer_;
     int descriptor_ = -1;
     detail::TemporaryPath* slot_ = nullptr;
 };
 
-namespace detail {
-
-/// A TOML basic string. Bytes that are not UTF-8, which TOML does not allow, become U+FFFD.
-inline std::string toml_string(std::string_view text) {
-    std::string result = "\"";
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t length = byte < 0x80                   ? 1
-                                   : byte >= 0xC2 && byte < 0xE0 ? 2
-                                   : (byte & 0xF0) == 0xE0       ? 3
-                                   : byte >= 0xF0 && byte < 0xF5 ? 4
-                                                                 : 0;
-        bool valid = length > 0 && i + length <= text.size();
-        for (std::size_t k = 1; valid && k < length; ++k) {
-            valid = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-        }
-        if (!valid) {
-            result += "\\uFFFD";
-            ++i;
-            continue;
-        }
-        if (byte == '"' || byte == '\\') {
-            result += '\\';
-            result += text[i];
-        } else if (byte < 0x20 || byte == 0x7F) {
-            std::array<char, 8> escape;
-            std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(byte));
-            result += escape.data();
-        } else {
-            result += text.substr(i, length);
-        }
-        i += length;
-    }
-    return result += '"';
-}
-
-/// A command line as a shell takes it.
-inline std::string shell_quoted(const std::vector<std::string>& words) {
-    std::string result;
-    for (const std::string& word : words) {
-        if (!result.empty()) result += ' ';
-        const bool plain = !word.empty() && word.find_first_not_of(
-                                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                "0123456789_-+=./,:@%") == std::string::npos;
-        if (plain) {
-            result += word;
-            continue;
-        }
-        result += '\'';
-        for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
-        result += '\'';
-    }
-    return result;
-}
-
-inline std::string cpu_name() {
-    std::ifstream file("/proc/cpuinfo");
-    std::string line;
-    while (std::getline(file, line)) {
-        const std::size_t colon = line.find(':');
-        if (line.rfind("model name", 0) == 0 && colon != std::string::npos)
-            return std::string(trim(line.substr(colon + 1)));
-    }
-    return "unknown";
-}
-
-inline std::string eigen_version() {
-#ifdef EIGEN_VERSION_STRING
-    return EIGEN_VERSION_STRING;
-#else
-    return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-           std::to_string(EIGEN_MINOR_VERSION);
-#endif
-}
-
-}  // namespace detail
-
 /// The TOML file that stands beside a CSV file.
-inline std::string sidecar_text(const Options& options) {
-    std::string text;
-    const auto entry = [&](std::string_view key, std::string_view value) {
-        text += std::string(key) + " = " + detail::toml_string(value) + "\n";
-    };
-    entry("program", options.program());
-    entry("command_line", detail::shell_quoted(options.words()));
-    entry("version", build_info::version);
-    entry("git_revision", build_info::git_revision);
-    text += "\n[options]  # with defaults; what mesh and method do not use has no effect\n";
-    for (const auto& [name, value] : options.values()) entry(name, value);
-    text += "\n[build]\n";
-    entry("compiler", build_info::compiler);
-    entry("flags", build_info::flags);
-    entry("build_type", build_info::build_type);
-    entry("eigen", detail::eigen_version());
-    entry("gsl", gsl_version);
-    text += "\n[machine]\n";
-    entry("cpu", detail::cpu_name());
-    text += "\n[conventions]\n";
-    entry("x", "rolling direction in units of the half-length a; leading edge at x/a = 1, trailing edge at x/a = -1");
-    entry("elements", "numbered from the trailing edge to the leading edge");
-    entry("signs", "traction acts on body 1 (the wheel); positive creepage gives negative traction and force");
-    entry("c11", "-force per width / (a G creepage); c11_exact = pi/(2(1-nu)), plane limit b >> a of a rectangle");
-    entry("units", "dimensionless with a = G = V = 1; columns ending in _us in microseconds");
-    entry("errors", "relative_error = value/exact - 1, signed, for real quantities; absolute value for complex ones");
-    entry("cells", "17 significant digits; an undefined value is an empty cell");
-    return text;
-}
+std::string sidecar_text(const Options& options);
 
 }  // namespace study

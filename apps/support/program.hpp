@@ -1,57 +1,13 @@
 // The frame of every study's main(): reads the command line, runs, and turns exceptions into exit codes and one line.
 #pragma once
 
-#include <cstdio>
-#include <exception>
-#include <new>
-#include <stdexcept>
-#include <string>
-#include <utility>
+#include <functional>
 
-#include <gsl/gsl_errno.h>
-
-#include "csv.hpp"
-#include "errors.hpp"
 #include "options.hpp"
 
 namespace study {
 
-namespace detail {
-
-inline int report(const Options& options, std::string message, ExitCode code) {
-    for (char& c : message) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    }
-    std::fprintf(stderr, "%s: %s\n", options.program().c_str(), message.c_str());
-    return code;
-}
-
-}  // namespace detail
-
 /// Runs body(options) after the command line was read; its return value is the exit code.
-template <class Body>
-int run_program(Options& options, int argc, const char* const* argv, const Body& body) {
-    gsl_set_error_handler_off();  // the default handler aborts the program
-    handle_signals();
-    try {
-        if (const std::optional<std::string> text = options.parse(argc, argv)) {
-            OutputFile standard_output = OutputFile::standard_output();
-            standard_output.write(*text);
-            standard_output.commit();
-            return exit_ok;
-        }
-        return body(std::as_const(options));
-    } catch (const std::invalid_argument& error) {
-        return detail::report(options, error.what(), exit_bad_input);
-    } catch (const std::bad_alloc&) {
-        return detail::report(options, "not enough memory; --n must be smaller", exit_bad_input);
-    } catch (const PlotError& error) {
-        return detail::report(options, error.what(), exit_no_plot);
-    } catch (const WriteError& error) {
-        return detail::report(options, error.what(), exit_write_error);
-    } catch (const std::exception& error) {
-        return detail::report(options, error.what(), exit_failed);
-    }
-}
+int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body);
 
 }  // namespace study

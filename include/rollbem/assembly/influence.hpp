@@ -200,4 +200,10 @@ InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& schem
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }
 
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
+                                                                 Eigen::Index, Eigen::Index,
+                                                                 const detail::KernelView<double>&, detail::Quantity);
+#endif
+
 }  // namespace rollbem

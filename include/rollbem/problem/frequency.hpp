@@ -284,4 +284,10 @@ private:
     bool consistent_ = false;  // the steady solution opposes the creepage
 };
 
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template HarmonicSolution<double> solve_exponential<double>(const InfluenceMatrices<double>&,
+                                                                   const ArrayX<double>&, std::complex<double>);
+extern template class FrequencySweep<double>;
+#endif
+
 }  // namespace rollbem

@@ -438,4 +438,8 @@ private:
 };
 
 }  // namespace detail
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template class detail::ActiveSet<double>;
+#endif
+
 }  // namespace rollbem

@@ -97,4 +97,8 @@ private:
     MatrixX<Scalar> G_, G_prime_;
 };
 
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template class FrictionModel<double>;
+#endif
+
 }  // namespace rollbem

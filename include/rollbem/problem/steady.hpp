@@ -88,4 +88,8 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
     return solution;
 }
 
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template UnitSteadySolution<double> solve_steady<double>(MatrixX<double>, const ArrayX<double>&);
+#endif
+
 }  // namespace rollbem

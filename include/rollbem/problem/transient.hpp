@@ -409,4 +409,8 @@ private:
     std::array<Scalar, 10> b_{};
 };
 
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template class TransientModel<double>;
+#endif
+
 }  // namespace rollbem

@@ -1,0 +1,10 @@
+// Eigenvalues compiled for double.
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/stability_count.hpp>
+
+namespace rollbem {
+
+template StabilityResult<double> solve_stability<double>(const InfluenceMatrices<double>&, StabilityOptions);
+template UnstableCount<double> count_unstable<double>(const InfluenceMatrices<double>&);
+
+}  // namespace rollbem

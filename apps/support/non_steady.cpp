@@ -1,0 +1,33 @@
+#include "non_steady.hpp"
+
+#include <cmath>
+#include <variant>
+
+#include <rollbem/closed_form/carter.hpp>
+
+#include "csv.hpp"
+#include "errors.hpp"
+
+namespace study {
+
+bool plane_model_decays(const rollbem::Contact<double>& contact) {
+    return rollbem::plane_lambda(contact.poisson_ratio(), contact.aspect()) > 0;
+}
+
+void require_plane_model(const Options& options, const rollbem::Contact<double>& contact) {
+    if (plane_model_decays(contact)) return;
+    const double nu = contact.poisson_ratio();
+    throw BadInput(options.said("aspect") +
+                   " must be larger than exp(-nu/(1-nu))/4 = " + Cell(std::exp(-nu / (1 - nu)) / 4).text(4) +
+                   " for the plane model: below, Lambda = ln(4b/a) + nu/(1-nu) is not positive and the model itself, "
+                   "before any discretisation, is unstable in time; --kernel strip has no such limit");
+}
+
+std::vector<Scene> make_non_steady_scenes(const Options& options) {
+    std::vector<Scene> scenes = make_scenes(options, Problem::non_steady);
+    const Scene& any = scenes.front();  // all have the same contact and kernel
+    if (std::holds_alternative<rollbem::PlaneKernel<double>>(any.kernel)) require_plane_model(options, any.contact);
+    return scenes;
+}
+
+}  // namespace study

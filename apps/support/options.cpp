@@ -1,0 +1,281 @@
+#include "options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "build_info.hpp"
+
+namespace study {
+
+namespace {
+
+/// Breaks lines at blanks so that none is longer than `width` where that can be helped.
+/// Breaks lines at blanks so that none is longer than `width` where that can be helped.
+std::string wrap(const std::string& text, std::size_t width) {
+    std::istringstream words(text);
+    std::string word, result;
+    std::size_t column = 0;
+    while (words >> word) {
+        if (column > 0) {
+            const bool breaks = column + 1 + word.size() > width;
+            result += breaks ? '\n' : ' ';
+            column = breaks ? 0 : column + 1;
+        }
+        result += word;
+        column += word.size();
+    }
+    return result;
+}
+
+double to_number(const std::string& name, const std::string& text, const Rule& rule) {
+    const std::optional<double> value = detail::parse_number<double>(text);
+    if (!value) throw BadInput("--" + name + " = " + text + " must be a number and " + rule.text);
+    if (!rule.holds(*value)) throw BadInput("--" + name + " = " + text + " must " + rule.text);
+    return *value;
+}
+
+std::ptrdiff_t to_integer(const std::string& name, const std::string& text, std::ptrdiff_t low, std::ptrdiff_t high) {
+    const std::optional<std::ptrdiff_t> value = detail::parse_number<std::ptrdiff_t>(text);
+    if (!value || *value < low || *value > high) {
+        throw BadInput("--" + name + " = " + text + " must be an integer in [" + std::to_string(low) + ", " +
+                       std::to_string(high) + "]");
+    }
+    return *value;
+}
+
+}  // namespace
+
+Rule between(double low, double high) {
+    std::ostringstream text;
+    text.precision(12);
+    text << "lie in [" << low << ", " << high << "]";
+    return {[=](double value) { return value >= low && value <= high; }, text.str()};
+}
+
+Rule positive() {
+    return {[](double value) { return value > 0 && std::isfinite(value); }, "be positive and finite"};
+}
+
+Rule positive_or_infinite() {
+    return {[](double value) { return value > 0; }, "be positive (inf is allowed)"};
+}
+
+std::string_view detail::trim(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+    return CLI::detail::join(words, separator);
+}
+
+Options::Options(std::string program, const std::string& purpose)
+    : program_(std::move(program)), app_(std::make_unique<CLI::App>(purpose, program_)) {
+    app_->get_formatter()->column_width(28);
+    app_->set_help_flag("-h,--help", "print this help and exit")->group("Program");
+    app_->set_version_flag("--version", version())->group("Program");
+    app_->get_option("--version")->description("print version and git revision and exit");
+    app_->set_config("--config", "", "read options from a TOML or INI file, e.g. alpha-T = 0.63; the command line wins")
+        ->type_name("FILE")
+        ->group("Program");
+    app_->allow_config_extras(CLI::config_extras_mode::error);
+
+    group("Discretisation");
+    add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
+    add("mesh", "NAME", "uniform, geometric, knothe, modified-knothe or cosine", "uniform");
+    add("edges", "FILE", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
+    add("size-ratio", "R", "geometric mesh: dx_trailing / dx_leading (dimensionless)", "2");
+    add("epsilon", "E",
+        "knothe, modified-knothe mesh: size of the end element over that of an inner one (dimensionless)", "0.4");
+    add("method", "NAME", "collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary conditions)",
+        "collocation");
+    add("quadrature", "N|exact", "galerkin: 1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact");
+    add("alpha-L", "LIST",
+        "position of the leading element's point ahead of its centre, in widths of the element, -2 to 2 "
+        "(dimensionless)",
+        "0");
+    add("alpha-T", "LIST", "the same at the trailing element; linear in between (dimensionless)", "0.63");
+    add("alpha", "LIST", "sets alpha-L and alpha-T to the same values (dimensionless)");
+    add("lambda", "LIST", "G is taken at lambda times these alphas, 0 to 1 (dimensionless)", "1");
+    add("derivative", "NAME", "fd or analytic; default: fd, but analytic for galerkin with exact quadrature");
+
+    group("Contact");
+    add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
+    add("aspect", "B",
+        "b/a; inf in steady problems (dimensionless). With the plane kernel no steady result "
+        "depends on it",
+        "1000");
+    add("poisson", "NU", "Poisson's ratio, 0 to 0.5 (dimensionless)", "0.28");
+
+    group("Output");
+    add("output", "FILE", "CSV file; besides, FILE.toml says how it was made. Default: standard output");
+    add("plot", "FILE", "draw the result with gnuplot; FILE ends in .svg or .png");
+    add("jobs", "N", "rows computed at a time, 1 to 1024; above 1 the columns of times stay empty (dimensionless)",
+        "1");
+    add("shard", "K/N", "only the K-th of N blocks of rows; the parts concatenate to the whole (dimensionless)");
+    add_flag("quiet", "no progress line");
+    group("Study");
+}
+
+Options::Options(Options&&) noexcept = default;
+Options::~Options() = default;
+
+void Options::group(const std::string& heading) { group_ = heading; }
+
+void Options::add(const std::string& name, const std::string& value, const std::string& help,
+                  const std::string& default_text) {
+    const std::string nothing;
+    CLI::Option* option = app_->add_option("--" + name, nothing);
+    // Every use of the option is kept; how many there may be is checked when its values are read.
+    option->type_name(value)->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    option->group(group_);
+    entries_[name] = {option, help, ""};
+    set_default(name, default_text);
+}
+
+void Options::add_flag(const std::string& name, const std::string& help) {
+    CLI::Option* option = app_->add_flag("--" + name, help);
+    option->group(group_);
+    entries_[name] = {option, help, ""};
+}
+
+void Options::set_default(const std::string& name, const std::string& default_text) {
+    Entry& entry = entries_.at(name);
+    entry.default_text = default_text;
+    const std::string shown = default_text.empty() ? "" : "; default " + default_text;
+    entry.option->description(wrap(entry.help + shown, 82));
+}
+
+void Options::refuse(const std::string& name, const std::string& reason) {
+    entries_.at(name).option->group("");
+    refused_.emplace_back(name, reason);
+}
+
+void Options::footer(const std::string& text) {
+    app_->footer(text +
+                 "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
+                 "3 --plot without\ngnuplot (the CSV is written); 4 error while writing; 130 interrupted.");
+}
+
+std::optional<std::string> Options::parse(int argc, const char* const* argv) {
+    words_.assign(argv, argv + argc);
+    try {
+        app_->parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::string help = app_->help();
+        for (std::size_t i = 0; (i = help.find("\n\n\n", i)) != std::string::npos;) help.erase(i, 1);
+        return help;
+    } catch (const CLI::CallForVersion&) {
+        return version() + "\n";
+    } catch (const CLI::FileError&) {
+        throw BadInput("--config = " + app_->get_config_ptr()->results().back() + " must be a file that can be read");
+    } catch (const CLI::ConfigError& error) {
+        throw BadInput("--config: " + std::string(error.what()) + "; see --help for the names that are allowed");
+    } catch (const CLI::ParseError& error) {
+        throw BadInput(std::string(error.what()) + "; see --help");
+    }
+    for (const auto& [name, reason] : refused_) {
+        if (given(name)) throw BadInput(said(name) + " cannot be used here: " + reason);
+    }
+    return std::nullopt;
+}
+
+const std::string& Options::program() const { return program_; }
+
+const std::vector<std::string>& Options::words() const { return words_; }
+
+bool Options::given(const std::string& name) const { return entry(name).option->count() > 0; }
+
+std::string Options::said(const std::string& name) const {
+    const std::string value = joined(name);
+    return "--" + name + " = " + (value.empty() ? "''" : value);
+}
+
+void Options::ignored(const std::string& name, const std::string& reason) const {
+    if (given(name)) throw BadInput(said(name) + " has no effect " + reason);
+}
+
+bool Options::flag(const std::string& name) const {
+    if (!given(name)) return false;
+    const std::string value = entry(name).option->results().back();
+    if (value != "true" && value != "false") throw BadInput("--" + name + " = " + value + " must be true or false");
+    return value == "true";
+}
+
+std::string Options::text(const std::string& name) const {
+    const std::vector<std::string> values = raw(name);
+    if (values.size() > 1) throw BadInput(said(name) + " must be a single value");
+    if (given(name) && values.front().empty()) throw BadInput(said(name) + " must not be empty");
+    return values.empty() ? std::string() : values.front();
+}
+
+std::string Options::choice(const std::string& name, const std::vector<std::string>& names) const {
+    const std::string value = text(name);
+    if (std::find(names.begin(), names.end(), value) == names.end()) {
+        throw BadInput(said(name) + " must be one of " + join(names, ", "));
+    }
+    return value;
+}
+
+double Options::number(const std::string& name, const Rule& rule) const { return to_number(name, text(name), rule); }
+
+std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
+    return to_integer(name, text(name), low, high);
+}
+
+template <class Number, class Read>
+std::vector<Number> Options::list(const std::string& name, const Read& read) const {
+    std::vector<Number> result;
+    for (const std::string& text : raw(name)) {
+        std::size_t begin = 0;
+        while (begin <= text.size()) {
+            const std::size_t end = std::min(text.find(',', begin), text.size());
+            const std::string item(detail::trim(std::string_view(text).substr(begin, end - begin)));
+            if (item.empty()) throw BadInput(said(name) + " must be a list without empty items");
+            const Number value = read(item);
+            if (std::find(result.begin(), result.end(), value) != result.end()) {
+                throw BadInput(said(name) + " must be a list without repeated items: " + item + " is there twice");
+            }
+            result.push_back(value);
+            begin = end + 1;
+        }
+    }
+    return result;
+}
+
+std::vector<double> Options::numbers(const std::string& name, const Rule& rule) const {
+    return list<double>(name, [&](const std::string& item) { return to_number(name, item, rule); });
+}
+
+std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
+    return list<std::ptrdiff_t>(name, [&](const std::string& item) { return to_integer(name, item, low, high); });
+}
+
+std::vector<std::pair<std::string, std::string>> Options::values() const {
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const auto& [name, entry] : entries_) {
+        const bool is_refused = entry.option->get_group().empty();
+        if (!is_refused && !raw(name).empty()) result.emplace_back(name, joined(name));
+    }
+    return result;
+}
+
+std::string Options::version() const {
+    return program_ + " " + std::string(build_info::version) + " (" + std::string(build_info::git_revision) + ")";
+}
+
+const Options::Entry& Options::entry(const std::string& name) const { return entries_.at(name); }
+
+std::vector<std::string> Options::raw(const std::string& name) const {
+    if (given(name)) return entry(name).option->results();
+    const std::string& default_text = entry(name).default_text;
+    return default_text.empty() ? std::vector<std::string>{} : std::vector<std::string>{default_text};
+}
+
+std::string Options::joined(const std::string& name) const { return join(raw(name), ","); }
+
+}  // namespace study

@@ -1,0 +1,175 @@
+#include "plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace study {
+
+namespace {
+
+std::string gnuplot_string(std::string text) {
+    for (std::size_t i = text.find('\''); i != std::string::npos; i = text.find('\'', i + 2)) text.insert(i, 1, '\'');
+    return "'" + text + "'";
+}
+
+std::string number_text(double number) {
+    std::array<char, 32> buffer;
+    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
+}
+
+std::string panel_script(const Plot& plot) {
+    constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+    constexpr std::array dashes{"1", "(12,6)", "(3,4)", "(12,5,3,5)", "(20,6,6,6)"};
+    constexpr std::array markers{7, 5, 9, 13, 6, 4, 8, 12};
+    const auto usable = [&](const std::pair<double, double>& point) {
+        return (!plot.log_x || point.first > 0) && (!plot.log_y || point.second > 0);
+    };
+    std::string script;
+    script += "set title " + gnuplot_string(plot.title) + "\nset xlabel " + gnuplot_string(plot.x_label) +
+              "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
+    script += "set key outside right top vertical\nset autoscale xfix\nset format '%h'\n";
+    for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
+        if (is_log) script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\n";
+    }
+    for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
+        if (!range) continue;
+        script +=
+            "set " + std::string(axis) + "range [" + number_text(range->low) + ":" + number_text(range->high) + "]\n";
+    }
+    std::string commands;
+    for (std::size_t k = 0; k < plot.series.size(); ++k) {
+        const Series& series = plot.series[k];
+        if (std::none_of(series.points.begin(), series.points.end(), usable)) continue;
+        const std::string data = "$data" + std::to_string(k);
+        script += data + " << EOD\n";
+        for (const auto& point : series.points) {
+            if (usable(point)) script += number_text(point.first) + " " + number_text(point.second) + "\n";
+        }
+        script += "EOD\n";
+        const std::string kind = !series.markers ? "lines" : series.line ? "linespoints" : "points";
+        const std::size_t style = series.style.value_or(k);
+        commands += (commands.empty() ? "plot " : ", ") + data + " with " + kind + " lw 2 lc rgb '" +
+                    colours[style % colours.size()] + "'";
+        if (series.line) commands += " dt " + std::string(dashes[style % dashes.size()]);
+        if (series.markers) commands += " pt " + std::to_string(markers[style % markers.size()]);
+        commands += series.label.empty() ? " notitle" : " title " + gnuplot_string(series.label);
+    }
+    if (commands.empty()) throw PlotError("the plot has no point to draw");
+    return script + commands + "\n";
+}
+
+std::string gnuplot_script(const Plot& plot, bool png) {
+    const std::size_t panels = 1 + plot.beside.size();
+    const auto size = [&](std::size_t width, std::size_t height) {
+        return "size " + std::to_string(panels * width) + "," + std::to_string(height) + " ";
+    };
+    std::string script = "set encoding utf8\n";
+    if (png) {
+        script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + size(1200, 800) +
+                  "enhanced font 'sans,16' background '#ffffff'; else set terminal png " + size(1200, 800) +
+                  "enhanced background '#ffffff'\n";
+    } else {
+        script += "set terminal svg " + size(900, 600) + "dynamic enhanced font 'sans,14' background '#ffffff'\n";
+    }
+    if (panels > 1) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
+    script += panel_script(plot);
+    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel);
+    if (panels > 1) script += "unset multiplot\n";
+    return script;
+}
+
+}  // namespace
+
+void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
+                const Selection& selection) {
+    const auto column = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+    };
+    std::map<std::vector<std::string>, std::size_t> found;
+    std::vector<std::vector<std::string>> keys;
+    std::vector<Series> series;
+    for (const Row& row : rows) {
+        std::vector<std::string> key;
+        for (const std::string& name : selection.by) key.push_back(row[column(name)].text(6));
+        const auto [position, is_new] = found.try_emplace(key, series.size());
+        if (is_new) {
+            keys.push_back(key);
+            series.emplace_back();
+        }
+        const std::optional<double> x = row[column(selection.x)].number(), y = row[column(selection.y)].number();
+        if (x && y) series[position->second].points.emplace_back(*x, selection.absolute ? std::abs(*y) : *y);
+    }
+    const auto append = [](std::string& text, const std::string& name, const std::string& value) {
+        if (value.empty()) return;
+        const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos;
+        text += (text.empty() ? "" : ", ") + (speaks ? value : name + " = " + value);
+    };
+    for (std::size_t i = 0; i < selection.by.size(); ++i) {
+        const bool shared =
+            std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key[i] == keys[0][i]; });
+        if (shared && !keys.empty()) append(plot.title, selection.by[i], keys[0][i]);
+        for (std::size_t k = 0; k < keys.size() && !shared; ++k) append(series[k].label, selection.by[i], keys[k][i]);
+    }
+    if (series.size() == 1) series[0].label = plot.y_label;
+    plot.series.insert(plot.series.end(), series.begin(), series.end());
+}
+
+bool plot_is_png(const Options& options) {
+    const std::string path = options.text("plot");
+    const std::string ending = std::filesystem::path(path).extension().string();
+    if (ending != ".svg" && ending != ".png") throw BadInput(options.said("plot") + " must end in .svg or .png");
+    return ending == ".png";
+}
+
+void draw(const Plot& plot, OutputFile& file, bool png) {
+    const std::string script = gnuplot_script(plot, png);
+    std::array<int, 2> pipe{};
+    if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
+        throw PlotError(std::string("no pipe to gnuplot: ") + std::strerror(errno));
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, pipe[0], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, file.descriptor(), STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    std::string program = "gnuplot";
+    std::array<char*, 2> arguments{program.data(), nullptr};
+    pid_t child = 0;
+    const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(pipe[0]);
+    if (error != 0) {
+        ::close(pipe[1]);
+        throw PlotError("--plot = " + file.path() + " needs gnuplot, which cannot be started (" + std::strerror(error) +
+                        "); the rows are written");
+    }
+    std::string_view rest = script;
+    while (!rest.empty()) {  // a gnuplot that dies early shows in its status
+        const ssize_t written = ::write(pipe[1], rest.data(), rest.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) break;
+        rest.remove_prefix(static_cast<std::size_t>(written));
+    }
+    ::close(pipe[1]);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw PlotError("--plot = " + file.path() + ": gnuplot failed; the rows are written");
+    }
+    file.commit();
+}
+
+}  // namespace study

@@ -1,0 +1,166 @@
+#include "table.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <unistd.h>
+
+#include "progress.hpp"
+
+namespace study {
+
+namespace {
+
+struct Shard {
+    std::size_t index = 1, count = 1;  ///< 1 <= index <= count
+
+    RowRange rows(std::size_t total) const { return {total * (index - 1) / count, total * index / count}; }
+};
+
+Shard shard_of(const Options& options) {
+    if (!options.given("shard")) return {};
+    const std::string text = options.text("shard");
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto index = detail::parse_number<std::uint32_t>(std::string_view(text).substr(0, slash));
+    const auto count =
+        detail::parse_number<std::uint32_t>(std::string_view(text).substr(std::min(slash + 1, text.size())));
+    if (!index || !count || *index < 1 || *index > *count || *count > 1000000) {
+        throw BadInput(options.said("shard") + " must be K/N with 1 <= K <= N <= 1000000");
+    }
+    return {*index, *count};
+}
+
+struct Task {
+    std::size_t index;
+    RowRange range;
+};
+
+/// The tasks and their rows that make up `wanted` rows of the table.
+std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
+    std::vector<Task> tasks;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < table.rows_of_task.size(); ++i) {
+        const std::size_t end = begin + table.rows_of_task[i];
+        const std::size_t first = std::max(begin, wanted.first), last = std::min(end, wanted.last);
+        if (first < last) tasks.push_back({i, {first - begin, last - begin}});
+        begin = end;
+    }
+    return tasks;
+}
+
+/// Computes tasks in `jobs` threads, a bounded number ahead of the output, and hands their rows over in order.
+void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
+                      const std::function<void()>& task_done) {
+    if (jobs == 1) {
+        for (const Task& task : tasks) {
+            table.compute(task.index, task.range, emit);
+            task_done();
+        }
+        return;
+    }
+    struct Outcome {
+        std::vector<Row> rows;
+        std::exception_ptr error;
+    };
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::map<std::size_t, Outcome> outcomes;
+    std::size_t next = 0, emitted = 0;
+    bool stop = false;
+    const auto work = [&]() {
+        std::unique_lock lock(mutex);
+        while (true) {
+            changed.wait(lock, [&] { return stop || next == tasks.size() || next < emitted + 4 * jobs; });
+            if (stop || next == tasks.size()) return;
+            const std::size_t mine = next++;
+            lock.unlock();
+            Outcome outcome;
+            try {
+                table.compute(tasks[mine].index, tasks[mine].range,
+                              [&](Row row) { outcome.rows.push_back(std::move(row)); });
+            } catch (...) {
+                outcome.error = std::current_exception();
+            }
+            lock.lock();
+            outcomes[mine] = std::move(outcome);
+            changed.notify_all();
+        }
+    };
+    struct Threads {
+        std::vector<std::thread> all;
+        std::function<void()> stop;
+        ~Threads() {
+            stop();
+            for (std::thread& thread : all) thread.join();
+        }
+    } threads{{}, [&] {
+                  const std::lock_guard lock(mutex);
+                  stop = true;
+                  changed.notify_all();
+              }};
+    for (std::size_t i = 0; i < std::min(jobs, tasks.size()); ++i) threads.all.emplace_back(work);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        std::unique_lock lock(mutex);
+        changed.wait(lock, [&] { return outcomes.count(i) > 0; });
+        Outcome outcome = std::move(outcomes.extract(i).mapped());
+        emitted = i + 1;
+        changed.notify_all();
+        lock.unlock();
+        for (Row& row : outcome.rows) emit(std::move(row));
+        if (outcome.error) std::rethrow_exception(outcome.error);
+        task_done();
+    }
+}
+
+}  // namespace
+
+std::size_t job_count(const Options& options) { return static_cast<std::size_t>(options.integer("jobs", 1, 1024)); }
+
+void write_table(const Options& options, const Table& table) {
+    const std::size_t jobs = job_count(options);
+    const Shard shard = shard_of(options);
+    const bool plots = options.given("plot");
+    const bool png = plots && plot_is_png(options);
+    const bool quiet = options.flag("quiet");
+
+    // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
+    const bool to_file = options.given("output");
+    OutputFile csv = to_file ? OutputFile(options.text("output"), "--output") : OutputFile::standard_output();
+    std::optional<OutputFile> sidecar, drawing;
+    if (csv.is_regular()) sidecar.emplace(csv.path() + ".toml", "--output");
+    if (plots) drawing.emplace(options.text("plot"), "--plot");
+
+    // 2. The rows.
+    std::size_t total = 0;
+    for (const std::size_t rows : table.rows_of_task) total += rows;
+    const RowRange wanted = shard.rows(total);
+    const std::size_t count = wanted.last - wanted.first;
+    if (shard.index == 1) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
+    Progress progress(options.program(), count, !quiet && (to_file || isatty(STDOUT_FILENO) == 0));
+    std::vector<Row> kept;
+    std::size_t written = 0;
+    const auto emit = [&](Row row) {
+        csv.write(csv_line(row));
+        progress.update(++written);
+        if (plots) kept.push_back(std::move(row));
+    };
+    progress.update(0);
+    compute_in_order(table, tasks_of(table, wanted), jobs, emit, [&] { csv.flush(); });
+    progress.clear();
+
+    // 3. The files take their names.
+    csv.commit();
+    if (sidecar) {
+        sidecar->write(sidecar_text(options));
+        sidecar->commit();
+    }
+    if (plots) draw(table.plot(kept), *drawing, png);
+}
+
+}  // namespace study
