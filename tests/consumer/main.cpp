@@ -1,6 +1,5 @@
-// A user's program: a driven wheel on a rail, with the contact as its force element, in SI units.
-// The wheel's speed and rotation are integrated implicitly with the contact's tangent. Its small oscillation about
-// steady rolling is compared with the closed loop that the exact creep coefficient c11(s) makes.
+// A user's program: the small oscillation of the driven wheel of wheel.hpp about steady rolling is compared with the
+// closed loop that the exact creep coefficient c11(s) makes.
 #include <cmath>
 #include <complex>
 #include <cstdio>
@@ -9,64 +8,15 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/problem/transient.hpp>
 #include <rollbem/rollbem.hpp>
+
+#include "wheel.hpp"
 
 namespace {
 
 using Complex = std::complex<double>;
 using Contact = rollbem::Contact<double>;
 using Model = rollbem::TransientModel<double>;
-using Motion = rollbem::RigidMotion<double>;
-
-/// What does not change. The rail force on the wheel drives the vehicle: m dV/dt = F - D, J d(omega)/dt = T - R F.
-struct Wheel {
-    double mass = 6000;        // m, the wheel's share of the vehicle [kg]
-    double inertia = 80;       // J [kg m^2]
-    double radius = 0.46;      // R [m]
-    double torque = 920;       // T [N m]
-    double resistance = 2000;  // D [N]; T = R D keeps the speed
-};
-
-/// All that does change. Creepage xi = (V - R omega)/V is negative while the wheel drives, F then positive.
-struct State {
-    double speed, rotation;  // V [m/s], omega [rad/s]
-    double force;            // F [N]
-    Model::State contact;
-};
-
-double creepage(const Wheel& wheel, double speed, double rotation) { return (speed - wheel.radius * rotation) / speed; }
-
-/// One step of the trapezoidal rule, solved by Newton's method. Each trial advances the contact from the same state:
-/// what a rejected trial leaves in `next` is overwritten. False where the contact refuses or Newton does not settle.
-bool advance(const Wheel& wheel, const Model& model, double dt, const State& now, State& next) {
-    next.speed = now.speed;
-    next.rotation = now.rotation;
-    const double start = creepage(wheel, now.speed, now.rotation);
-    for (int trial = 0; trial < 20; ++trial) {
-        const double end = creepage(wheel, next.speed, next.rotation);
-        const double dq = dt * (now.speed + next.speed) / 2;
-        const rollbem::TransientStep<double> step =
-            model.advance(now.contact, dq, Motion::linear(start, end), next.contact);
-        if (step.status != rollbem::StepStatus::ok) return false;
-        next.force = step.force;
-
-        const double mean_force = (now.force + next.force) / 2;
-        const Eigen::Vector2d residual(
-            wheel.mass * (next.speed - now.speed) / dt - mean_force + wheel.resistance,
-            wheel.inertia * (next.rotation - now.rotation) / dt - wheel.torque + wheel.radius * mean_force);
-        const double by_speed = step.tangent * wheel.radius * next.rotation / (next.speed * next.speed) / 2;
-        const double by_rotation = -step.tangent * wheel.radius / next.speed / 2;
-        Eigen::Matrix2d jacobian;
-        jacobian << wheel.mass / dt - by_speed, -by_rotation, wheel.radius * by_speed,
-            wheel.inertia / dt + wheel.radius * by_rotation;
-        const Eigen::Vector2d change = -jacobian.inverse() * residual;
-        next.speed += change[0];
-        next.rotation += change[1];
-        if (std::abs(change[0]) + wheel.radius * std::abs(change[1]) < 1e-14 * now.speed) return true;
-    }
-    return false;
-}
 
 /// The exact creep coefficient at s = (rate) a/V, from I_n(s) = (1/pi) integral of e^{s cos t} cos(n t) over 0 ... pi.
 Complex exact_c11(Complex s, const Contact& contact) {
@@ -112,8 +62,9 @@ int main() {
     const double speed = 20;
     const double slope = model.force(model.steady(1.0));  // dF/dxi
     const double steady = wheel.resistance / slope;
-    State now{speed, speed * (1 - steady) / wheel.radius, wheel.resistance, model.steady(steady)};
-    State next = now;
+    const double torque = wheel.radius * wheel.resistance;  // keeps the speed
+    State<Model> now{speed, speed * (1 - steady) / wheel.radius, wheel.resistance, model.steady(steady)};
+    State<Model> next = now;
 
     // 3. A kick to the rotation, and the sliding speed that follows.
     const Complex expected = closed_loop(wheel, contact, speed);
@@ -122,7 +73,7 @@ int main() {
     now.rotation *= 1 - 1e-6;
     Eigen::VectorXd sliding(steps);
     for (int k = 0; k < steps; ++k) {
-        if (!advance(wheel, model, dt, now, next)) return 1;
+        if (!std::isfinite(advance(wheel, model, torque, speed * dt, now, next).force)) return 1;
         std::swap(now, next);
         sliding[k] = now.speed - wheel.radius * now.rotation - steady * speed;
     }

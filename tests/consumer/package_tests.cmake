@@ -6,31 +6,32 @@ add_test(NAME package.install COMMAND ${CMAKE_COMMAND} --install "${PROJECT_BINA
 set_tests_properties(package.clean PROPERTIES LABELS package FIXTURES_SETUP rollbem_clean)
 set_tests_properties(package.install PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_clean FIXTURES_SETUP rollbem_prefix)
 
-# add_consumer_test(name option...): configures with the options, builds, and runs the user's program.
-function(add_consumer_test name)
+# add_consumer_test(name program option...): configures with the options, builds, and runs one of the user's programs.
+function(add_consumer_test name program)
     add_test(NAME package.${name}
         COMMAND ${CMAKE_CTEST_COMMAND}
             --build-and-test "${CMAKE_CURRENT_SOURCE_DIR}/consumer" "${CMAKE_CURRENT_BINARY_DIR}/consumer/${name}"
             --build-generator "${CMAKE_GENERATOR}"
             --build-makeprogram "${CMAKE_MAKE_PROGRAM}"
             --build-project rollbem_consumer
+            --build-target ${program}
             --build-options
                 "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
                 "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
                 "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}"
                 "-DEigen3_DIR=${Eigen3_DIR}"
                 ${ARGN}
-            --test-command consumer)
+            --test-command ${program})
     set_tests_properties(package.${name} PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_prefix TIMEOUT 300)
 endfunction()
 
 set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
-add_consumer_test(find_package "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
-add_consumer_test(reference "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
-add_consumer_test(subdirectory -DROLLBEM_FROM=subdirectory ${no_gsl})
-add_consumer_test(pkg_config "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
+add_consumer_test(find_package consumer "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
+add_consumer_test(reference consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
+add_consumer_test(subdirectory consumer -DROLLBEM_FROM=subdirectory ${no_gsl})
+add_consumer_test(pkg_config consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
 
 # Without GSL the component is refused, and the message says why.
-add_consumer_test(reference_without_gsl "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference ${no_gsl})
+add_consumer_test(reference_without_gsl consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference ${no_gsl})
 set_tests_properties(package.reference_without_gsl PROPERTIES
     PASS_REGULAR_EXPRESSION "component reference needs GSL, which was not found")

@@ -1,0 +1,64 @@
+// A driven wheel on a rail with a contact of rollbem as its force element, integrated implicitly in steps of equal
+// distance rolled. In SI units. For any model whose advance() takes a RigidMotion: with friction or without.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include <rollbem/problem/transient.hpp>
+
+/// What does not change. The rail force F on the wheel drives the vehicle: m dV/dt = F - D, J d(omega)/dt = T - R F.
+struct Wheel {
+    double mass = 6000;        // m, the wheel's share of the vehicle [kg]
+    double inertia = 80;       // J [kg m^2]
+    double radius = 0.46;      // R [m]
+    double resistance = 2000;  // D [N]
+};
+
+/// All that does change.
+template <class Model>
+struct State {
+    double speed, rotation;  // V [m/s], omega [rad/s]
+    double force;            // F [N]
+    typename Model::State contact;
+};
+
+/// Creepage xi = (V - R omega)/V is negative while the wheel drives, F then positive.
+inline double creepage(const Wheel& wheel, double speed, double rotation) {
+    return (speed - wheel.radius * rotation) / speed;
+}
+
+/// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's method.
+/// Each trial advances the contact from the same state: what a rejected trial leaves in `next` is overwritten. The status
+/// is not ok where the contact refuses; the force is not a number where Newton does not settle.
+template <class Model>
+typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
+                             State<Model>& next) {
+    next.speed = now.speed;
+    next.rotation = now.rotation;
+    const double start = creepage(wheel, now.speed, now.rotation);
+    for (int trial = 0; trial < 20; ++trial) {
+        const double end = creepage(wheel, next.speed, next.rotation);
+        const typename Model::Step step =
+            model.advance(now.contact, dq, rollbem::RigidMotion<double>::linear(start, end), next.contact);
+        if (step.status != decltype(step.status)::ok) return step;
+        next.force = step.force;
+
+        const double per_time = (now.speed + next.speed) / 2 / dq;  // 1/dt
+        const double mean_force = (now.force + next.force) / 2;
+        const double spin_up = wheel.inertia * (next.rotation - now.rotation);
+        const Eigen::Vector2d residual(wheel.mass * (next.speed - now.speed) * per_time - mean_force + wheel.resistance,
+                                       spin_up * per_time - torque + wheel.radius * mean_force);
+        const double by_speed = step.tangent * wheel.radius * next.rotation / (next.speed * next.speed) / 2;
+        const double by_rotation = -step.tangent * wheel.radius / next.speed / 2;
+        Eigen::Matrix2d jacobian;
+        jacobian << wheel.mass * next.speed / dq - by_speed, -by_rotation, spin_up / 2 / dq + wheel.radius * by_speed,
+            wheel.inertia * per_time + wheel.radius * by_rotation;
+        const Eigen::Vector2d change = -jacobian.inverse() * residual;
+        next.speed += change[0];
+        next.rotation += change[1];
+        if (std::abs(change[0]) + wheel.radius * std::abs(change[1]) < 1e-13 * now.speed) return step;
+    }
+    return {};
+}
