@@ -30,9 +30,10 @@ struct FrictionContact {
           mesh(rollbem::cosine_mesh(20)),
           matrices(rollbem::assemble(mesh, scheme, rollbem::PlaneKernel<double>::longitudinal(c))),
           model(c, matrices, mesh.widths(),
-                {.friction_coefficient = friction_coefficient,
-                 .normal_pressure = load / (std::numbers::pi * c.half_length() * c.half_width()) *
-                                    rollbem::mean_hertz_pressure(mesh)}) {}
+                rollbem::CoulombFriction<double>{
+                    .friction_coefficient = friction_coefficient,
+                    .normal_pressure = load / (std::numbers::pi * c.half_length() * c.half_width()) *
+                                       rollbem::mean_hertz_pressure(mesh)}) {}
 
     /// Half the traction times the displacement G p [J]. G is in units of a/G, widths in a.
     double elastic_energy(const Model::State& state) const {
