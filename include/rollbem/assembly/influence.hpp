@@ -2,6 +2,7 @@
 // Everything after this stage sees only these matrices and the widths of the elements.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,56 +114,64 @@ RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const Sampling<Scalar>& s
     return rows;
 }
 
-// On a uniform mesh with one alpha the matrix is Toeplitz: the 2n-1 different entries are those of one element seen
-// from 2n-1 points.
+// On a uniform mesh with one alpha the matrix is Toeplitz: the different entries are those of one element seen from as
+// many points. Equations from `first` on, as many as `out` has rows.
 template <class Scalar>
-void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Eigen::Index n, Scalar offset,
-                   MatrixX<Scalar>& out) {
-    const Scalar width = 2 / static_cast<Scalar>(n);
+void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Scalar width, Scalar offset,
+                   Eigen::Index first, Eigen::Ref<MatrixX<Scalar>> out) {
+    const Eigen::Index columns = out.cols(), count = out.rows() + columns - 1;
     RowPoints<Scalar> rows;  // distances from the element instead of from an edge: exact multiples of the width
-    rows.from_trailing = ArrayX<Scalar>::LinSpaced(2 * n - 1, Scalar(1 - n), Scalar(n - 1)) * width;
+    rows.from_trailing =
+        ArrayX<Scalar>::LinSpaced(count, Scalar(first + 1 - columns), Scalar(first + out.rows() - 1)) * width;
     rows.from_leading = -rows.from_trailing;
-    rows.offset.setConstant(2 * n - 1, offset);
-    rows.half.setConstant(2 * n - 1, width / 2);
+    rows.offset.setConstant(count, offset);
+    rows.half.setConstant(count, width / 2);
     ColumnElements<Scalar> column;
     column.from_trailing.setZero(1);
     column.from_leading.setZero(1);
     column.half.setConstant(1, width / 2);
-    MatrixX<Scalar> entries(2 * n - 1, 1);
+    MatrixX<Scalar> entries(count, 1);
     LineIntegrals<Scalar>(kernel, quantity, averages, rows, column, true).fill(entries);
-    for (Eigen::Index m = 0; m < n; ++m) out.col(m) = entries.col(0).segment(n - 1 - m, n);
+    for (Eigen::Index m = 0; m < columns; ++m) out.col(m) = entries.col(0).segment(columns - 1 - m, out.rows());
+}
+
+// Equations from `first` on for the tractions of elements from 0 on, as many as `out` has rows and columns.
+template <class Scalar>
+void influence_rows(const Mesh<Scalar>& mesh, const Sampling<Scalar>& samples, Eigen::Index first,
+                    const KernelView<Scalar>& kernel, Quantity quantity, Eigen::Ref<MatrixX<Scalar>> out) {
+    const Eigen::Index count = out.rows();
+    const ColumnElements<Scalar> columns{mesh.from_trailing().head(out.cols()), mesh.from_leading().head(out.cols()),
+                                         mesh.widths().head(out.cols()) / 2};
+    const auto fill = [&](Scalar node, Eigen::Ref<MatrixX<Scalar>> result) {
+        RowPoints<Scalar> rows = row_points(mesh, samples, node);
+        // the guard can move the points of the outermost rows elsewhere than those of the others
+        if (mesh.is_uniform() && (rows.offset - rows.offset[0]).abs().maxCoeff() <=
+                                     64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
+            fill_toeplitz<Scalar>(kernel, quantity, samples.averages, mesh.widths()[0], rows.offset[0], first, result);
+            return;
+        }
+        rows = {rows.from_trailing.segment(first, count), rows.from_leading.segment(first, count),
+                rows.offset.segment(first, count), rows.half.segment(first, count)};
+        LineIntegrals<Scalar>(kernel, quantity, samples.averages, rows, columns, mesh.is_uniform()).fill(result);
+    };
+    if (samples.rule.nodes.size() == 1) {
+        fill(samples.rule.nodes[0], out);
+        return;
+    }
+    out.setZero();
+    MatrixX<Scalar> sample(count, out.cols());
+    for (Eigen::Index k = 0; k < samples.rule.nodes.size(); ++k) {
+        fill(samples.rule.nodes[k], sample);
+        out += samples.rule.weights[k] / 2 * sample;
+    }
 }
 
 // Equations first ... first + size - 1 for the tractions of elements 0 ... size - 1.
 template <class Scalar>
 MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Sampling<Scalar>& samples, Eigen::Index first,
                                  Eigen::Index size, const KernelView<Scalar>& kernel, Quantity quantity) {
-    const ColumnElements<Scalar> columns{mesh.from_trailing().head(size), mesh.from_leading().head(size),
-                                         mesh.widths().head(size) / 2};
-    const auto fill = [&](Scalar node, MatrixX<Scalar>& out) {
-        RowPoints<Scalar> rows = row_points(mesh, samples, node);
-        // the guard can move the points of the outermost rows elsewhere than those of the others
-        if (mesh.is_uniform() && size == mesh.size() &&
-            (rows.offset - rows.offset[0]).abs().maxCoeff() <=
-                64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
-            fill_toeplitz(kernel, quantity, samples.averages, size, rows.offset[0], out);
-            return;
-        }
-        rows = {rows.from_trailing.segment(first, size), rows.from_leading.segment(first, size),
-                rows.offset.segment(first, size), rows.half.segment(first, size)};
-        LineIntegrals<Scalar>(kernel, quantity, samples.averages, rows, columns, mesh.is_uniform()).fill(out);
-    };
     MatrixX<Scalar> result(size, size);
-    if (samples.rule.nodes.size() == 1) {
-        fill(samples.rule.nodes[0], result);
-        return result;
-    }
-    result.setZero();
-    MatrixX<Scalar> sample(size, size);
-    for (Eigen::Index k = 0; k < samples.rule.nodes.size(); ++k) {
-        fill(samples.rule.nodes[k], sample);
-        result += samples.rule.weights[k] / 2 * sample;
-    }
+    influence_rows<Scalar>(mesh, samples, first, kernel, quantity, result);
     return result;
 }
 
@@ -172,6 +181,29 @@ MatrixX<Scalar> influence_matrix(const Mesh<Scalar>& mesh, const Scheme& scheme,
     check_scheme(scheme, mesh.size());
     return influence_matrix(mesh, sampling<Scalar>(scheme, quantity), first_equation(scheme),
                             unknown_count(scheme, mesh.size()), kernel, quantity);
+}
+
+// G' p without storing G': a few rows at a time.
+template <class Scalar>
+VectorX<Scalar> influence_product(const Mesh<Scalar>& mesh, const Sampling<Scalar>& samples, Eigen::Index first,
+                                  const KernelView<Scalar>& kernel, Quantity quantity, const VectorX<Scalar>& p) {
+    constexpr Eigen::Index block = 32;
+    const Eigen::Index n = p.size();
+    VectorX<Scalar> product(n);
+    MatrixX<Scalar> rows(block, n);
+    for (Eigen::Index l = 0; l < n; l += block) {
+        const Eigen::Index count = std::min(block, n - l);
+        influence_rows<Scalar>(mesh, samples, first + l, kernel, quantity, rows.topRows(count));
+        product.segment(l, count).noalias() = rows.topRows(count) * p;
+    }
+    return product;
+}
+
+template <class Scalar, class Scheme, LineKernel Kernel>
+VectorX<Scalar> G_prime_times(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
+                              const VectorX<Scalar>& p) {
+    return influence_product<Scalar>(mesh, sampling<Scalar>(scheme, Quantity::slope), first_equation(scheme),
+                                     KernelView<Scalar>(kernel), Quantity::slope, p);
 }
 
 }  // namespace detail
@@ -204,6 +236,9 @@ InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& schem
 extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
                                                                  Eigen::Index, Eigen::Index,
                                                                  const detail::KernelView<double>&, detail::Quantity);
+extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
+                                                                  Eigen::Index, const detail::KernelView<double>&,
+                                                                  detail::Quantity, const VectorX<double>&);
 #endif
 
 }  // namespace rollbem

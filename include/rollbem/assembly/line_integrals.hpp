@@ -168,13 +168,15 @@ private:
     }
 
     void near_differences(Eigen::Ref<Matrix> result) const {
+        const Eigen::Index n = columns_.half.size();
+        const Scalar spread = Scalar(averages_ + 1) / (2 * std::sqrt(far_ratio_));
         std::vector<Run> runs;
         std::vector<Scalar> arguments;
-        const Eigen::Index n = columns_.half.size();
+        runs.reserve(static_cast<std::size_t>(count_));
+        arguments.reserve(static_cast<std::size_t>(std::min<Eigen::Index>(16 * count_, 2048)));
         for (Eigen::Index l = 0; l < count_; ++l) {
             if (equal_widths_ && has_series()) {  // the near columns surround the point
                 const Scalar nearest = distance(l, 0) / (2 * columns_.half[0]);
-                const Scalar spread = Scalar(averages_ + 1) / (2 * std::sqrt(far_ratio_));
                 const Eigen::Index first = clamp_index(std::ceil(nearest - spread), n);
                 const Eigen::Index end = clamp_index(std::floor(nearest + spread) + 1, n);
                 if (end > first) append_run(l, first, end - first, runs, arguments);
@@ -259,16 +261,18 @@ private:
     // c_j = 1/((2j+1)(j+1)) for one average; for none A = h^2, B = 0, c_j = 1/(2j+1). All terms are positive.
     // The slope takes sum M_2j / d^2j; the displacement, besides the logarithm, sum_{j>0} M_2j / (2j d^2j).
     void prepare_moments() {
-        const Scalar tolerance = std::numeric_limits<Scalar>::epsilon() / 4;
         coefficients_.resize(last_moment + 1);
-        bounds_.resize(last_moment + 1);
         for (Eigen::Index j = 0; j <= last_moment; ++j) {
             coefficients_[j] = 1 / Scalar(2 * j + 1);
-            // the ratio up to which the terms 0 ... j suffice; S_j <= (j + 1) A^j
-            bounds_[j] = std::pow(tolerance * Scalar(2 * j + 3), 1 / Scalar(j + 1));
             if (averages_ > 0) coefficients_[j] /= Scalar(j + 1);
             if (quantity_ == Quantity::displacement) coefficients_[j] *= j == 0 ? Scalar(0) : 1 / Scalar(2 * j);
         }
+        // the ratio up to which the terms 0 ... j suffice; S_j <= (j + 1) A^j
+        const auto bound = [](int j) {
+            return std::pow(std::numeric_limits<Scalar>::epsilon() / 4 * Scalar(2 * j + 3), 1 / Scalar(j + 1));
+        };
+        bound_of_4_ = bound(4);
+        bound_of_6_ = bound(6);
     }
 
     // sum_{j <= last} c_j S_j by Horner's rule in A, whose coefficients are Horner sums in B. With the length known to
@@ -292,8 +296,8 @@ private:
     template <bool SingleRatio>
     Chunk moment_sum(const Chunk& A, const Chunk& B) const {
         const Scalar largest = A.maxCoeff();
-        if (largest <= bounds_[4]) return moment_sum<SingleRatio, 4>(A, B);
-        if (largest <= bounds_[6]) return moment_sum<SingleRatio, 6>(A, B);
+        if (largest <= bound_of_4_) return moment_sum<SingleRatio, 4>(A, B);
+        if (largest <= bound_of_6_) return moment_sum<SingleRatio, 6>(A, B);
         return moment_sum<SingleRatio, last_moment>(A, B);
     }
 
@@ -523,7 +527,8 @@ private:
     std::optional<LogSplit<Scalar>> split_;
     Scalar far_ratio_;  // ((h + averages delta) / d)^2 below which the series is taken
     int last_taylor_;   // far_ratio^last is below rounding
-    Array coefficients_, bounds_;
+    Array coefficients_;
+    Scalar bound_of_4_ = 0, bound_of_6_ = 0;
     Table row_series_, element_factors_, common_powers_;
 };
 
