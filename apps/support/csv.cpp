@@ -147,6 +147,13 @@ std::string csv_line(const Row& row) {
 }
 
 void handle_signals() {
+    // A stream that the caller closed must not become the number of a file of results. Opened the wrong way round, what
+    // goes to a closed output still fails.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        const bool closed = ::fcntl(stream, F_GETFD) < 0;
+        if (closed) [[maybe_unused]]
+            const int opened = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
     struct sigaction action {};
     action.sa_handler = remove_temporaries_and_exit;
     sigemptyset(&action.sa_mask);
@@ -154,7 +161,7 @@ void handle_signals() {
     struct sigaction hangup {};
     sigaction(SIGHUP, nullptr, &hangup);
     if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // not under nohup
-    std::signal(SIGPIPE, SIG_IGN);
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 OutputFile OutputFile::standard_output() { return OutputFile("standard output", STDOUT_FILENO); }

@@ -54,7 +54,8 @@ struct TemporaryPath;
 
 }  // namespace detail
 
-/// An interrupt ends the program with 128 + its number and leaves no partial file; a closed pipe is an error of write().
+/// An interrupt ends the program with 128 + its number and leaves no partial file; a closed pipe, a stream that the
+/// caller closed and a file beyond the size allowed are errors of write().
 void handle_signals();
 
 /// A file to write from start to end. A regular file is written under another name beside it and takes its own name in

@@ -169,6 +169,9 @@ void draw(const Plot& plot, OutputFile& file, bool png) {
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         throw PlotError("--plot = " + file.path() + ": gnuplot failed; the rows are written");
     }
+    if (file.is_regular() && ::lseek(file.descriptor(), 0, SEEK_END) == 0) {
+        throw PlotError("--plot = " + file.path() + ": gnuplot drew nothing; the rows are written");
+    }
     file.commit();
 }
 

@@ -154,12 +154,13 @@ void write_table(const Options& options, const Table& table) {
     compute_in_order(table, tasks_of(table, wanted), jobs, emit, [&] { csv.flush(); });
     progress.clear();
 
-    // 3. The files take their names.
-    csv.commit();
+    // 3. The files take their names, once all of both is written.
     if (sidecar) {
         sidecar->write(sidecar_text(options));
-        sidecar->commit();
+        sidecar->flush();
     }
+    csv.commit();
+    if (sidecar) sidecar->commit();
     if (plots) draw(table.plot(kept), *drawing, png);
 }
 

@@ -149,16 +149,58 @@ cat pipe >through &
 wait
 [ -p pipe ] && [ "$(wc -l <through)" -eq 2 ] && [ ! -e pipe.toml ] || fail "rows through a pipe"
 
-# an interrupt leaves nothing
+# a disk that is full: nothing takes a name, whether rows or the companion do not fit
+for arguments in '--n 10' '--n 10,20,30,40,50,60,70,80 --alpha-T 0.5,0.6,0.63'; do
+    echo old >full.csv
+    (ulimit -f 1 && "$steady" $arguments --output full.csv 2>err)
+    [ $? -eq 4 ] || fail "exit code with a full disk: $arguments"
+    [ "$(wc -l <err)" -eq 1 ] || fail "not one line on stderr with a full disk: $(cat err)"
+    [ "$(cat full.csv)" = old ] && [ "$(ls -d full*)" = full.csv ] || fail "a full disk leaves $(ls -d full*)"
+done
+ln -s /dev/full full.csv.toml
+"$steady" --n 10 --output full.csv 2>err
+[ $? -eq 4 ] && [ "$(cat full.csv)" = old ] && [ -h full.csv.toml ] || fail "a companion that cannot be written"
+
+# a read-only file system, also for root
+bad 'must be a file that can be written' "$steady" --output /sys/x.csv
+bad 'must be a file that can be written' "$steady" --n 10 --output x.csv --plot /sys/x.svg
+
+# closed streams: a failure to write, and no message in a file of results
+for close in '>&-' '>&- 2>&-'; do
+    eval "\"$steady\" --n 10 $close" 2>err
+    [ $? -eq 4 ] || fail "exit code with $close"
+done
+"$steady" --n 10 --output closed.csv >&- 2>&- <&-
+[ $? -eq 0 ] && [ "$(wc -l <closed.csv)" -eq 2 ] || fail "a file with all streams closed"
+PATH=/nonexistent "$steady" --n 10 --output closed.csv --plot closed.svg >&- 2>&- <&-
+[ $? -eq 3 ] && [ "$(wc -l <closed.csv)" -eq 2 ] || fail "a message in a file"
+
+# an interrupt leaves nothing, and what was there before
 interrupt INT big.csv "$steady" --n 6000 --output big.csv
 [ $code -eq 130 ] || fail "exit $code instead of 130 after an interrupt"
 [ -z "$(find . -name 'big.csv*')" ] || fail "an interrupt leaves files"
+echo old | tee big.csv big.csv.toml >big.svg
+interrupt TERM big.csv "$steady" --n 6000 --jobs 2 --output big.csv --plot big.svg
+[ $code -eq 143 ] || fail "exit $code instead of 143 after a termination"
+for file in big.csv big.csv.toml big.svg; do [ "$(cat $file)" = old ] || fail "$file after a termination"; done
+[ "$(ls -d big*)" = "$(printf '%s\n' big.csv big.csv.toml big.svg)" ] || fail "a termination leaves $(ls -d big*)"
 
 # plots: without gnuplot the rows are written all the same
 PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
 code=$?
 [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code instead of 3 without gnuplot"
 [ "$(wc -l <rows.csv)" -eq 3 ] && [ ! -e rows.svg ] || fail "files without gnuplot"
+# a gnuplot that is killed, fails, draws nothing or does not listen: the older plot stays
+mkdir bin
+for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null'; do
+    printf '#!/bin/sh\n%s\n' "$end" >bin/gnuplot && chmod +x bin/gnuplot
+    rm -f rows.csv && echo old >rows.svg
+    PATH=$scratch/bin:$PATH "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
+    code=$?
+    [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code, $(cat err) with: $end"
+    [ "$(wc -l <rows.csv)" -eq 3 ] && [ "$(cat rows.svg)" = old ] || fail "files with: $end"
+done
+[ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left by plots"
 if command -v gnuplot >/dev/null; then
     "$steady" --n 10,20 --alpha-T 0.5,0.63 --plot steady.svg >out 2>err || fail "steady plot: $(cat err)"
     grep -q '</svg>' steady.svg || fail "steady.svg is not whole"
