@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +18,7 @@
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
+#include "support/pairs_file.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"
@@ -66,38 +65,9 @@ private:
 };
 
 History history_from_file(const study::Options& options) {
-    const std::string path = options.text("history");
-    const std::string said = options.said("history");
-    std::ifstream file(path);
-    std::error_code error;
-    if (!file || std::filesystem::is_directory(path, error))
-        throw study::BadInput(said + " must be a file that can be read");
-    History history{.kind = History::Kind::points, .knots = {}, .knot_values = {}};
-    std::string line;
-    for (std::size_t number = 1; std::getline(file, line); ++number) {
-        const std::string text(study::detail::trim(line));
-        const std::string where = said + ": line " + std::to_string(number) + " = " + text;
-        if (number == 1) {
-            if (text != "q_over_a,creepage") throw study::BadInput(where + " must be q_over_a,creepage");
-            continue;
-        }
-        if (text.empty() && file.peek() == std::ifstream::traits_type::eof()) break;
-        const std::size_t comma = std::min(text.find(','), text.size());
-        const auto q = study::detail::parse_number<double>(study::detail::trim(text.substr(0, comma)));
-        const auto value =
-            study::detail::parse_number<double>(study::detail::trim(text.substr(std::min(comma + 1, text.size()))));
-        if (!q || !value || !std::isfinite(*q) || !std::isfinite(*value)) {
-            throw study::BadInput(where + " must be two finite numbers with a comma between them");
-        }
-        if (*q < 0) throw study::BadInput(where + " must not lie at q_over_a < 0: rolling starts from rest at 0");
-        if (!history.knots.empty() && *q < history.knots.back()) {
-            throw study::BadInput(where + " must not lie before the line above it");
-        }
-        history.knots.push_back(*q);
-        history.knot_values.push_back(*value);
-    }
-    if (history.knots.empty()) throw study::BadInput(said + " must have at least one row below its header");
-    return history;
+    const study::Rule rolled{[](double q) { return q >= 0; }, "be at least 0: rolling starts from rest there"};
+    study::Pairs pairs = study::read_pairs(options, "history", "q_over_a,creepage", rolled);
+    return {.kind = History::Kind::points, .knots = std::move(pairs.places), .knot_values = std::move(pairs.values)};
 }
 
 History make_history(const study::Options& options) {

@@ -61,10 +61,12 @@ void BM_LuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_LuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// Steps at constant creepage in the steady state, where no element changes any more.
-void BM_FrictionStep(benchmark::State& state) {
+// Steps at constant creepage in the steady state, where no element changes any more. Implicit Euler solves once for
+// stick and slip, sdirk2 twice.
+void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction,
+                                      integrator);
     FrictionState<double> now = model.steady(creepage(0.5)), next = now;
     FrictionStep<double> step;
     for (int i = 0; i < 400; ++i) {
@@ -82,26 +84,36 @@ void BM_FrictionStep(benchmark::State& state) {
     state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
     state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
 }
+void BM_FrictionStep(benchmark::State& state) { steps_unchanged(state, Integrator::implicit_euler); }
 BENCHMARK(BM_FrictionStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_FrictionStepSdirk2(benchmark::State& state) { steps_unchanged(state, Integrator::sdirk2); }
+BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// A cycle of sinusoidal creepage: most steps change some elements.
-void BM_FrictionStepChanging(benchmark::State& state) {
+// A cycle of sinusoidal creepage. Counters: rounds a step, and the share of the steps in which elements change.
+void steps_changing(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction,
+                                      integrator);
+    const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
     FrictionState<double> now = model.at_rest(), next = now;
     double q = 0, rounds = 0, changing = 0;
     for (auto _ : state) {
+        const double before = creepage(0.9 * std::sin(q));
         q += 0.05;
-        const FrictionStep<double> step = model.advance(now, 0.05, creepage(0.9 * std::sin(q)), next);
+        const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
+        const FrictionStep<double> step = model.advance(now, 0.05, motion, next);
         rounds += step.rounds;
-        changing += step.rounds > 1 ? 1 : 0;
+        changing += step.rounds > solutions ? 1 : 0;
         std::swap(now, next);
     }
     state.counters["n"] = static_cast<double>(state.range(0));
     state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
     state.counters["changing"] = changing / static_cast<double>(state.iterations());
 }
+void BM_FrictionStepChanging(benchmark::State& state) { steps_changing(state, Integrator::implicit_euler); }
 BENCHMARK(BM_FrictionStepChanging)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_FrictionStepChangingSdirk2(benchmark::State& state) { steps_changing(state, Integrator::sdirk2); }
+BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // One point of the creep curve from scratch, assembly apart.
 void BM_FrictionSteady(benchmark::State& state) {

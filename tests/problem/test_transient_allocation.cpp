@@ -1,4 +1,4 @@
-// rollbem/problem/transient.hpp: no step touches the heap.
+// rollbem/problem/transient.hpp, friction.hpp: no step touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <atomic>
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../support/catch.hpp"
+#include "rollbem/problem/friction.hpp"
 #include "rollbem/problem/transient.hpp"
 
 namespace {
@@ -121,6 +122,70 @@ TEST_CASE("A new dq does not allocate up to 128 elements", "[transient]") {
         CHECK(refused);
         CHECK(after == before);
     }
+}
+
+FrictionModel<double> make_friction_model(Eigen::Index n, double alpha_L, Integrator integrator) {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Mesh<double> mesh = cosine_mesh<double>(n);
+    return {contact,
+            mesh,
+            Collocation{.alpha_L = alpha_L, .alpha_T = 0.5},
+            PlaneKernel<double>::longitudinal(contact),
+            {0.3, mean_hertz_pressure(mesh)},
+            integrator};
+}
+
+TEST_CASE("A step with friction does not allocate", "[friction]") {
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const Eigen::Index n : {1, 40, 100}) {
+            const FrictionModel<double> model = make_friction_model(n, 0.5, integrator);
+            FrictionState<double> now = model.at_rest(), next = now;
+            bool ok = model.advance(now, 0.1, 0.1, next).status == FrictionStatus::ok;
+            int changes = 0;
+            const long before = allocations;
+            for (int k = 0; k < 200; ++k) {  // zones and dq change
+                const FrictionStep<double> step =
+                    k % 50 == 49 ? model.shift(now, 0.2, next)
+                                 : model.advance(now, k % 20 < 15 ? 0.1 : 0.3, (k % 13 - 6) * 0.15, next);
+                ok = ok && step.status == FrictionStatus::ok;
+                changes += step.rounds > 2 ? 1 : 0;
+                std::swap(now, next);
+            }
+            const long after = allocations;
+            CAPTURE(n, static_cast<int>(integrator), changes);
+            CHECK(ok);
+            CHECK((changes >= 30 || n == 1));
+            CHECK(after == before);
+        }
+    }
+    // nor at any size while no element changes
+    const FrictionModel<double> large = make_friction_model(300, 0.5, Integrator::sdirk2);
+    FrictionState<double> now = large.at_rest(), next = now;
+    for (int k = 0; k < 2; ++k) {
+        large.advance(now, 0.1, 1e-9, next);
+        std::swap(now, next);
+    }
+    const long before = allocations;
+    const FrictionStep<double> step = large.advance(now, 0.1, 1e-9, next);
+    const long after = allocations;
+    CHECK(step.rounds == 2);
+    CHECK(after == before);
+}
+
+TEST_CASE("A steady solution with friction does not allocate, its fallback included", "[friction]") {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Mesh<double> mesh = cosine_mesh<double>(20);
+    const SteadyFrictionModel<double> model(contact, mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5},
+                                            PlaneKernel<double>::longitudinal(contact), {1, mean_hertz_pressure(mesh)});
+    const FrictionState<double> rest = model.at_rest();
+    FrictionState<double> state = rest;
+    model.solve(rest, 0.1, state);
+    const long before = allocations;
+    const FrictionStep<double> point = model.solve(rest, 1.5 * 0.95, state);
+    const long after = allocations;
+    CHECK(point.status == FrictionStatus::ok);
+    CHECK(point.pivots > 0);
+    CHECK(after == before);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Coulomb friction: steady and non-steady rolling with stick and slip, rigid shifts, Hertz's pressure.
+// Coulomb friction: steady and non-steady rolling with stick and slip, rigid shifts, Hertz's pressure and others.
 // Umbrella of the friction headers.
 #pragma once
 
@@ -6,3 +6,4 @@
 #include "friction_steady.hpp"
 #include "friction_transient.hpp"
 #include "hertz.hpp"
+#include "pressure_table.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/LU>
@@ -74,7 +75,10 @@ public:
           system_(n, n),
           path_lu_(n + 1),
           path_system_(n + 1, n + 1),
-          path_right_(n + 1),
+          path_inverse_(n + 1, n + 1),
+          path_kept_(Vector::Zero(n)),
+          path_row_(n + 1),
+          path_column_(n + 1),
           path_direction_(n + 1),
           path_slip_(n),
           cover_(n) {}
@@ -104,16 +108,12 @@ public:
         return judge(bound, outcome);
     }
 
-    /// Sum over all i, j of weight_i dp_i / dc_j while no element changes. Only where T is valid.
-    Scalar tangent(const Vector& weights) const {
-        Scalar sum = 0;
-        for (Index j = 0; j < size(); ++j) {
-            if (!sticks(j)) continue;
-            for (Index i = 0; i < size(); ++i) {
-                if (sticks(i)) sum -= weights[i] * transform_(i, j);
-            }
-        }
-        return sum;
+    /// dp that follows a change dc while no element changes, both as vectors. Only where T is valid.
+    template <class Derived>
+    void respond(const Eigen::MatrixBase<Derived>& change, Vector& traction_change) {
+        input_ = stick_.cwiseProduct(change);
+        output_.noalias() = transform_ * input_;
+        traction_change = -stick_.cwiseProduct(output_);
     }
 
     /// Counts the changes of T: what was derived from T holds as long as this number does.
@@ -121,7 +121,7 @@ public:
 
 private:
     // Rounds without progress before the fallback. Where the rounds settle at all, longer plateaus were never seen to
-    // pay; the fallback costs one factorisation a pivot, with about n pivots.
+    // pay; the fallback costs some products of matrix and vector a pivot, with about n pivots.
     static constexpr int patience = 10;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
@@ -275,10 +275,7 @@ private:
             return valid_ = transform_.allFinite();
         }
         lu_.compute(system_);
-        transform_.setZero();  // the inverse in place: Eigen's own copies the factors
-        for (Index i = 0; i < size(); ++i) transform_(lu_.permutationP().indices()[i], i) = 1;
-        lu_.matrixLU().template triangularView<Eigen::UnitLower>().solveInPlace(transform_);
-        lu_.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(transform_);
+        invert(lu_, transform_);
         if (stuck < static_cast<Scalar>(size())) {
             system_.noalias() = matrix_ * transform_;
             for (Index i = 0; i < size(); ++i) {
@@ -352,15 +349,11 @@ private:
         bool drives_traction = true;
         Scalar direction = side;
         set_zone(driven, 0);
+        path_driven_ = -1;
         const int limit = static_cast<int>(50 * n + 50);
         for (int pivot = 1; pivot <= limit; ++pivot) {
-            assemble_path(driven, drives_traction, direction);
-            path_lu_.compute(path_system_);
-            path_direction_ = path_lu_.solve(path_right_);
-            if (!path_direction_.allFinite()) return pivot;
+            if (!find_direction(driven, drives_traction, direction)) return pivot;
             const Scalar t_direction = path_direction_[n];
-            row_.noalias() = matrix_ * path_direction_.head(n);
-            row_ += t_direction * cover_;
 
             Scalar step = t_direction < 0 ? -t / t_direction : std::numeric_limits<Scalar>::infinity();
             Index blocking = -1;
@@ -399,13 +392,33 @@ private:
         return limit;
     }
 
-    // unknowns (dp, dt): no slip on the stick elements, no change of traction on the others, unit speed of the driven
-    void assemble_path(Index driven, bool drives_traction, Scalar direction) {
+    // (dp, dt) of the path, and the change of slip that follows. False when there is none to working precision.
+    bool find_direction(Index driven, bool drives_traction, Scalar direction) {
+        const Index n = size();
+        for (bool fresh = !follow_driven(driven);; fresh = true) {
+            if (fresh && !invert_path(driven)) return false;
+            path_direction_ = direction * path_inverse_.col(drives_traction ? n : driven);
+            row_.noalias() = matrix_ * path_direction_.head(n);
+            row_ += path_direction_[n] * cover_;
+            if (fresh) return true;
+            // rounding that the updates of the inverse have picked up makes stick elements creep
+            Scalar creep = 0;
+            for (Index i = 0; i < n; ++i) {
+                if (sticks(i) && i != driven) creep = std::max(creep, std::abs(row_[i]));
+            }
+            if (creep <= Scalar(0.01) * std::sqrt(epsilon) * row_.cwiseAbs().maxCoeff()) return true;
+        }
+    }
+
+    // The equations for (dp, dt): no slip on the stick elements, no change of traction on the others, unit speed of the
+    // driven. Their inverse, afresh.
+    bool invert_path(Index driven) {
         const Index n = size();
         path_system_.setZero();
-        path_right_.setZero();
         for (Index i = 0; i < n; ++i) {
-            if (sticks(i) || i == driven) {
+            const bool kept = sticks(i) || i == driven;
+            path_kept_[i] = kept ? Scalar(1) : Scalar(0);
+            if (kept) {
                 path_system_.row(i).head(n) = matrix_.row(i);
                 path_system_(i, n) = cover_[i];
             } else {
@@ -413,7 +426,49 @@ private:
             }
         }
         path_system_(n, driven) = 1;
-        path_right_[drives_traction ? n : driven] = direction;
+        path_driven_ = driven;
+        path_lu_.compute(path_system_);
+        invert(path_lu_, path_inverse_);
+        return path_inverse_.allFinite();
+    }
+
+    // The inverse after a pivot, by updates of rank one. False when one of them would be singular.
+    bool follow_driven(Index driven) {
+        const Index n = size();
+        if (path_driven_ < 0) return false;
+        // in an order in which no two rows become equal
+        if (path_kept_[driven] == 0) {
+            path_row_.noalias() = path_inverse_.topRows(n).transpose() * matrix_.row(driven).transpose();
+            path_row_ += cover_[driven] * path_inverse_.row(n).transpose();
+            path_kept_[driven] = 1;
+            if (!replace_path_row(driven)) return false;
+        }
+        const Index before = std::exchange(path_driven_, driven);
+        if (before == driven) return true;
+        path_row_ = path_inverse_.row(driven).transpose();
+        if (!replace_path_row(n)) return false;
+        if (sticks(before)) return true;
+        path_row_ = path_inverse_.row(before).transpose();
+        path_kept_[before] = 0;
+        return replace_path_row(before);
+    }
+
+    // Row i of the equations becomes r, path_row_ = r^T times the inverse.
+    bool replace_path_row(Index i) {
+        const Scalar pivot = path_row_[i];
+        if (!(std::abs(pivot) > std::sqrt(epsilon) * path_row_.cwiseAbs().maxCoeff())) return false;
+        path_row_[i] -= 1;
+        path_column_ = path_inverse_.col(i) / -pivot;
+        for (Index k = 0; k <= size(); ++k) path_inverse_.col(k) += path_row_[k] * path_column_;
+        return true;
+    }
+
+    // The inverse in place: Eigen's own copies the factors.
+    static void invert(const Eigen::PartialPivLU<Matrix>& lu, Matrix& inverse) {
+        inverse.setZero();
+        for (Index i = 0; i < inverse.rows(); ++i) inverse(lu.permutationP().indices()[i], i) = 1;
+        lu.matrixLU().template triangularView<Eigen::UnitLower>().solveInPlace(inverse);
+        lu.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(inverse);
     }
 
     Matrix matrix_, transform_;
@@ -423,8 +478,9 @@ private:
     Eigen::PartialPivLU<Matrix> lu_;
     Matrix system_;
     Eigen::PartialPivLU<Matrix> path_lu_;
-    Matrix path_system_;
-    Vector path_right_, path_direction_, path_slip_, cover_;
+    Matrix path_system_, path_inverse_;
+    Vector path_kept_, path_row_, path_column_, path_direction_, path_slip_, cover_;
+    Index path_driven_ = -1;
     Scalar imposed_ = 0;     // max |c|
     Scalar slip_scale_ = 0;  // rounding of the slip
     Scalar creep_ = 0;       // largest slip of an element that should stick

@@ -2,6 +2,7 @@
 // A state is a value: a copy is a checkpoint.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -40,7 +41,7 @@ public:
     /// Slip of body 1 on body 2: after a non-steady step or a rigid shift the distance slid meanwhile [m]; after a
     /// steady solution the slip velocity over the rolling velocity, s/V [-].
     const VectorX<Scalar>& slip() const { return slip_; }
-    /// What each element does.
+    /// What each element does; after a step, at its end.
     const std::vector<Zone>& zones() const { return zones_; }
 
 private:
@@ -48,7 +49,10 @@ private:
         : traction_(VectorX<Scalar>::Zero(n)),
           slip_(VectorX<Scalar>::Zero(n)),
           zones_(static_cast<std::size_t>(n), Zone::stick),
-          solver_(n) {}
+          solver_(n),
+          memory_(VectorX<Scalar>::Zero(n)),
+          carried_(VectorX<Scalar>::Zero(n)),
+          response_(VectorX<Scalar>::Zero(n)) {}
 
     VectorX<Scalar> traction_, slip_;
     std::vector<Zone> zones_;
@@ -58,8 +62,12 @@ private:
     detail::ActiveSet<Scalar> solver_;
     std::shared_ptr<const int> model_;
     Scalar distance_ = -1;
-    Scalar unit_tangent_ = 0;  // sum of areas times dp/dc
-    unsigned long tangent_revision_ = std::numeric_limits<unsigned long>::max();
+    VectorX<Scalar> memory_;   // tractions that the present stage of a step starts from
+    VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
+    VectorX<Scalar> response_;
+    Scalar unit_tangent_ = 0, carried_tangent_ = 0;  // sum of areas times dp, by dc of the last stage and of the first
+    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    unsigned long tangent_revision_ = never, carried_revision_ = never;
 
     template <class>
     friend class detail::FrictionCore;
@@ -76,8 +84,10 @@ struct FrictionStep {
     /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift by the shift [N/m^2]. Not a number
     /// where the matrix of the stick elements is singular.
     Scalar tangent_per_width = std::numeric_limits<Scalar>::quiet_NaN();
+    Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();  ///< the same of the force: 2b times it; infinite with b
     /// Work that slip turns into heat, never negative: of a step or a shift per unit width [J/m]; of a steady solution per
-    /// unit width and unit distance rolled [J/m^2].
+    /// unit width and unit distance rolled [J/m^2]. The sum over the elements: of first order in 1/n, and in steady rolling
+    /// below -F_bar xi, what it tends to (by 7 % at n = 40).
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     /// Largest violation of |p| <= mu p_n (over the largest mu p_n) and of s (over the largest imposed slip).
     Scalar complementarity_residual = std::numeric_limits<Scalar>::quiet_NaN();
@@ -155,45 +165,88 @@ public:
 
     VectorX<Scalar>& constant(State& to) const noexcept { return to.solver_.constant(); }
 
-    /// Solves from the zones of `from` and fills `to`. `gain` is dc / d creepage (or shift); slip is multiplied by
-    /// `slip_unit` for the state.
-    Step solve(const State& from, Scalar gain, Scalar slip_unit, State& to) const noexcept {
+    /// What is known before the last stage of a step: the slip of the first, whose zones the last starts from.
+    struct Before {
+        const std::vector<Zone>& zones;
+        Scalar work = 0, residual = 0;
+        int rounds = 0, pivots = 0;
+        bool tangent_exists = true, solved = true;
+    };
+    /// dc of the first and of the last stage by what the tangent is taken by.
+    struct Gain {
+        Scalar first, last;
+    };
+
+    /// The first of two stages: solves from the zones of `from`, and begins the slip of `to` with `weight` times its own.
+    Before solve_first(const State& from, Scalar weight, State& to) const noexcept {
         ActiveSet<Scalar>& solver = to.solver_;
         const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, from.zones_);
+        set_slip(to);
+        to.slip_ *= weight;
+        return {.zones = solver.zones(),
+                .work = work(to),
+                .residual = outcome.residual,
+                .rounds = outcome.rounds,
+                .pivots = outcome.pivots,
+                .tangent_exists = outcome.tangent_exists,
+                .solved = outcome.status == FrictionStatus::ok};
+    }
+
+    /// The last or only stage. Fills `to`, whose slip is multiplied by `slip_unit`.
+    Step solve(const State& from, const Before& before, const Gain& gain, Scalar slip_unit, State& to) const noexcept {
+        ActiveSet<Scalar>& solver = to.solver_;
+        const bool only = &before.zones == &from.zones_;
+        if (!only) to.response_ = to.slip_;
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, before.zones);
         const Scalar force = widths_.dot(solver.traction());
-        // stick leaves rounding behind, and so may the border of slip
-        to.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
-        const Scalar work = -widths_.cwiseProduct(solver.traction()).dot(to.slip_);
-        if (!std::isfinite(force) || !std::isfinite(work)) {
+        set_slip(to);
+        const Scalar total_work = before.work + work(to);
+        if (!std::isfinite(force) || !std::isfinite(total_work)) {
             solver.invalidate();
             to.traction_ = from.traction_;
             to.slip_ = from.slip_;
             to.zones_ = from.zones_;
             return failed(FrictionStatus::not_finite);
         }
+        if (!only) to.slip_ += to.response_;
+        to.slip_ *= slip_unit;
         to.zones_ = solver.zones();
         to.traction_ = shear_modulus_ * solver.traction();
-        to.slip_ *= slip_unit;
         Step step;
         step.stick_count = solver.stick_count();
         step.force_per_width = half_length_ * shear_modulus_ * force;
         step.force = width_ * step.force_per_width;
-        step.slip_work_per_width = half_length_ * shear_modulus_ * slip_unit * work;
-        if (outcome.tangent_exists) {
-            if (to.tangent_revision_ != solver.revision()) {
-                to.unit_tangent_ = solver.tangent(widths_);
-                to.tangent_revision_ = solver.revision();
-            }
-            step.tangent_per_width = half_length_ * shear_modulus_ * gain * to.unit_tangent_;
+        step.slip_work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        if (before.tangent_exists && outcome.tangent_exists) {
+            step.tangent_per_width = half_length_ * shear_modulus_ * tangent(gain, to);
+            step.tangent = width_ * step.tangent_per_width;
         }
-        step.complementarity_residual = outcome.residual;
-        step.rounds = outcome.rounds;
-        step.pivots = outcome.pivots;
-        step.status = outcome.status;
+        step.complementarity_residual = std::max(before.residual, outcome.residual);
+        step.rounds = before.rounds + outcome.rounds;
+        step.pivots = before.pivots + outcome.pivots;
+        step.status = before.solved ? outcome.status : FrictionStatus::no_solution;
         return step;
     }
 
 private:
+    // stick leaves rounding behind, and so may the border of slip
+    void set_slip(State& to) const {
+        const ActiveSet<Scalar>& solver = to.solver_;
+        to.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
+    }
+    Scalar work(const State& to) const { return -widths_.cwiseProduct(to.solver_.traction()).dot(to.slip_); }
+
+    Scalar tangent(const Gain& gain, State& to) const {
+        if (to.tangent_revision_ != to.solver_.revision()) {
+            to.solver_.respond(VectorX<Scalar>::Ones(size()), to.response_);
+            to.unit_tangent_ = widths_.dot(to.response_);
+            to.solver_.respond(to.carried_, to.response_);
+            to.carried_tangent_ = widths_.dot(to.response_);
+            to.tangent_revision_ = to.solver_.revision();
+        }
+        return gain.last * to.unit_tangent_ + gain.first * to.carried_tangent_;
+    }
+
     Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]
     VectorX<Scalar> widths_, bound_;
     std::shared_ptr<const int> mark_ = std::make_shared<const int>(0);

@@ -54,7 +54,7 @@ public:
         if (!std::isfinite(creepage)) return Core::failed(FrictionStatus::not_finite);
         if (MatrixX<Scalar>* matrix = core_.claim(to, 0)) *matrix = -G_prime_;
         core_.constant(to).setConstant(creepage);
-        return core_.solve(from, 1, 1, to);
+        return core_.solve(from, {.zones = from.zones()}, {.first = 0, .last = 1}, 1, to);
     }
 
 private:

@@ -68,6 +68,8 @@ private:
 
     template <class>
     friend class TransientModel;
+    template <class>
+    friend class FrictionModel;
 };
 
 /// Tractions of the unknown elements [Pa] on body 1, trailing to leading. All there is to a state: a copy is a

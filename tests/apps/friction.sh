@@ -1,0 +1,141 @@
+#!/bin/sh
+# apps/friction_study.cpp, seen from outside: what it refuses, columns, rows, shards and jobs, and numbers that Carter,
+# Cattaneo and the physics of friction give.
+# Usage: friction.sh FOLDER-OF-PROGRAMS
+. "$(dirname "$0")/functions.sh"
+study=$programs/friction_study
+steady="$study --kernel plane --aspect inf"
+rolling="$study --transient --kernel plane --aspect 100 --n 20"
+
+printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' >"$scratch/triangle"
+printf 'x_over_a,pressure\n-1,2\n-0.2,2\n-0.2,0\n0.2,0\n0.2,2\n1,2\n' >"$scratch/gap"
+printf 'x_over_a,pressure\n-1,0\n0,-1\n1,0\n' >"$scratch/negative"
+printf 'x_over_a,pressure\n-1,0\n1,0\n' >"$scratch/unloaded"
+printf 'x_over_a,pressure\n-1,0\n1.5,1\n' >"$scratch/outside"
+printf 'x_over_a,pressure\n0,1\n-0.5,1\n' >"$scratch/backwards"
+printf 'x_over_a,pressure\n0,one\n' >"$scratch/word"
+printf 'x,p\n-1,0\n' >"$scratch/header"
+
+# --- bad input
+bad '--creepage-ratio = nan must be finite' $study --creepage-ratio nan --output x.csv
+bad '--creepage-ratio = 0.5x must be a number' $study --creepage-ratio 0.5x
+bad 'repeated items: 0.5' $study --creepage-ratio 0.5,0.5
+for option in '--dq 0.1' '--until 3' '--sine 1,1' '--shift 1' '--integrator sdirk2' '--lambda 0.5'; do
+    bad 'has no effect without --transient' $study $option --output x.csv
+done
+bad '--tractions = t has no effect with --transient' $study --transient --creepage-ratio 1 --tractions t
+bad '--fit-border' $study --transient --creepage-ratio 1 --fit-border
+bad 'one of --creepage-ratio and --sine must be given with --transient' $study --transient --output x.csv
+bad '--creepage-ratio = 1 has no effect with --sine' $study --transient --sine 1,1 --creepage-ratio 1
+bad '--creepage-ratio = 1,2 must be' $study --transient --creepage-ratio 1,2
+bad '--sine = 1 must be AMP,OMEGA' $study --transient --sine 1
+bad '--sine = 1,0 must be AMP,OMEGA' $study --transient --sine 1,0
+bad '--shift = inf must be finite' $study --transient --creepage-ratio 1 --shift inf
+bad '--dq = 0 must be positive' $study --transient --creepage-ratio 1 --dq 0
+bad '--until = 0.01 must be at least --dq' $study --transient --creepage-ratio 1 --until 0.01
+bad '--until = 1e9 must be at most 1e7 times --dq' $study --transient --creepage-ratio 1 --until 1e9
+bad '--integrator = exponential must be one of sdirk2, implicit-euler' $study --transient --sine 1,1 --integrator exponential
+bad '--aspect = inf must be positive and finite' $study --transient --creepage-ratio 1 --aspect inf
+bad '--aspect = 0.1 must be larger than' $study --transient --creepage-ratio 1 --kernel plane --aspect 0.1
+bad '--mesh = uniform has no effect with --fit-border' $study --fit-border --mesh uniform
+bad '--alpha = 0.5 has no effect with --fit-border' $study --fit-border --alpha 0.5
+bad '--n = 15 must be even and at least 10 with --fit-border' $study --fit-border --n 20,15
+bad '--n = 8 must be even and at least 10 with --fit-border' $study --fit-border --n 8
+bad 'pressure = -1 must be finite and not negative' $study --pressure "$scratch/negative"
+bad 'load = 0 must be positive' $study --pressure "$scratch/unloaded"
+bad 'line 3 = 1.5,1: x_over_a must lie in [-1, 1]' $study --pressure "$scratch/outside"
+bad 'line 3 = -0.5,1 must not lie before' $study --pressure "$scratch/backwards"
+bad 'line 2 = 0,one must be two finite numbers' $study --pressure "$scratch/word"
+bad 'line 1 = x,p must be x_over_a,pressure' $study --pressure "$scratch/header"
+bad 'must be a file that can be read' $study --pressure "$scratch/none"
+bad '--tractions = /nonexistent/t must be a file that can be written' $study --tractions /nonexistent/t --output x.csv
+
+# --- steady
+good 34 $study
+header method,derivative,mesh,n,alpha_L,alpha_T,creepage_ratio,force_ratio,exact,relative_error,stick_count,rounds,complementarity_residual,time_us
+check 'the default scheme' '$1 == "collocation" && $2 == "fd" && $3 == "cosine" && $5 == 0.5 && $6 == 0.5'
+check 'Carter' '($9 - ($7 < 1 ? $7 * (2 - $7) : 1)) ^ 2 < 1e-30 && ($8 / $9 - 1 - $10) ^ 2 < 1e-28'
+check 'small errors' '$10 ^ 2 < 5e-3 ^ 2 && $12 <= 10 && $13 < 1e-12 && $14 > 0'
+check 'full sliding' '($11 == 0) == ($7 >= 1)'
+good 5 $steady --n 20,40,80,160 --creepage-ratio 0.5
+check 'cosine mesh, second order or nearly' '$10 > 0 && $10 < 1.02 * ($4 == 20 ? 3e-3 : $4 == 40 ? 9.1e-4 : $4 == 80 ? 2.7e-4 : 7.8e-5)'
+good 3 $steady --n 20,40 --mesh uniform --creepage-ratio 0.5
+check 'uniform mesh, first order' '$10 < 1.02 * ($4 == 20 ? 1.8e-2 : 8.9e-3) && $10 > 0.97 * ($4 == 20 ? 1.8e-2 : 8.9e-3)'
+good 4 $steady --n 40 --creepage-ratio 0.2,0.5,0.8 --fit-border
+check 'a border resolved' '$10 ^ 2 < 1e-4 ^ 2 && $3 == "fitted" && $5 == 0 && $11 == 20'
+good 5 $steady --n 40 --creepage-ratio -0.5,0.5,-3,0
+awk -F, 'NR == 2 { minus = $8 } NR == 3 { mirrored = minus == -$8 } NR == 4 { slid = ($8 + 1) ^ 2 < 1e-26 }
+    NR == 5 { nothing = $8 == 0 && $10 == "" } END { exit !(mirrored && slid && nothing) }' out || fail 'signs'
+# rounds that cycle end all the same
+good 5 $steady --n 20,80 --alpha-L 0 --alpha-T 0.5,0.63 --creepage-ratio 0.95
+check 'fallback' '$10 ^ 2 < 1e-3 ^ 2 && $13 < 1e-12 && $18 > 0 && $19 == "ok"'
+for method in galerkin knothe-bc; do
+    good 3 $steady --n 20 --method $method --creepage-ratio 0.5,1.5
+    check "$method" '$10 ^ 2 < 0.1 ^ 2 && $19 == "ok"'
+done
+good 12 $steady --n 30 --pressure "$scratch/triangle"
+check 'no closed form for a triangle' '$9 == "" && $10 == "" && $8 > 0.15 && $8 < 1 + 1e-12'
+good 3 $steady --n 40 --pressure "$scratch/gap" --creepage-ratio 0.01,30
+awk -F, 'NR == 2 { small = ($8 / 0.02 - 1) ^ 2 < 0.2 ^ 2 } NR == 3 { slid = ($8 - 1) ^ 2 < 1e-24 }
+    END { exit !(small && slid) }' out || fail 'a gap in the pressure'
+good 3 $steady --n 10,20 --creepage-ratio 0.5 --jobs 2 --tractions t
+check 'no times with --jobs' '$14 == "" && $15 == ""'
+[ "$(head -n 1 t)" = n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh ] || fail "columns of the tractions"
+awk -F, 'NR > 1 { rows += 1; if ($4 < 0 && -$4 <= $5 * (1 + 1e-12) && ($6 == 1) == ($7 == 0) && $7 >= 0) good += 1;
+    if (($4 - $8) ^ 2 < 0.2 ^ 2 && ($6 == 1 || -$4 == $5)) near += 1 } END { exit !(rows == 30 && good == 30 && near == 30) }' t ||
+    fail 'tractions within their bound'
+shards $steady --n 6,9 --creepage-ratio 0.2,0.5,0.9
+for k in 1 2 3; do $steady --n 6,9 --creepage-ratio 0.2,0.5 --shard $k/3 --tractions t$k >/dev/null; done
+$steady --n 6,9 --creepage-ratio 0.2,0.5 --jobs 2 --tractions t >/dev/null
+cat t1 t2 t3 | cmp -s t - || fail 'shards of the tractions'
+good 0 $steady --n 10 --output x.csv
+grep -q '^creepage-ratio = ' x.csv.toml || fail 'companion file'
+
+# --- rolling in time
+good 201 $rolling --creepage-ratio 0.5
+header q_over_a,creepage_ratio,shift,force_ratio,stick_count,rounds,slip_work
+check 'from rest' '($1 / 0.05 - NR + 1) ^ 2 < 1e-18 && $2 == 0.5 && $3 == 0 && $12 == "ok"'
+awk -F, 'NR > 1 { if ($4 < before || $7 < work || $7 < 0) bad = 1; before = $4; work = $7 } END { exit bad }' out ||
+    fail 'force and slip work grow'
+steady_force=$($steady --n 20 --creepage-ratio 0.5 | awk -F, 'NR == 2 { print $8 }')
+for start in '--shift 0' '--shift 3' '--shift -2' '--integrator implicit-euler'; do
+    good "$(case $start in --shift*) echo 402 ;; *) echo 401 ;; esac)" $rolling --creepage-ratio 0.5 --until 120 --dq 0.3 $start
+    awk -F, -v steady="$steady_force" 'END { exit !(($4 / steady - 1) ^ 2 < 1e-6 ^ 2) }' out ||
+        fail "the long-time limit is not $steady_force after $start"
+    awk -F, 'NR > 1 { if ($7 < work) bad = 1; work = $7 } END { exit bad }' out || fail "slip work after $start"
+done
+good 2 $rolling --alpha 0 --creepage-ratio 0 --shift 2 --dq 1 --until 1 --shard 1/2
+check 'Cattaneo' '$1 == 0 && $3 == 2 && $9 ^ 2 < 5e-4 ^ 2 && $9 != "" && ($4 / $8 - 1 - $9) ^ 2 < 1e-28'
+good 5 $rolling --creepage-ratio -1e6 --until 1 --dq 0.25
+check 'full sliding' '($4 + 1) ^ 2 < 1e-24 && $5 == 0'
+# ten periods of a sine: the last repeats the one before, its second half mirrors its first, and the loop has an area
+good 2001 $rolling --sine 1.5,0.5 --until 125.66370614359172 --dq 0.06283185307179586
+check 'sine' '($2 - 1.5 * sin(0.5 * $1)) ^ 2 < 1e-24'
+awk -F, 'NR > 1 { d[NR] = $2; f[NR] = $4; if ($7 < work) bad = 1; work = $7 }
+    END { for (i = NR - 199; i <= NR; ++i) {
+              if ((f[i] - f[i - 200]) ^ 2 > 1e-8) bad = 1; if ((f[i] + f[i - 100]) ^ 2 > 1e-8) bad = 1
+              area += (d[i] - d[i - 1]) * (f[i] + f[i - 1]) / 2 }
+          exit bad || !(area ^ 2 > 0.01) }' out || fail 'hysteresis'
+# halving dq: second order, or first
+for integrator in sdirk2 implicit-euler; do
+    for dq in 0.2 0.1 0.0125; do
+        $rolling --sine 0.9,1 --until 2 --dq $dq --integrator $integrator | tail -n 1 | cut -d, -f4
+    done | awk -v order=$integrator '{ f[NR] = $1 } END { ratio = (f[1] - f[3]) / (f[2] - f[3])
+        exit !(order == "sdirk2" ? ratio > 3.4 && ratio < 4.8 : ratio > 1.8 && ratio < 2.4) }' ||
+        fail "order of $integrator"
+done
+shards $rolling --n 5,6 --creepage-ratio 0.5 --shift 1 --until 1
+
+# --- plots
+if command -v gnuplot >/dev/null; then
+    good 12 $study --n 20 --plot s.svg
+    [ "$(grep -c '</svg>' s.svg)" -eq 1 ] && grep -q Carter s.svg && grep -q stick s.svg || fail 'creep curve and tractions'
+    good 3 $study --n 20 --creepage-ratio 0.3,-0.4 --fit-border --plot s.png --tractions t
+    [ "$(wc -l <t)" -eq 41 ] || fail 'tractions beside a plot'
+    good 21 $rolling --creepage-ratio 0.5 --until 1 --plot r.svg
+    grep -q 'Carter, steady' r.svg || fail 'the steady limit in the plot'
+    good 41 $rolling --sine 1,1 --until 2 --plot l.svg
+    grep -q Hysteresis l.svg || fail 'hysteresis in the plot'
+fi
+
+finish
