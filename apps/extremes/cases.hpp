@@ -1,0 +1,51 @@
+// Extreme cases: what is computed, against what, and what is promised. One list for each kind of problem.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <rollbem/problem/status.hpp>
+
+namespace extremes {
+
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+/// What came out. Cells that have no meaning are not numbers.
+struct Outcome {
+    double value = nothing, reference = nothing;
+    double error = nothing;      ///< relative; its absolute value where the quantity is complex
+    double residual = nothing;   ///< of the equations solved
+    double condition = nothing;  ///< estimate of theirs
+    double bound = 0;            ///< promised for |error|; 0 promises that the case is told
+    std::string told{};          ///< a status other than ok
+};
+
+/// One row. An exception counts as told. `says` has to be part of what is told.
+struct Case {
+    std::string name, quantity;
+    std::function<Outcome()> run;
+    std::string says{};
+};
+
+inline std::string text(rollbem::Status status) {
+    switch (status) {
+        case rollbem::Status::ok: return "";
+        case rollbem::Status::ill_conditioned: return "status ill_conditioned";
+        case rollbem::Status::inconsistent: return "status inconsistent";
+        case rollbem::Status::not_finite: break;
+    }
+    return "status not_finite";
+}
+
+/// 1e-06, 1000, inf: for names.
+std::string shown(double number);
+
+std::vector<Case> steady_cases(bool large);
+std::vector<Case> harmonic_cases();
+std::vector<Case> time_cases();
+
+}  // namespace extremes

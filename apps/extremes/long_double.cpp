@@ -1,0 +1,36 @@
+// Steady and harmonic creep coefficients in long double.
+#include "long_double.hpp"
+
+#include <cmath>
+
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/steady.hpp>
+
+#include "meshes.hpp"
+
+namespace extremes {
+
+namespace {
+
+using Real = long double;
+
+// nu is rounded to double first, as in the computation that is checked
+rollbem::StripKernel<Real> strip(double aspect, double nu) { return {aspect, 1 - Real(nu), Real(nu)}; }
+rollbem::PlaneKernel<Real> plane(double aspect, double nu) { return {aspect, 1 - Real(nu), Real(nu)}; }
+
+}  // namespace
+
+long double steady_c11(const MeshName& name, const rollbem::Collocation& scheme, double aspect, double poisson_ratio) {
+    const rollbem::Mesh<Real> mesh = make_mesh<Real>(name);
+    if (std::isinf(aspect)) return rollbem::solve_steady(mesh, scheme, plane(aspect, poisson_ratio)).c11;
+    return rollbem::solve_steady(mesh, scheme, strip(aspect, poisson_ratio)).c11;
+}
+
+std::complex<long double> harmonic_c11(const MeshName& name, const rollbem::Collocation& scheme, double aspect,
+                                       double poisson_ratio, double z) {
+    const rollbem::Mesh<Real> mesh = make_mesh<Real>(name);
+    const auto matrices = rollbem::assemble(mesh, scheme, plane(aspect, poisson_ratio));
+    return rollbem::solve_harmonic<Real>(matrices, rollbem::unknown_widths(mesh, scheme), z).c11;
+}
+
+}  // namespace extremes

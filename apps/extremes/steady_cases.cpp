@@ -1,0 +1,195 @@
+// Steady rolling at the edges of its domain.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/problem/steady.hpp>
+#include <rollbem/reference/strip.hpp>
+
+#include "cases.hpp"
+#include "long_double.hpp"
+#include "meshes.hpp"
+
+namespace extremes {
+
+namespace {
+
+using rollbem::Collocation;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double steel = 0.28;
+constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
+
+struct Problem {
+    MeshName mesh;
+    Collocation scheme = equal;
+    double aspect = infinity;
+    double poisson_ratio = steel;
+};
+
+rollbem::UnitSteadySolution<double> solve(const Problem& p) {
+    const rollbem::Mesh<double> mesh = make_mesh<double>(p.mesh);
+    const double nu = p.poisson_ratio;
+    if (std::isinf(p.aspect)) {
+        return rollbem::solve_steady(mesh, p.scheme, rollbem::PlaneKernel<double>(p.aspect, 1 - nu, nu));
+    }
+    return rollbem::solve_steady(mesh, p.scheme, rollbem::StripKernel<double>(p.aspect, 1 - nu, nu));
+}
+
+Outcome against(const Problem& p, double reference, double bound) {
+    const rollbem::UnitSteadySolution<double> solution = solve(p);
+    return {.value = solution.c11,
+            .reference = reference,
+            .error = solution.c11 / reference - 1,
+            .residual = solution.residual,
+            .condition = 1 / solution.rcond,
+            .bound = bound,
+            .told = text(solution.status)};
+}
+
+/// The discretisation's error against the exact solution of the model.
+Case exact(const std::string& name, const Problem& p, double bound) {
+    return {name, "c11 against Carter", [=] { return against(p, rollbem::steady_c11(p.poisson_ratio), bound); }};
+}
+
+/// What rounding does: the same discretisation in long double. The condition says how much it may.
+Case rounded(const std::string& name, const Problem& p) {
+    return {name, "c11 against long double", [=] {
+                const double reference = static_cast<double>(steady_c11(p.mesh, p.scheme, p.aspect, p.poisson_ratio));
+                Outcome outcome = against(p, reference, 0);
+                outcome.bound = 4 * rounding * outcome.condition;
+                return outcome;
+            }};
+}
+
+Case told(const std::string& name, const Problem& p, const std::string& says) {
+    return {name, "c11", [=] { return against(p, rollbem::steady_c11(p.poisson_ratio), 0); }, says};
+}
+
+void add_sizes(std::vector<Case>& cases, bool large) {
+    // One element at alpha = 0.5 and 1: G' is a second difference of x ln|x|.
+    const double carter = rollbem::steady_c11(steel);
+    cases.push_back({"n = 1, alpha = 0.5", "c11 against 2 pi/(3 (1-nu) ln 3)", [=] {
+                         return against({{"uniform", 1}}, carter * 4 / (3 * std::log(3.0)), 8 * rounding);
+                     }});
+    cases.push_back({"n = 1, alpha = 1", "c11 against pi/(2 (1-nu) ln 2)", [=] {
+                         return against({{"uniform", 1}, {1, 1}}, carter / std::numbers::ln2, 8 * rounding);
+                     }});
+    for (const int n : {2, 3}) cases.push_back(rounded("n = " + std::to_string(n), {{"uniform", n}}));
+    // first order 0.1507/n on the uniform mesh; second order on the cosine mesh, from 0.31/n^2 down to 0.168/n^2
+    for (const int n : {2, 3, 1000}) {
+        cases.push_back(exact("n = " + std::to_string(n) + ", uniform", {{"uniform", n}}, 0.16 / n));
+        cases.push_back(
+            exact("n = " + std::to_string(n) + ", cosine", {{"cosine", n}}, (n < 10 ? 0.32 : 0.18) / n / n));
+    }
+    if (!large) return;
+    cases.push_back(rounded("n = 1000, cosine", {{"cosine", 1000}}));
+    cases.push_back(exact("n = 4000, uniform", {{"uniform", 4000}}, 0.16 / 4000));
+    cases.push_back(exact("n = 4000, cosine", {{"cosine", 4000}}, 0.18 / 4000 / 4000));
+}
+
+void add_contacts(std::vector<Case>& cases) {
+    for (const double nu : {0.0, 0.5}) {
+        cases.push_back(exact("nu = " + shown(nu), {{"cosine", 40}, equal, infinity, nu}, 1.1e-4));
+        cases.push_back(rounded("nu = " + shown(nu) + ", b/a = 1", {{"cosine", 40}, equal, 1, nu}));
+    }
+    // The strip, narrow to wide, against the spectral solution of the same model. The error is that of the cosine mesh
+    // until the elements in the middle, 3.1/n wide, do not see the width b any more.
+    for (const double aspect : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12}) {
+        const Problem p{{"cosine", 80}, equal, aspect};
+        cases.push_back({"b/a = " + shown(aspect), "c11 against the spectral solution", [=] {
+                             const rollbem::reference::StripC11 reference =
+                                 rollbem::reference::strip_c11(0, steel, aspect);
+                             Outcome outcome = against(p, reference.c11.real(), 0);
+                             outcome.bound = 3e-5 + 4e-5 / aspect / std::max(1.0, 1e-2 / aspect);
+                             if (!(reference.error_estimate < 1e-11)) outcome.told = "the reference has not converged";
+                             return outcome;
+                         }});
+        cases.push_back(rounded("b/a = " + shown(aspect), p));
+    }
+    cases.push_back(exact("b/a = inf", {{"cosine", 80}}, 3e-5));
+}
+
+void add_meshes(std::vector<Case>& cases) {
+    for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
+        const Problem p{{"geometric", 40, ratio}};
+        cases.push_back(exact("size ratio " + shown(ratio), p, 0.1));
+        cases.push_back(rounded("size ratio " + shown(ratio), p));
+        cases.push_back(rounded("size ratio " + shown(ratio) + ", b/a = 0.1", {p.mesh, equal, 0.1}));
+    }
+    for (const char* maker : {"knothe", "modified-knothe"}) {
+        for (const double epsilon : {1e-8, 1e-4, 10.0}) {
+            const std::string name = std::string(maker) + ", epsilon = " + shown(epsilon);
+            const Problem p{{maker, 40, epsilon}};
+            cases.push_back(exact(name, p, 0.1));
+            cases.push_back(rounded(name, p));
+        }
+    }
+}
+
+void add_schemes(std::vector<Case>& cases) {
+    const auto at = [](Eigen::Index n, double alpha) { return Problem{{"uniform", n}, {alpha, alpha}}; };
+    // On a uniform mesh G' of alpha = 0 is antisymmetric: singular for an odd number of elements, without force for an
+    // even one.
+    cases.push_back(told("alpha = 0, n = 1", at(1, 0), "not_finite"));
+    for (const int n : {3, 41}) {
+        cases.push_back(told("alpha = 0, n = " + std::to_string(n), at(n, 0), "ill_conditioned"));
+    }
+    for (const int n : {2, 40}) {
+        cases.push_back(told("alpha = 0, n = " + std::to_string(n), at(n, 0), "inconsistent"));
+    }
+    cases.push_back(exact("alpha = 0.5", at(40, 0.5), 3.8e-3));
+    cases.push_back(exact("alpha = 1", at(40, 1), 1.2e-2));
+    for (const double alpha : {-0.5, 1.5, 2.0}) {
+        for (const int n : {40, 41}) {
+            cases.push_back(
+                told("alpha = " + shown(alpha) + ", n = " + std::to_string(n), at(n, alpha), "inconsistent"));
+        }
+    }
+    // exactly on the edge of an element the analytic derivative moves its points
+    Problem analytic = at(40, 0.5);
+    analytic.scheme.derivative = rollbem::Derivative::analytic;
+    cases.push_back(exact("alpha = 0.5, analytic derivative", analytic, 0.3));
+    cases.push_back(rounded("alpha = 0.5, analytic derivative", analytic));
+    cases.push_back({"alpha = 2.5", "c11", [=] { return against(at(40, 2.5), 1, 0); }, "must lie in [-2, 2]"});
+}
+
+void add_units(std::vector<Case>& cases) {
+    const rollbem::Contact<double> wheel(
+        {.half_length = 1e-4, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = steel});
+    for (const double creepage : {1e-12, -1e-3, 1e6}) {
+        cases.push_back(
+            {"a = 1e-4 m, G = 8e10 Pa, xi = " + shown(creepage), "force per width against dimensionless", [=] {
+                 const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
+                 const auto si = rollbem::solve_steady(wheel, mesh, equal, creepage);
+                 const auto unit =
+                     rollbem::solve_steady(rollbem::Contact<double>::dimensionless(10, steel), mesh, equal, 1.0);
+                 const double reference = unit.force_per_width * 1e-4 * 8e10 * creepage;
+                 return Outcome{.value = si.force_per_width,
+                                .reference = reference,
+                                .error = si.force_per_width / reference - 1,
+                                .residual = si.residual,
+                                .condition = 1 / si.rcond,
+                                .bound = 100 * rounding,
+                                .told = text(si.status)};
+             }});
+    }
+}
+
+}  // namespace
+
+std::vector<Case> steady_cases(bool large) {
+    std::vector<Case> cases;
+    add_sizes(cases, large);
+    add_contacts(cases);
+    add_meshes(cases);
+    add_schemes(cases);
+    add_units(cases);
+    return cases;
+}
+
+}  // namespace extremes

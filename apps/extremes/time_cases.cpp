@@ -1,0 +1,169 @@
+// Stability and rolling in time at the edges of their domain.
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/transient.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/step_response.hpp>
+
+#include "cases.hpp"
+
+namespace extremes {
+
+namespace {
+
+using Model = rollbem::TransientModel<double>;
+using rollbem::Collocation;
+using rollbem::Integrator;
+
+constexpr double steel = 0.28;
+constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
+
+rollbem::Contact<double> contact(double aspect) { return rollbem::Contact<double>::dimensionless(aspect, steel); }
+
+/// cosine 0.5/0.5, strip kernel: stable by its eigenvalues.
+Model stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
+    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
+    const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
+    const rollbem::InfluenceMatrices<double> matrices = rollbem::assemble(mesh, equal, kernel);
+    return {contact, matrices, rollbem::unknown_widths(mesh, equal), rollbem::verdict(matrices), integrator};
+}
+
+std::string text(rollbem::StepStatus status) {
+    return status == rollbem::StepStatus::ok ? "" : "step status " + std::to_string(static_cast<int>(status));
+}
+
+/// Force per width after `count` steps of dq [m] at unit creepage, from rest.
+Outcome roll(const Model& model, double dq, int count) {
+    Model::State now = model.at_rest(), next = now;
+    const Model::Prepared step = model.prepare(dq);
+    Outcome outcome;
+    for (int k = 0; k < count; ++k) {
+        const rollbem::TransientStep<double> result = model.advance(now, step, 1.0, next);
+        outcome.value = result.force_per_width;
+        outcome.told = text(result.status);
+        std::swap(now, next);
+    }
+    return outcome;
+}
+
+Outcome compare(Outcome outcome, double reference, double bound) {
+    outcome.reference = reference;
+    outcome.error = outcome.value / reference - 1;
+    outcome.bound = bound;
+    return outcome;
+}
+
+const char* name_of(Integrator integrator) {
+    return integrator == Integrator::implicit_euler ? "implicit-euler"
+           : integrator == Integrator::sdirk2       ? "sdirk2"
+                                                    : "exponential";
+}
+
+void add_steps(std::vector<Case>& cases) {
+    for (const Integrator integrator :
+         {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
+        for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
+            const std::string where = std::string(", ") + name_of(integrator) + ", b/a = " + shown(aspect);
+            // Far above 1/|nu_max|: the steady force. What is left of the start falls by Lambda a/dq a step or faster.
+            for (const double dq : {1e3, 1e6}) {
+                cases.push_back({"dq = " + shown(dq) + where, "force against steady rolling", [=] {
+                                     const Model model = stable_model(contact(aspect), integrator);
+                                     const double steady = model.force(model.steady(1.0)) / (2 * aspect);
+                                     return compare(roll(model, dq, 4), steady, dq < 1e4 ? 1e-3 : 1e-10);
+                                 }});
+            }
+            // Far below: dp/dq = -G^-1 xi at rest. Against it the change of slope is of order dq |nu_max|, 6e-7.
+            cases.push_back({"dq = 1e-09" + where, "force against -G^-1 xi dq", [=] {
+                                 const Model model = stable_model(contact(aspect), integrator);
+                                 const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
+                                 const rollbem::MatrixX<double> G = rollbem::assemble_G(
+                                     mesh, equal, rollbem::StripKernel<double>::longitudinal(contact(aspect)));
+                                 const Eigen::VectorXd slope =
+                                     Eigen::PartialPivLU<rollbem::MatrixX<double>>(G).solve(Eigen::VectorXd::Ones(40));
+                                 const double reference = -1e-9 * mesh.widths().matrix().dot(slope);
+                                 return compare(roll(model, 1e-9, 1), reference, 2e-6);
+                             }});
+        }
+    }
+    cases.push_back({"dq = 1, exponential, b/a = 1000", "force against the exact step response", [] {
+                         const rollbem::reference::StepResponse exact(steel, 1000);
+                         return compare(roll(stable_model(contact(1000), Integrator::matrix_exponential), 1, 5),
+                                        -exact.step(5), 1e-3);
+                     }});
+}
+
+void add_units(std::vector<Case>& cases) {
+    // a wheel of a = 0.1 mm in steps of 10 microseconds
+    for (const double speed : {0.01, 1.0, 150.0}) {
+        cases.push_back(
+            {"a = 1e-4 m, G = 8e10 Pa, V = " + shown(speed) + " m/s", "force against dimensionless", [=] {
+                 const rollbem::Contact<double> si(
+                     {.half_length = 1e-4, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = steel});
+                 const double dq = speed * 1e-5;
+                 const Outcome unit = roll(stable_model(contact(10), Integrator::sdirk2), dq / 1e-4, 20);
+                 return compare(roll(stable_model(si, Integrator::sdirk2), dq, 20), unit.value * 1e-4 * 8e10, 1e-11);
+             }});
+    }
+}
+
+void add_spectra(std::vector<Case>& cases) {
+    for (const int n : {1, 3, 40, 160}) {
+        cases.push_back(
+            {"n = " + std::to_string(n) + ", cosine, b/a = 100", "spectral abscissa against the exact eigenvalue", [=] {
+                 const rollbem::PlaneKernel<double> kernel(100, 1 - steel, steel);
+                 const auto result = rollbem::solve_stability(rollbem::cosine_mesh(n), equal, kernel,
+                                                              {.settle_signs = true, .condition = true});
+                 Outcome outcome{.value = result.spectral_abscissa,
+                                 .condition = *result.cond_G,
+                                 .told = extremes::text(result.status)};
+                 if (!rollbem::verdict(result).stable()) outcome.told = "not certainly stable";
+                 return compare(outcome, rollbem::reference::eigenvalues(1, steel, 100)[0].real(),
+                                0.3 / n / std::sqrt(n));
+             }});
+    }
+}
+
+void add_refusals(std::vector<Case>& cases) {
+    const auto build = [](Eigen::Index n, Collocation scheme, double aspect) {
+        return [=] {
+            const rollbem::Mesh<double> mesh = rollbem::uniform_mesh(n);
+            const auto kernel = rollbem::StripKernel<double>::longitudinal(contact(aspect));
+            const rollbem::InfluenceMatrices<double> matrices = rollbem::assemble(mesh, scheme, kernel);
+            const Model model(contact(aspect), matrices, rollbem::unknown_widths(mesh, scheme),
+                              rollbem::verdict(matrices));
+            return roll(model, 1, 1);
+        };
+    };
+    const double infinity = std::numeric_limits<double>::infinity();
+    cases.push_back({"time, alpha = 0, n = 40", "force", build(40, {0, 0}, 1000), "count"});
+    cases.push_back({"time, alpha = 0, n = 41", "force", build(41, {0, 0}, 1000), "count"});
+    cases.push_back({"time, alpha = 1", "force", build(40, {1, 1}, 1000), "must be 0: a mode of the scheme grows"});
+    cases.push_back({"time, alpha = 1.5", "force", build(40, {1.5, 1.5}, 1000), "does not converge to full adhesion"});
+    cases.push_back({"time, 0/0.63, n = 160", "force", build(160, {0, 0.63}, 1000), "must be 0"});
+    cases.push_back({"time, b/a = inf", "force", build(40, equal, infinity), "finite"});
+    for (const double dq : {-1.0, infinity, nothing}) {
+        cases.push_back({"dq = " + shown(dq), "force",
+                         [=] { return roll(stable_model(contact(1000), Integrator::sdirk2), dq, 1); },
+                         "must be finite and not negative"});
+    }
+}
+
+}  // namespace
+
+std::vector<Case> time_cases() {
+    std::vector<Case> cases;
+    add_steps(cases);
+    add_units(cases);
+    add_spectra(cases);
+    add_refusals(cases);
+    return cases;
+}
+
+}  // namespace extremes

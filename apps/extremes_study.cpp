@@ -1,0 +1,96 @@
+// The library at the edges of its domain: one row for each case, which ends right to a bound that is stated, or with a
+// status or an exception that says why not:
+//
+//     ./extremes_study
+//     ./extremes_study --large --output extremes.csv
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "extremes/cases.hpp"
+#include "support/csv.hpp"
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/table.hpp"
+
+namespace extremes {
+
+std::string shown(double number) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%g", number);
+    return buffer;
+}
+
+}  // namespace extremes
+
+namespace {
+
+using extremes::Case, extremes::Outcome;
+
+Outcome run(const Case& one) {
+    try {
+        return one.run();
+    } catch (const std::exception& error) {
+        Outcome outcome;
+        outcome.told = error.what();
+        return outcome;
+    }
+}
+
+/// right, told or broken.
+std::string verdict(const Case& one, const Outcome& outcome) {
+    if (!one.says.empty()) return outcome.told.find(one.says) != std::string::npos ? "told" : "broken";
+    return outcome.told.empty() && std::abs(outcome.error) <= outcome.bound ? "right" : "broken";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("extremes_study", "Extreme cases: right to a stated bound, or told why not.");
+    for (const char* name : {"n", "mesh", "edges", "size-ratio", "epsilon", "method", "quadrature", "alpha-L",
+                             "alpha-T", "alpha", "lambda", "derivative", "kernel", "aspect", "poisson"}) {
+        options.refuse(name, "each case has its own");
+    }
+    options.refuse("plot", "cases have nothing to draw");
+    options.add_flag("large", "besides, n = 1000 in long double and n = 4000: half a minute and 500 MB more");
+    options.footer(
+        "Example: all cases, as a file\n"
+        "  extremes_study --large --output extremes.csv\n"
+        "\n"
+        "verdict is right where |relative_error| <= bound, told where a status or an exception says why there is no\n"
+        "result (column told), and broken where the promise of the case is not kept: then the exit code is 1, after "
+        "all\n"
+        "rows. References are closed forms, Bessel functions, the spectral solution of the strip, or the same "
+        "discretisation\n"
+        "in long double; there the bound is what the condition, in the column condition, makes of rounding.\n");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        // 2. The cases.
+        std::vector<Case> cases = extremes::steady_cases(given.flag("large"));
+        for (const auto& more : {extremes::harmonic_cases(), extremes::time_cases()}) {
+            cases.insert(cases.end(), more.begin(), more.end());
+        }
+
+        // 3. One row each.
+        std::atomic<bool> all_kept{true};
+        study::Table table;
+        table.columns = {"case",     "quantity",  "value",   "reference", "relative_error",
+                         "residual", "condition", "verdict", "bound",     "told"};
+        table.rows_of_task.assign(cases.size(), 1);
+        table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
+            const Case& one = cases[task];
+            const Outcome outcome = run(one);
+            const std::string result = verdict(one, outcome);
+            if (result == "broken") all_kept = false;
+            const study::Cell bound = one.says.empty() ? study::Cell(outcome.bound) : study::Cell();
+            emit({one.name, one.quantity, outcome.value, outcome.reference, outcome.error, outcome.residual,
+                  outcome.condition, result, bound, outcome.told});
+        };
+        study::write_table(given, table);
+        return all_kept ? study::exit_ok : study::exit_failed;
+    });
+}
