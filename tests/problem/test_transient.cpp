@@ -414,6 +414,10 @@ TEST_CASE("Construction refuses bad input by name", "[transient]") {
     bad.n = 9;
     CHECK_THROWS_WITH(build(bad), ContainsSubstring("n of the verdict = 9 must equal"));
     CHECK_THROWS_AS(build(StabilityVerdict{.n = 8}), std::invalid_argument);  // eigenvalues not found
+    // all modes decay at alpha = 1.5, to three times the force
+    CHECK_THROWS_WITH(Model(contact, mesh, Collocation{1.5, 1.5}, kernel, good),
+                      ContainsSubstring("does not converge to full adhesion"));
+    CHECK_NOTHROW(Model(contact, mesh, Collocation{1.5, 1.5}, kernel, unchecked));
 
     const Contact<double> infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
     CHECK_THROWS_WITH(Model(infinite, mesh, halves, StripKernel<double>::longitudinal(infinite), unchecked),

@@ -19,6 +19,7 @@
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../scene/contact.hpp"
+#include "adhesion.hpp"
 #include "plane_model.hpp"
 #include "stability_verdict.hpp"
 #include "status.hpp"
@@ -132,7 +133,8 @@ public:
 
     /// Takes creepage in the direction of the kernel, whose half-width must be the contact's in units of a. Throws
     /// std::invalid_argument unless the verdict is one of this scheme's eigenvalues and settles that none grows, where
-    /// the contact's half-width is infinite, and as assemble and require_stable_model do.
+    /// steady rolling shows that the scheme does not converge to full adhesion (Status::inconsistent), where the
+    /// contact's half-width is infinite, and as assemble and require_stable_model do.
     template <class Scheme, LineKernel Kernel>
     TransientModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                    const StabilityVerdict& verdict, Integrator integrator = Integrator::sdirk2)
@@ -292,6 +294,10 @@ private:
                         "be 0: a mode of the scheme grows without bound");
         detail::require(verdict.uncertain_count == 0, "TransientModel", "uncertain_count", verdict.uncertain_count,
                         "be 0: rounding leaves open whether a mode grows");
+        const Scalar share = detail::assisting_share<Scalar>(steady(1).traction, areas_);
+        detail::require(share <= Scalar(detail::largest_assisting_share), "TransientModel",
+                        "share of steady traction that pushes with the creepage", share,
+                        "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
     }
     static void require_finite_width(const Contact<Scalar>& contact) {
         detail::require(std::isfinite(contact.half_width()), "TransientModel", "half_width", contact.half_width(),
