@@ -28,7 +28,7 @@ endfunction()
 set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
 add_consumer_test(find_package consumer "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(reference consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
-add_consumer_test(subdirectory consumer -DROLLBEM_FROM=subdirectory ${no_gsl})
+add_consumer_test(subdirectory slip -DROLLBEM_FROM=subdirectory ${no_gsl})
 add_consumer_test(pkg_config consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
 
 # Without GSL the component is refused, and the message says why.
