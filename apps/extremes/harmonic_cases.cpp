@@ -64,14 +64,14 @@ void add_frequencies(std::vector<Case>& cases) {
                                                                          plane(1000));
                              const Complex reference(harmonic_c11({"uniform", 200}, recommended, 1000, steel, z));
                              Outcome outcome = from_sweep(sweep, z, reference, 0);
-                             outcome.bound = 100 * rounding * outcome.condition;
+                             outcome.bound = 16 * rounding * outcome.condition;
                              return outcome;
                          }});
         cases.push_back({name + ", uniform 0/0.63, n = 200, LU", "|c11| against long double", [=] {
                              const auto full =
                                  rollbem::solve_harmonic(rollbem::uniform_mesh(200), recommended, plane(1000), z);
                              const Complex reference(harmonic_c11({"uniform", 200}, recommended, 1000, steel, z));
-                             Outcome outcome = compare(full.c11, reference, 100 * rounding / full.rcond);
+                             Outcome outcome = compare(full.c11, reference, 16 * rounding / full.rcond);
                              outcome.residual = full.residual;
                              outcome.condition = 1 / full.rcond;
                              outcome.told = text(full.status);

@@ -75,7 +75,7 @@ Number strip_c11_once(Number s, double c1, double c2, double b, Eigen::Index ord
 }  // namespace detail
 
 /// Creep coefficient of a rectangle 2a x 2b under creepage xi e^{s V t/a} (s = i omega a/V in the harmonic case, 0 in
-/// the steady one), on its middle line, strip kernel: what pi/(2(1-nu)) is the limit b >> a of. The singularities of the
+/// the steady one), on its middle line, strip kernel: what tends to pi/(2(1-nu)) for b >> a. The singularities of the
 /// smooth rest lie at a distance b from the contact, so that the order and a dense system grow like 1/b: 2 s of run time
 /// at b/a = 0.01. Good to about 1e-12, or what the estimate says. Throws std::invalid_argument unless s is finite with
 /// |s| <= 1000, 0 <= poisson_ratio <= 0.5 and 0.005 <= aspect < inf.

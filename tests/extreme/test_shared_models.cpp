@@ -1,0 +1,119 @@
+// rollbem/problem: const models shared by threads give each of them, to the last bit, what one thread alone gets.
+// The thread sanitizer sees every access that they share.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/friction.hpp>
+#include <rollbem/problem/hertz.hpp>
+#include <rollbem/problem/steady.hpp>
+#include <rollbem/problem/transient.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Numbers = std::vector<double>;
+
+constexpr double nu = 0.28;
+constexpr Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+
+/// What `work` gives alone, and in each of four threads at once.
+void check_shared(const std::function<Numbers()>& work) {
+    const Numbers alone = work();
+    REQUIRE(!alone.empty());
+    REQUIRE(std::all_of(alone.begin(), alone.end(), [](double x) { return std::isfinite(x); }));
+    std::vector<Numbers> found(4);
+    {
+        std::vector<std::thread> threads;
+        for (Numbers& numbers : found) threads.emplace_back([&numbers, &work] { numbers = work(); });
+        for (std::thread& thread : threads) thread.join();
+    }
+    for (const Numbers& numbers : found) CHECK(numbers == alone);
+}
+
+TEST_CASE("Assembly and steady rolling", "[threads]") {
+    const Contact<double> contact = Contact<double>::dimensionless(10, nu);
+    const Mesh<double> mesh = cosine_mesh(20);
+    const auto strip = StripKernel<double>::longitudinal(contact);
+    const auto plane = PlaneKernel<double>::longitudinal(contact);
+    const Galerkin galerkin{.quadrature = 3};
+    check_shared([&] {
+        return Numbers{solve_steady(mesh, scheme, strip).c11, solve_steady(mesh, scheme, plane).c11,
+                       solve_steady(mesh, galerkin, strip).c11, assemble_G(mesh, galerkin, strip).sum(),
+                       solve_steady(contact, mesh, KnotheBoundary{}, 1e-3).force_per_width};
+    });
+}
+
+TEST_CASE("A time step, prepared or not", "[threads]") {
+    const Contact<double> contact = Contact<double>::dimensionless(10, nu);
+    const TransientModel<double> model(contact, cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact),
+                                       unchecked);
+    const PreparedStep<double> prepared = model.prepare(0.1);
+    check_shared([&] {
+        TransientModel<double>::State now = model.at_rest(), next = model.steady(1e-3);
+        Numbers forces;
+        for (int k = 0; k < 20; ++k) {
+            forces.push_back(model.advance(now, prepared, 1e-3, next).force);
+            std::swap(now, next);
+            forces.push_back(model.advance(now, 0.05, RigidMotion<double>::linear(1e-3, 2e-3), next).tangent);
+            std::swap(now, next);
+        }
+        return forces;
+    });
+}
+
+TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
+    const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
+    const Mesh<double> mesh = cosine_mesh(20);
+    const auto plane = PlaneKernel<double>::longitudinal(contact);
+    const CoulombFriction<double> friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
+    const SteadyFrictionModel<double> steady(contact, mesh, scheme, plane, friction);
+    const FrictionModel<double> model(contact, mesh, scheme, plane, friction);
+    check_shared([&] {
+        Numbers forces;
+        auto now = steady.at_rest(), next = now;
+        for (const double creepage : {1e-4, 3e-4, 1e-3}) {
+            forces.push_back(steady.solve(now, creepage, next).force_per_width);
+            std::swap(now, next);
+        }
+        auto rolling = model.at_rest(), after = rolling;
+        for (int k = 0; k < 10; ++k) {
+            forces.push_back(model.advance(rolling, 0.1, 3e-4, after).force_per_width);
+            std::swap(rolling, after);
+        }
+        return forces;
+    });
+}
+
+TEST_CASE("Frequency response, reduced or not, and polynomials", "[threads]") {
+    const PlaneKernel<double> plane(1000, 1 - nu, nu);
+    const FrequencySweep<double> reduced(cosine_mesh(20), scheme, plane);
+    MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
+    weak.row(3) *= 1e-9;  // no reduction, but nothing to object to
+    const FrequencySweep<double> full({assemble_G(cosine_mesh(20), scheme, plane), weak}, cosine_mesh(20).widths());
+    REQUIRE(reduced.reduced());
+    REQUIRE(!full.reduced());
+    check_shared([&] {
+        Numbers numbers;
+        for (const double z : {1e-3, 1.0, 30.0}) {
+            for (const std::complex<double> c11 :
+                 {reduced(z).c11, full(z).c11, polynomial_c11<double>({0, z}, nu, 1000).c11}) {
+                numbers.push_back(c11.real());
+                numbers.push_back(c11.imag());
+            }
+        }
+        const PolynomialSolution<double> solution = solve_chebyshev<double>({0, 1}, nu, 1000);
+        numbers.push_back(solution.traction(0.3).real());
+        return numbers;
+    });
+}
+
+}  // namespace

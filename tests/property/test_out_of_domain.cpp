@@ -1,0 +1,213 @@
+// rollbem/rollbem.hpp: every value outside the domain of a public argument is refused by name, in every scalar type.
+#include <complex>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/mesh.hpp>
+#include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/problem/hertz.hpp>
+#include <rollbem/problem/plane_model.hpp>
+#include <rollbem/scene/contact.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+/// The message of the exception, "" where there is none.
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// Values that no argument takes, and those given.
+template <class Scalar>
+std::vector<Scalar> bad(std::vector<Scalar> values = {}) {
+    using Limits = std::numeric_limits<Scalar>;
+    for (const Scalar value : {Limits::quiet_NaN(), -Limits::infinity()}) values.push_back(value);
+    return values;
+}
+
+/// Each value is refused in one line with the quantity, the value and what must hold.
+template <class Scalar>
+void refuses(const std::string& quantity, const std::vector<Scalar>& values, const std::function<void(Scalar)>& call) {
+    for (const Scalar value : values) {
+        const std::string message = refusal([&] { call(value); });
+        CAPTURE(quantity, static_cast<double>(value), message);
+        CHECK(message.find(": " + quantity + " = ") != std::string::npos);
+        CHECK(message.find(" must ") != std::string::npos);
+        CHECK(message.find('\n') == std::string::npos);
+        const std::string shown = detail::to_text(value);
+        const bool derived = quantity.find_first_of("(/|") != std::string::npos;  // shows a value computed from it
+        CHECK((derived || message.find("= " + shown + " must") != std::string::npos));
+    }
+}
+
+TEMPLATE_TEST_CASE("Contact", "[domain]", float, double, long double) {
+    using Scalar = TestType;
+    using Parameters = typename Contact<Scalar>::Parameters;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity(), tiny = std::numeric_limits<Scalar>::denorm_min();
+    const Parameters good{.half_length = 1, .half_width = 1, .shear_modulus = 1, .poisson_ratio = Scalar(0.25)};
+    const auto with = [&](auto member) {
+        return [=](Scalar value) {
+            Parameters p = good;
+            p.*member = value;
+            Contact<Scalar>{p};
+        };
+    };
+    refuses<Scalar>("half_length", bad<Scalar>({0, -1, infinity}), with(&Parameters::half_length));
+    refuses<Scalar>("half_width", bad<Scalar>({0, -1, -tiny}), with(&Parameters::half_width));
+    refuses<Scalar>("shear_modulus", bad<Scalar>({0, -1, infinity}), with(&Parameters::shear_modulus));
+    refuses<Scalar>("poisson_ratio", bad<Scalar>({-tiny, Scalar(0.5) + std::numeric_limits<Scalar>::epsilon(), 1}),
+                    with(&Parameters::poisson_ratio));
+    refuses<Scalar>("aspect", bad<Scalar>({0, -1}), [](Scalar b) { Contact<Scalar>::dimensionless(b, 0); });
+    // a quotient that underflows
+    CHECK(refusal([&] {
+              Contact<Scalar>({.half_length = std::numeric_limits<Scalar>::max(),
+                               .half_width = tiny,
+                               .shear_modulus = 1,
+                               .poisson_ratio = 0});
+          }).find("half_width / half_length = 0 must be positive") != std::string::npos);
+}
+
+TEMPLATE_TEST_CASE("Meshes", "[domain]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    const std::vector<Scalar> not_positive = bad<Scalar>({0, -1, infinity});
+    refuses<Scalar>("size_ratio", not_positive, [](Scalar ratio) { geometric_mesh<Scalar>(5, ratio); });
+    refuses<Scalar>("epsilon", not_positive, [](Scalar epsilon) { knothe_mesh<Scalar>(5, epsilon); });
+    refuses<Scalar>("epsilon", not_positive, [](Scalar epsilon) { modified_knothe_mesh<Scalar>(5, epsilon); });
+    const std::vector<Eigen::Index> none{0, -1, std::numeric_limits<Eigen::Index>::min()};
+    refuses<Eigen::Index>("n", none, [](Eigen::Index n) { uniform_mesh<Scalar>(n); });
+    refuses<Eigen::Index>("n", none, [](Eigen::Index n) { cosine_mesh<Scalar>(n); });
+    refuses<Eigen::Index>("n", {1, 0, -1}, [](Eigen::Index n) { geometric_mesh<Scalar>(n, 2); });
+    refuses<Eigen::Index>("n", {2, 1, 0, -1}, [](Eigen::Index n) { knothe_mesh<Scalar>(n, Scalar(0.4)); });
+    refuses<Eigen::Index>("n", {1, 0, -1}, [](Eigen::Index n) { modified_knothe_mesh<Scalar>(n, Scalar(0.4)); });
+    const auto edges = [](std::vector<Scalar> values) {
+        mesh_from_edges<Scalar>(Eigen::Map<ArrayX<Scalar>>(values.data(), static_cast<Eigen::Index>(values.size())));
+    };
+    refuses<Scalar>("first edge", bad<Scalar>({0, Scalar(-1.5)}), [&](Scalar x) { edges({x, 0, 1}); });
+    refuses<Scalar>("last edge", bad<Scalar>({0, Scalar(1.5)}), [&](Scalar x) { edges({-1, 0, x}); });
+    refuses<Scalar>("edge", bad<Scalar>({-1, -2}), [&](Scalar x) { edges({-1, x, 1}); });
+    CHECK(refusal([&] { edges({-1, 1, 1}); }).find("must be larger than the edge before it") != std::string::npos);
+    CHECK(refusal([&] { edges({-1, infinity, 1}); }).find("must be larger") != std::string::npos);
+    CHECK(refusal([&] { edges({-1}); }).find("number of edges = 1 must be at least 2") != std::string::npos);
+    CHECK(refusal([&] { edges({}); }).find("number of edges = 0 must be at least 2") != std::string::npos);
+    // a ratio that leaves elements no width
+    const Scalar huge = std::numeric_limits<Scalar>::max();
+    const auto graded = [&] { geometric_mesh<Scalar>(3, huge); };
+    const std::string message = refusal(graded);
+    CAPTURE(message);
+    CHECK((message.empty() || message.find(" must ") != std::string::npos));
+}
+
+TEST_CASE("Schemes", "[domain]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const auto alphas = bad<double>({2.0000001, -2.0000001, infinity});
+    const auto lambdas = bad<double>({-1e-300, 1.0000001, infinity});
+    refuses<double>("alpha_L", alphas, [](double x) { check_scheme(Collocation{.alpha_L = x}, 5); });
+    refuses<double>("alpha_T", alphas, [](double x) { check_scheme(Collocation{.alpha_T = x}, 5); });
+    refuses<double>("lambda", lambdas, [](double x) { check_scheme(Collocation{.lambda = x}, 5); });
+    refuses<double>("alpha_L", alphas, [](double x) { check_scheme(Galerkin{.alpha_L = x}, 5); });
+    refuses<double>("alpha_T", alphas, [](double x) { check_scheme(Galerkin{.alpha_T = x}, 5); });
+    refuses<double>("lambda", lambdas, [](double x) { check_scheme(Galerkin{.lambda = x}, 5); });
+    refuses<int>("quadrature", {-1, 1001, std::numeric_limits<int>::min()},
+                 [](int points) { check_scheme(Galerkin{.quadrature = points}, 5); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Collocation{}, n); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Galerkin{}, n); });
+    refuses<Eigen::Index>("n", {1, 0}, [](Eigen::Index n) { check_scheme(KnotheBoundary{}, n); });
+}
+
+TEMPLATE_TEST_CASE("Kernels", "[domain]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    const std::vector<Scalar> widths = bad<Scalar>({0, -1}), constants = bad<Scalar>({infinity});
+    refuses<Scalar>("half_width", widths, [](Scalar b) { PlaneKernel<Scalar>(b, 1, 0); });
+    refuses<Scalar>("half_width", widths, [](Scalar b) { StripKernel<Scalar>(b, 1, 0); });
+    refuses<Scalar>("c1", constants, [](Scalar c) { PlaneKernel<Scalar>(1, c, 0); });
+    refuses<Scalar>("c2", constants, [](Scalar c) { PlaneKernel<Scalar>(1, 1, c); });
+    refuses<Scalar>("c1", constants, [](Scalar c) { StripKernel<Scalar>(1, c, 0); });
+    refuses<Scalar>("c2", constants, [](Scalar c) { StripKernel<Scalar>(1, 1, c); });
+    refuses<Scalar>("Lambda = ln(4b/a) + c2/c1", {Scalar(0.01), Scalar(0.25)},
+                    [](Scalar b) { require_stable_model(PlaneKernel<Scalar>(b, 1, 0)); });
+}
+
+TEMPLATE_TEST_CASE("Closed forms", "[domain]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity(), quarter = Scalar(0.25);
+    const std::vector<Scalar> ratios = bad<Scalar>({Scalar(-0.1), Scalar(0.6), infinity});
+    refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { steady_c11(nu); });
+    refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { ellipse_limit_c11(nu); });
+    refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { plane_lambda(nu, Scalar(1)); });
+    refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { carter_traction(Scalar(0), nu); });
+    refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { carter_mean_traction(Scalar(0), Scalar(1), nu); });
+    refuses<Scalar>("aspect", bad<Scalar>({0, -1, infinity}), [=](Scalar b) { plane_lambda(quarter, b); });
+    refuses<Scalar>("x/a", bad<Scalar>({Scalar(1.01), Scalar(-1.01), infinity}),
+                    [=](Scalar x) { carter_traction(x, quarter); });
+    refuses<Scalar>("x1/a", bad<Scalar>({Scalar(-1.01), 1, infinity}),
+                    [=](Scalar x) { carter_mean_traction(x, Scalar(1), quarter); });
+    for (const Scalar x : {Scalar(1.5), infinity}) {
+        CHECK_THROWS_AS(carter_mean_traction(Scalar(0), x, quarter), std::invalid_argument);
+    }
+    refuses<Scalar>("trailing", bad<Scalar>({-1}), [=](Scalar d) {
+        carter_traction(EdgeDistances<Scalar>{d, 1}, quarter);
+    });
+    refuses<Scalar>("leading", bad<Scalar>({-1}), [=](Scalar d) {
+        carter_traction(EdgeDistances<Scalar>{1, d}, quarter);
+    });
+}
+
+TEMPLATE_TEST_CASE("The polynomial approach", "[domain]", float, double, long double) {
+    using Scalar = TestType;
+    using Complex = std::complex<Scalar>;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity(), nan = std::numeric_limits<Scalar>::quiet_NaN();
+    const Scalar quarter = Scalar(0.25);
+    const Complex i(0, 1);
+    refuses<Scalar>("poisson_ratio", bad<Scalar>({Scalar(-0.1), Scalar(0.6)}),
+                    [=](Scalar nu) { polynomial_c11<Scalar>(i, nu, 100, 20); });
+    refuses<Scalar>("aspect", bad<Scalar>({0, -1, infinity}),
+                    [=](Scalar b) { polynomial_c11<Scalar>(i, quarter, b, 20); });
+    refuses<Eigen::Index>("order", {0, -1}, [=](Eigen::Index m) { polynomial_c11<Scalar>(i, quarter, 100, m); });
+    refuses<Scalar>("Lambda = ln(4b/a) + nu/(1-nu)", {Scalar(0.01)},
+                    [=](Scalar b) { polynomial_c11<Scalar>(i, quarter, b, 20); });
+    for (const Complex s : {Complex(nan, 0), Complex(0, nan), Complex(infinity, 0), Complex(0, -infinity)}) {
+        CHECK_THROWS_AS(polynomial_c11<Scalar>(s, quarter, 100, 20), std::invalid_argument);
+        CHECK_THROWS_AS(polynomial_c11<Scalar>(s, quarter, 100), std::invalid_argument);
+    }
+    CHECK_THROWS_AS(default_polynomial_order(Complex(0, Scalar(2e8))), std::invalid_argument);
+}
+
+TEMPLATE_TEST_CASE("Hertz pressure", "[domain]", float, double, long double) {
+    using Scalar = TestType;
+    using Parameters = typename HertzLine<Scalar>::Parameters;
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    const std::vector<Scalar> not_positive = bad<Scalar>({0, -1, infinity});
+    const ElasticBody<Scalar> steel{Scalar(2e11), Scalar(0.25)};
+    const Parameters good{.load_per_width = 1, .combined_radius = 1, .body_1 = steel, .body_2 = steel};
+    const auto with = [&](const std::function<void(Parameters&, Scalar)>& set) {
+        return [=](Scalar value) {
+            Parameters p = good;
+            set(p, value);
+            HertzLine<Scalar>{p};
+        };
+    };
+    refuses<Scalar>("load_per_width", not_positive, with([](Parameters& p, Scalar x) { p.load_per_width = x; }));
+    refuses<Scalar>("combined_radius", not_positive, with([](Parameters& p, Scalar x) { p.combined_radius = x; }));
+    refuses<Scalar>("young_modulus", not_positive, with([](Parameters& p, Scalar x) { p.body_1.young_modulus = x; }));
+    refuses<Scalar>("young_modulus", not_positive, with([](Parameters& p, Scalar x) { p.body_2.young_modulus = x; }));
+    refuses<Scalar>("poisson_ratio", bad<Scalar>({Scalar(-0.1), Scalar(0.6)}),
+                    with([](Parameters& p, Scalar x) { p.body_2.poisson_ratio = x; }));
+}
+
+}  // namespace
