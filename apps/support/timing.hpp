@@ -15,7 +15,7 @@ template <class Call>
 double median_time_us(const Call& call) {
     using Clock = std::chrono::steady_clock;
     using Microseconds = std::chrono::duration<double, std::micro>;
-    volatile double kept = 0;  // keeps the optimiser from dropping the computation
+    [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
     const auto run = [&](std::size_t calls) {
         const Clock::time_point start = Clock::now();
         for (std::size_t i = 0; i < calls; ++i) kept = call();
