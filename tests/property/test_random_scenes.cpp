@@ -1,0 +1,326 @@
+// rollbem/rollbem.hpp: properties that every scene has, on scenes drawn at random from the whole domain.
+// ROLLBEM_SCENES sets how many (default 10000), ROLLBEM_SEED the seed of the generator.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/steady.hpp>
+#include <rollbem/problem/transient.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Matrix = MatrixX<double>;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+using Scheme = std::variant<Collocation, Galerkin, KnotheBoundary>;
+
+/// A scene, and words to find it again by.
+struct Scene {
+    Mesh<double> mesh;
+    Scheme scheme;
+    double aspect, poisson_ratio;
+    bool plane, lateral;
+    bool modest;      // graded by no more than 10, and alphas for which tractions converge
+    double rounding;  // of G', relative to its largest entry
+    std::string words;
+
+    double c1() const { return lateral ? 1 : 1 - poisson_ratio; }
+    double c2() const { return lateral ? -poisson_ratio : poisson_ratio; }
+    double carter() const { return steady_c11(lateral ? 0.0 : poisson_ratio); }  // the factor is 1/c1
+    ArrayX<double> widths() const {
+        return std::visit([&](const auto& s) { return ArrayX<double>(unknown_widths(mesh, s)); }, scheme);
+    }
+};
+
+struct Kernel {
+    bool plane;
+    double half_width, c1, c2;
+};
+Kernel kernel_of(const Scene& scene) { return {scene.plane, scene.aspect, scene.c1(), scene.c2()}; }
+
+// what assemble() does, with types of schemes and kernels erased: one instance serves all tests
+Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel, detail::Quantity quantity) {
+    const PlaneKernel<double> plane(kernel.half_width, kernel.c1, kernel.c2);
+    const StripKernel<double> strip(kernel.half_width, kernel.c1, kernel.c2);
+    const auto view = kernel.plane ? detail::KernelView<double>(plane) : detail::KernelView<double>(strip);
+    return std::visit([&](const auto& s) { return detail::influence_matrix<double>(mesh, s, view, quantity); }, scheme);
+}
+InfluenceMatrices<double> assemble_both(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return {assemble_one(mesh, scheme, kernel, detail::Quantity::displacement),
+            assemble_one(mesh, scheme, kernel, detail::Quantity::slope)};
+}
+UnitSteadySolution<double> steady_of(const Scene& scene, const Kernel& kernel) {
+    return solve_steady<double>(assemble_one(scene.mesh, scene.scheme, kernel, detail::Quantity::slope),
+                                scene.widths());
+}
+
+class Scenes {
+public:
+    explicit Scenes(std::uint64_t seed) : random_(seed) {}
+
+    Scene next() {
+        std::ostringstream words;
+        words.precision(17);
+        const Eigen::Index n = integer(3, 14);
+        double grading = 1;
+        const auto mesh = [&]() -> Mesh<double> {
+            switch (integer(0, 5)) {
+                case 0: words << "uniform"; return uniform_mesh(n);
+                case 1: words << "cosine"; return cosine_mesh(n);
+                case 2:
+                    grading = logarithmic(1e-6, 1e6);
+                    words << "geometric " << grading;
+                    return geometric_mesh(n, grading);
+                case 3:
+                    grading = logarithmic(1e-8, 10);
+                    words << "knothe " << grading;
+                    return knothe_mesh(n, grading);
+                case 4:
+                    grading = logarithmic(1e-8, 10);
+                    words << "modified-knothe " << grading;
+                    return modified_knothe_mesh(n, grading);
+                default: {
+                    words << "edges";
+                    ArrayX<double> edges(n + 1);
+                    for (double& edge : edges) edge = uniform(-1, 1);
+                    std::sort(edges.begin(), edges.end());
+                    edges[0] = -1, edges[n] = 1;
+                    grading = 0;
+                    for (const double edge : edges) words << ' ' << edge;
+                    return mesh_from_edges<double>(edges);
+                }
+            }
+        }();
+        words << ", n = " << n;
+        const bool ordinary = integer(0, 1) == 0;  // where schemes are meant to be used
+        double alpha_L = ordinary ? uniform(0, 0.7) : uniform(-2, 2);
+        double alpha_T = ordinary ? uniform(0.3, 0.9) : uniform(-2, 2);
+        if (integer(0, 3) == 0) alpha_L = alpha_T;
+        const Derivative derivative = integer(0, 1) == 0 ? Derivative::finite_difference : Derivative::analytic;
+        const double lambda = integer(0, 1) == 0 ? 1 : uniform(0, 1);
+        Scene scene{.mesh = mesh,
+                    .scheme = Collocation{alpha_L, alpha_T, derivative, lambda},
+                    .aspect = logarithmic(0.01, 1e12),
+                    .poisson_ratio = std::clamp(uniform(-0.1, 0.6), 0.0, 0.5),
+                    .plane = integer(0, 2) == 0,
+                    .lateral = integer(0, 3) == 0,
+                    .modest = grading >= 0.1 && grading <= 10 && ordinary && n >= 8 &&
+                              derivative == Derivative::finite_difference,
+                    .rounding = 0,
+                    .words = {}};
+        const int method = integer(0, 5);
+        if (method == 0) scene.scheme = Galerkin{alpha_L, alpha_T, derivative, lambda, integer(0, 7)};
+        if (method == 1) scene.scheme = KnotheBoundary{derivative};
+        scene.modest = scene.modest && method != 1;  // alpha = 1 in disguise: zigzags on graded meshes
+        // A small element seen from a wide one is a difference of what the wide one is the size of, divided by its own
+        // width; a finite difference averaged in closed form divides once more.
+        const double contrast = mesh.widths().maxCoeff() / mesh.widths().minCoeff();
+        scene.rounding = 50 * eps * contrast;
+        const auto* galerkin = std::get_if<Galerkin>(&scene.scheme);
+        if (galerkin != nullptr && galerkin->quadrature == exact_quadrature &&
+            derivative == Derivative::finite_difference) {
+            scene.rounding *= contrast;
+        }
+        words << ", method " << method << ", alphas " << alpha_L << ' ' << alpha_T << ", lambda " << lambda
+              << (derivative == Derivative::analytic ? ", analytic" : ", fd") << ", b/a = " << scene.aspect
+              << ", nu = " << scene.poisson_ratio << (scene.plane ? ", plane" : ", strip")
+              << (scene.lateral ? ", lateral" : "");
+        scene.words = words.str();
+        return scene;
+    }
+
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    double logarithmic(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+    int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+
+private:
+    std::mt19937_64 random_;
+};
+
+/// The scene seen from behind: edges swapped, alphas swapped with the other sign.
+Mesh<double> mirrored(const Mesh<double>& mesh) {
+    return Mesh<double>({.widths = mesh.widths().reverse(),
+                         .edges_from_trailing = mesh.edges_from_leading().reverse(),
+                         .edges_from_leading = mesh.edges_from_trailing().reverse(),
+                         .uniform = mesh.is_uniform()});
+}
+Scheme mirrored(Scheme scheme) {
+    const auto swap_alphas = [](auto& s) {
+        const double alpha_L = s.alpha_L;
+        s.alpha_L = -s.alpha_T;
+        s.alpha_T = -alpha_L;
+    };
+    if (auto* collocation = std::get_if<Collocation>(&scheme)) swap_alphas(*collocation);
+    if (auto* galerkin = std::get_if<Galerkin>(&scheme)) swap_alphas(*galerkin);
+    return scheme;
+}
+
+/// What each entry may round by: its own size, or that of the antiderivatives a near one is a difference of.
+double difference(const Matrix& one, const Matrix& other) {
+    return (one - other).cwiseAbs().maxCoeff() / one.cwiseAbs().maxCoeff();
+}
+
+template <class Function>
+void for_each_scene(const Function& function) {
+    const std::uint64_t count = from_environment("ROLLBEM_SCENES", 10000);
+    const std::uint64_t seed = from_environment("ROLLBEM_SEED", 20181205);
+    CAPTURE(seed);
+    Scenes scenes(seed);
+    for (std::uint64_t k = 0; k < count; ++k) {
+        const Scene scene = scenes.next();
+        INFO("scene " << k << ": " << scene.words);
+        function(scenes, scene);
+    }
+}
+
+TEST_CASE("Matrices are finite, and those of the mirrored scene", "[property]") {
+    for_each_scene([](Scenes&, const Scene& scene) {
+        const Kernel kernel = kernel_of(scene);
+        const auto [G, G_prime] = assemble_both(scene.mesh, scene.scheme, kernel);
+        const bool finite = G.allFinite() && G_prime.allFinite();
+        if (!finite) CHECK(finite);
+        // Knothe's boundary conditions tell leading and trailing edge apart
+        if (std::holds_alternative<KnotheBoundary>(scene.scheme)) return;
+        const auto [G_back, G_prime_back] = assemble_both(mirrored(scene.mesh), mirrored(scene.scheme), kernel);
+        const double of_G = difference(G, G_back.reverse()), of_G_prime = difference(G_prime, -G_prime_back.reverse());
+        const double tolerance = 1e-12 + scene.rounding;
+        if (!(of_G < tolerance)) CHECK(of_G < tolerance);
+        if (!(of_G_prime < tolerance)) CHECK(of_G_prime < tolerance);
+    });
+}
+
+TEST_CASE("A steady solution is what its status says", "[property]") {
+    std::uint64_t good = 0, modest = 0;
+    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+        const Matrix G_prime = assemble_one(scene.mesh, scene.scheme, kernel_of(scene), detail::Quantity::slope);
+        const ArrayX<double> widths = scene.widths();
+        const UnitSteadySolution<double> solution = solve_steady<double>(G_prime, widths);
+        if (scene.modest) {
+            ++modest;
+            if (solution.status != Status::ok) CHECK(solution.status == Status::ok);
+        }
+        if (solution.status != Status::ok) return;
+        ++good;
+        // the residual, taken anew
+        const double n = static_cast<double>(widths.size());
+        const double residual =
+            (G_prime * solution.traction - VectorX<double>::Ones(widths.size())).cwiseAbs().maxCoeff() /
+            (G_prime.cwiseAbs().rowwise().sum().maxCoeff() * solution.traction.cwiseAbs().maxCoeff() + 1);
+        if (!(residual <= 100 * n * eps)) CHECK(residual <= 100 * n * eps);
+        // friction opposes creepage
+        if (!(solution.c11 > 0)) CHECK(solution.c11 > 0);
+        if (scene.plane && scene.modest) {
+            const double ratio = solution.c11 / scene.carter();
+            if (!(ratio > 0.75 && ratio < 1.35)) CHECK(ratio == Approx(1));
+        }
+        // Poisson's ratio only scales the plane's G'
+        const double tolerance = (1000 * eps + scene.rounding) / solution.rcond;
+        if (scene.plane) {
+            const double other = steady_of(scene, {true, 1, 1, scenes.uniform(0, 1)}).c11;
+            const double scaled = solution.c11 / scene.carter() * (std::acos(-1.0) / 2);
+            if (!(std::abs(scaled / other - 1) <= tolerance)) CHECK(scaled == Approx(other).epsilon(tolerance));
+        }
+        // A wider strip is less stiff. For nu above 1/3 the term of order (a/b)^2 has the other sign.
+        if (!scene.plane && scene.modest && 2 * scene.c2() < scene.c1()) {
+            const double wider = steady_of(scene, {false, 2 * scene.aspect, scene.c1(), scene.c2()}).c11;
+            if (!(wider <= solution.c11 * (1 + tolerance))) CHECK(wider <= solution.c11);
+        }
+    });
+    // the statuses let enough pass for all this to mean something
+    CHECK(good > modest);
+    CHECK(modest > 0);
+}
+
+TEST_CASE("Units scale out of a steady solution", "[property]") {
+    for_each_scene([](Scenes& scenes, const Scene& scene) {
+        const double a = scenes.logarithmic(1e-6, 1e3), G = scenes.logarithmic(1e3, 1e12);
+        const double creepage = scenes.logarithmic(1e-12, 1) * (scenes.integer(0, 1) == 0 ? 1 : -1);
+        const Contact<double> si({.half_length = a,
+                                  .half_width = scene.aspect * a,
+                                  .shear_modulus = G,
+                                  .poisson_ratio = scene.poisson_ratio});
+        if (!std::holds_alternative<Collocation>(scene.scheme)) return;
+        const Collocation& scheme = std::get<Collocation>(scene.scheme);
+        const SteadySolution<double> with_units = solve_steady(si, scene.mesh, scheme, creepage);
+        const SteadySolution<double> without =
+            solve_steady(Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio), scene.mesh, scheme, 1.0);
+        if (without.status != Status::ok) return;
+        const double force = with_units.force_per_width / (a * G * creepage * without.force_per_width);
+        const double tolerance = 1000 * eps / without.rcond;
+        if (!(std::abs(force - 1) <= tolerance)) CHECK(force == Approx(1).epsilon(tolerance));
+    });
+}
+
+TEST_CASE("Harmonic creepage: conjugate frequencies, and the steady limit", "[property]") {
+    for_each_scene([](Scenes& scenes, const Scene& scene) {
+        const InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
+        const ArrayX<double> widths = scene.widths();
+        const FrequencySweep<double> sweep(matrices, widths);
+        const double z = scenes.logarithmic(1e-12, 1e6);
+        const SweepPoint<double> up = sweep(z), down = sweep(-z);
+        if (up.status != down.status) CHECK(up.status == down.status);
+        if (up.status != Status::ok) return;
+        const double conjugate = std::abs(up.c11 / std::conj(down.c11) - 1.0);
+        if (!(conjugate <= 1e-13)) CHECK(conjugate <= 1e-13);
+        const HarmonicSolution<double> full = solve_harmonic(matrices, widths, z);
+        if (full.status == Status::ok) {
+            const double routes = std::abs(up.c11 / full.c11 - 1.0);
+            const double tolerance = 1000 * eps / std::min(up.rcond, full.rcond);
+            if (!(routes <= tolerance)) CHECK(routes <= tolerance);
+        }
+        const UnitSteadySolution<double> steady = solve_steady<double>(matrices.G_prime, widths);
+        const SweepPoint<double> still = sweep(0);
+        if (steady.status != Status::ok || still.status != Status::ok) return;
+        const double limit = std::abs(still.c11 / steady.c11 - 1.0), tolerance = 1000 * eps / steady.rcond;
+        if (!(limit <= tolerance)) CHECK(limit <= tolerance);
+    });
+}
+
+TEST_CASE("Steps of any length are finite or told, and long ones end in steady rolling", "[property]") {
+    for_each_scene([](Scenes& scenes, const Scene& scene) {
+        using Model = TransientModel<double>;
+        if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
+        const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
+        InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
+        const ArrayX<double> widths = scene.widths();
+        const UnitSteadySolution<double> steady = solve_steady<double>(matrices.G_prime, widths);
+        const Model model(contact, std::move(matrices), widths, unchecked,
+                          scenes.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
+        Model::State now = model.at_rest(), next = now;
+        const TransientStep<double> any = model.advance(now, scenes.logarithmic(1e-9, 1e6), 1.0, next);
+        const bool consistent = (any.status == StepStatus::ok) == std::isfinite(any.force);
+        if (!consistent) CHECK(consistent);
+        if (steady.status != Status::ok) return;
+        // far beyond every eigenvalue, growing or not, an L-stable step forgets where it came from
+        const Model::Prepared step = model.prepare(1e9);
+        TransientStep<double> last;
+        for (int k = 0; k < 4; ++k) {
+            last = model.advance(now, step, 1.0, next);
+            std::swap(now, next);
+        }
+        const double ratio = -last.force_per_width / steady.c11;
+        const double tolerance = 1e-6 + 1000 * eps / steady.rcond;
+        if (!(std::abs(ratio - 1) <= tolerance)) CHECK(ratio == Approx(1).epsilon(tolerance));
+    });
+}
+
+}  // namespace
