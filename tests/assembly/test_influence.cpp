@@ -10,6 +10,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
+#include "../support/scalars.hpp"
 #include "rollbem/assembly/influence.hpp"
 
 namespace {

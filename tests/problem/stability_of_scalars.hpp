@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "../support/catch.hpp"
+#include "../support/scalars.hpp"
 #include "rollbem/problem/stability.hpp"
 #include "rollbem/problem/stability_count.hpp"
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "../support/catch.hpp"
+#include "../support/scalars.hpp"
 #include "rollbem/problem/frequency.hpp"
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
+#include "../support/scalars.hpp"
 #include "rollbem/closed_form/carter.hpp"
 #include "rollbem/problem/steady.hpp"
 
