@@ -13,11 +13,16 @@ namespace study {
 
 class Progress {
 public:
-    Progress(std::string what, std::size_t total, bool enabled)
-        : what_(std::move(what)), total_(total), enabled_(enabled && isatty(STDERR_FILENO) != 0) {}
+    Progress(std::string what, std::size_t total, bool enabled, std::string unit = "rows")
+        : what_(std::move(what)),
+          unit_(std::move(unit)),
+          total_(total),
+          enabled_(enabled && isatty(STDERR_FILENO) != 0) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
+
+    bool enabled() const { return enabled_; }
 
     void update(std::size_t done) {
         if (!enabled_) return;
@@ -26,7 +31,7 @@ public:
         last_ = now;
         shown_ = true;
         const double elapsed = std::chrono::duration<double>(now - start_).count();
-        std::fprintf(stderr, "\r\033[K%s: %zu of %zu rows, %.0f s", what_.c_str(), done, total_, elapsed);
+        std::fprintf(stderr, "\r\033[K%s: %zu of %zu %s, %.0f s", what_.c_str(), done, total_, unit_.c_str(), elapsed);
         if (done > 0) {
             const double left = elapsed * static_cast<double>(total_ - done) / static_cast<double>(done);
             std::fprintf(stderr, ", about %.0f s to go", left);
@@ -41,7 +46,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    std::string what_;
+    std::string what_, unit_;
     std::size_t total_;
     bool enabled_;
     bool shown_ = false;

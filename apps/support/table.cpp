@@ -151,7 +151,14 @@ void write_table(const Options& options, const Table& table) {
         if (plots) kept.push_back(std::move(row));
     };
     progress.update(0);
-    compute_in_order(table, tasks_of(table, wanted), jobs, emit, [&] { csv.flush(); });
+    const std::vector<Task> tasks = tasks_of(table, wanted);
+    if (table.prepare) {
+        std::vector<std::size_t> indices;
+        for (const Task& task : tasks) indices.push_back(task.index);
+        Progress preparing(options.program(), 100, progress.enabled(), "percent");
+        table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
+    }
+    compute_in_order(table, tasks, jobs, emit, [&] { csv.flush(); });
     progress.clear();
 
     // 3. The files take their names, once all of both is written.

@@ -24,6 +24,9 @@ using Emit = std::function<void(Row)>;
 struct Table {
     std::vector<std::string> columns;
     std::vector<std::size_t> rows_of_task;  ///< known beforehand, so that rows can be divided into shards
+    /// Where set, called once before any task is computed, with those of this run. done(part) of 0 ... 1 tells how far
+    /// it has come.
+    std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
     std::function<Plot(const std::vector<Row>& rows)> plot;                           ///< for --plot
 };

@@ -1,0 +1,88 @@
+// Which of the measured schemes are worth their time: the Pareto front of error and run time, and the cheapest scheme
+// for a tolerance. An error counts only as far as it is sustained at every larger n, so that no change of sign helps.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace precision {
+
+/// One scheme at one n, measured for one quantity.
+struct Point {
+    std::string scheme;
+    std::optional<long> n;  ///< elements, or the order of a polynomial; none for a closed form
+    std::string quantity;
+    std::optional<double> relative_error;  ///< none where the scheme gave no result
+    std::optional<double> time_us;
+    std::optional<bool> stable;
+    std::optional<bool> on_front{};
+    std::optional<double> model_error{};
+};
+
+/// Element schemes work for any pressure and with friction; the others are there to compare with.
+inline bool is_element_scheme(const std::string& scheme) { return scheme != "chebyshev" && scheme != "closed-form"; }
+
+/// For each point the largest |error| of its scheme and quantity at its own and all larger n; infinite where one of
+/// them has no result.
+inline std::vector<double> sustained_errors(const std::vector<Point>& points) {
+    std::vector<std::size_t> order(points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return points[a].n > points[b].n; });
+    std::map<std::pair<std::string, std::string>, double> largest;
+    std::vector<double> sustained(points.size());
+    for (const std::size_t i : order) {
+        double& worst = largest[{points[i].scheme, points[i].quantity}];
+        const auto& error = points[i].relative_error;
+        worst = std::max(worst, error ? std::abs(*error) : std::numeric_limits<double>::infinity());
+        sustained[i] = worst;
+    }
+    return sustained;
+}
+
+/// Sets on_front of every element scheme that has a time: no other is both as fast and as precise. Leaves it empty for
+/// the rest.
+inline void mark_front(std::vector<Point>& points) {
+    const std::vector<double> sustained = sustained_errors(points);
+    std::map<std::string, std::vector<std::size_t>> of_quantity;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].on_front.reset();
+        if (is_element_scheme(points[i].scheme) && points[i].time_us) of_quantity[points[i].quantity].push_back(i);
+    }
+    for (auto& [quantity, members] : of_quantity) {
+        std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+            return std::pair(*points[a].time_us, sustained[a]) < std::pair(*points[b].time_us, sustained[b]);
+        });
+        double best = std::numeric_limits<double>::infinity();
+        for (const std::size_t i : members) {
+            points[i].on_front = sustained[i] < best;
+            best = std::min(best, sustained[i]);
+        }
+    }
+}
+
+/// Which schemes may be chosen for a tolerance.
+enum class Among { elements, stable_elements, all };
+
+/// The fastest point of a quantity whose sustained error is at most `tolerance`, if there is one.
+inline std::optional<std::size_t> cheapest(const std::vector<Point>& points, const std::vector<double>& sustained,
+                                           const std::string& quantity, double tolerance, Among among) {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point& point = points[i];
+        if (point.quantity != quantity || !point.time_us || !(sustained[i] <= tolerance)) continue;
+        if (among != Among::all && !is_element_scheme(point.scheme)) continue;
+        if (among == Among::stable_elements && !point.stable.value_or(false)) continue;
+        if (!best || *point.time_us < *points[*best].time_us) best = i;
+    }
+    return best;
+}
+
+}  // namespace precision

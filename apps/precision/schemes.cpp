@@ -1,0 +1,407 @@
+#include "schemes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include <rollbem/assembly/influence.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/friction_steady.hpp>
+#include <rollbem/problem/hertz.hpp>
+#include <rollbem/problem/richardson.hpp>
+#include <rollbem/problem/stability_count.hpp>
+#include <rollbem/problem/steady.hpp>
+#include <rollbem/problem/transient.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+namespace precision {
+
+namespace {
+
+using rollbem::ArrayX;
+using rollbem::Collocation;
+using rollbem::Contact;
+using rollbem::Galerkin;
+using rollbem::MatrixX;
+using rollbem::Mesh;
+using Complex = std::complex<double>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double peak = 1e-3;           // mu p0 / G
+constexpr double creepage_ratio = 0.5;  // delta of friction_force
+constexpr std::size_t steps = 10;       // q/a = 1 ... 10
+using Forces = std::array<double, steps>;
+
+// --- what a scheme is: a mesh for every n, and how the equations are taken
+
+enum class Topology { uniform, geometric, knothe, cosine };
+
+struct Elements {
+    Topology topology;
+    std::variant<Collocation, Galerkin> scheme;
+    double order = 0;  // of the extrapolation from n/2 and n; 0: none
+};
+
+constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+
+std::optional<Elements> elements(const std::string& name) {
+    if (name == "uniform-0.5/0.5") return Elements{Topology::uniform, halves};
+    if (name == "uniform-0/0.63") return Elements{Topology::uniform, Collocation{}};
+    if (name == "geometric") return Elements{Topology::geometric, halves};
+    if (name == "knothe") return Elements{Topology::knothe, halves};
+    if (name == "cosine") return Elements{Topology::cosine, halves};
+    if (name == "galerkin-uniform") return Elements{Topology::uniform, Galerkin{}};
+    if (name == "galerkin-cosine") return Elements{Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}};
+    if (name == "richardson-uniform") return Elements{Topology::uniform, halves, 1};
+    if (name == "richardson-cosine") return Elements{Topology::cosine, halves, 2};
+    return std::nullopt;
+}
+
+Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
+    switch (topology) {
+        case Topology::geometric: return rollbem::geometric_mesh(n, scene.size_ratio);
+        case Topology::knothe: return rollbem::knothe_mesh(n, scene.epsilon);
+        case Topology::cosine: return rollbem::cosine_mesh(n);
+        default: return rollbem::uniform_mesh(n);
+    }
+}
+
+// --- the problems on one mesh
+
+template <class Function>
+auto with_kernel(const Scene& scene, const Elements& elements, const Function& function) {
+    return std::visit(
+        [&](const auto& scheme) {
+            return scene.plane ? function(scheme, rollbem::PlaneKernel<double>::longitudinal(scene.contact))
+                               : function(scheme, rollbem::StripKernel<double>::longitudinal(scene.contact));
+        },
+        elements.scheme);
+}
+
+MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    return with_kernel(scene, elements, [&](const auto& scheme, const auto& kernel) {
+        return rollbem::assemble_G_prime(mesh, scheme, kernel);
+    });
+}
+
+rollbem::InfluenceMatrices<double> both(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    return with_kernel(scene, elements,
+                       [&](const auto& scheme, const auto& kernel) { return rollbem::assemble(mesh, scheme, kernel); });
+}
+
+rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
+}
+
+double steady_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::UnitSteadySolution<double> solution = steady(scene, elements, mesh);
+    return solution.status == rollbem::Status::ok ? solution.c11 : nan;
+}
+
+Complex harmonic_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh, double z) {
+    const rollbem::HarmonicSolution<double> solution =
+        rollbem::solve_harmonic<double>(both(scene, elements, mesh), mesh.widths(), z);
+    return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
+}
+
+// -F/(a G xi) at q/a = 1, 2, ... after a step of creepage, exact in time
+Forces step_forces(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::TransientModel<double> model(scene.contact, both(scene, elements, mesh), mesh.widths(),
+                                                rollbem::unchecked, rollbem::Integrator::matrix_exponential);
+    const rollbem::PreparedStep<double> prepared = model.prepare(1);
+    rollbem::TransientState<double> state = model.at_rest(), next = state;
+    Forces forces{};
+    for (double& force : forces) {
+        force = -model.advance(state, prepared, 1.0, next).force_per_width;
+        std::swap(state, next);
+    }
+    return forces;
+}
+
+// -F/(mu N) at the creepage ratio
+double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::CoulombFriction<double> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
+    const rollbem::SteadyFrictionModel<double> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(),
+                                                     friction);
+    const rollbem::FrictionState<double> rest = model.at_rest();
+    rollbem::FrictionState<double> state = rest;
+    const rollbem::FrictionStep<double> point =
+        model.solve(rest, 2 * (1 - scene.contact.poisson_ratio()) * peak * creepage_ratio, state);
+    return point.status == rollbem::FrictionStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
+}
+
+// value(mesh), extrapolated from two meshes where the scheme says so
+template <class Value>
+auto evaluate(const Scene& scene, const Elements& elements, long n, const Value& value) {
+    const auto fine = value(make_mesh(scene, elements.topology, n));
+    if (elements.order == 0) return fine;
+    return rollbem::richardson(value(make_mesh(scene, elements.topology, n / 2)), fine, elements.order);
+}
+
+Forces all_step_forces(const Scene& scene, const Elements& elements, long n) {
+    Forces forces = step_forces(scene, elements, make_mesh(scene, elements.topology, n));
+    if (elements.order == 0) return forces;
+    const Forces coarse = step_forces(scene, elements, make_mesh(scene, elements.topology, n / 2));
+    for (std::size_t k = 0; k < steps; ++k) forces[k] = rollbem::richardson(coarse[k], forces[k], elements.order);
+    return forces;
+}
+
+// Tractions of the elements of a mesh; extrapolated ones are those of the pairs that make up the coarser mesh.
+struct Tractions {
+    Mesh<double> mesh;
+    ArrayX<double> values;
+};
+
+Tractions tractions(const Scene& scene, const Elements& elements, long n) {
+    Mesh<double> mesh = make_mesh(scene, elements.topology, n);
+    ArrayX<double> values = steady(scene, elements, mesh).traction.array();
+    if (elements.order == 0) return {std::move(mesh), std::move(values)};
+    Mesh<double> pairs = make_mesh(scene, elements.topology, n / 2);
+    ArrayX<double> coarse = steady(scene, elements, pairs).traction.array();
+    for (Eigen::Index i = 0; i < coarse.size(); ++i) {
+        const double force = (values.segment(2 * i, 2) * mesh.widths().segment(2 * i, 2)).sum();
+        coarse[i] = rollbem::richardson(coarse[i], force / pairs.widths()[i], elements.order);
+    }
+    return {std::move(pairs), std::move(coarse)};
+}
+
+// --- norms and the polynomial approach
+
+// The norm of tractions that are constant on each element: the root of the integral of p^2 sqrt(1 - x^2).
+double weighted_norm(const Mesh<double>& mesh, const ArrayX<double>& traction) {
+    return std::sqrt((traction.square() * mesh.widths() * rollbem::mean_hertz_pressure(mesh)).sum());
+}
+
+ArrayX<double> carter_means(const Mesh<double>& mesh, double poisson_ratio) {
+    ArrayX<double> means(mesh.size());
+    for (Eigen::Index i = 0; i < mesh.size(); ++i) {
+        means[i] = rollbem::carter_mean_traction<double>(
+            {mesh.edges_from_trailing()[i], mesh.widths()[i], mesh.edges_from_leading()[i + 1]}, poisson_ratio);
+    }
+    return means;
+}
+
+// The same norm for functions: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
+double polynomial_traction_error(double poisson_ratio, double aspect, long order) {
+    const auto solution = rollbem::solve_chebyshev(Complex(0), poisson_ratio, aspect, order);
+    constexpr int points = 64;
+    double error = 0, size = 0;
+    for (int k = 0; k < points; ++k) {
+        const double x = std::cos((k + 0.5) * std::numbers::pi / points);
+        const double exact = rollbem::carter_traction(x, poisson_ratio);
+        error += std::norm(solution.traction(x) - exact) * (1 - x * x);
+        size += exact * exact * (1 - x * x);
+    }
+    return std::sqrt(error / size);
+}
+
+Forces inverted_forces(const std::function<std::complex<long double>(std::complex<long double>)>& c11) {
+    Forces forces{};
+    for (std::size_t k = 0; k < steps; ++k) {
+        forces[k] = rollbem::reference::invert_laplace([&](std::complex<long double> s) { return c11(s) / s; },
+                                                       static_cast<double>(k + 1));
+    }
+    return forces;
+}
+
+Forces polynomial_forces(double poisson_ratio, double aspect, long order) {
+    return inverted_forces([=](std::complex<long double> s) {
+        return rollbem::polynomial_c11<long double>(s, poisson_ratio, aspect, order).c11;
+    });
+}
+
+Forces closed_form_forces(double poisson_ratio, double aspect) {
+    Forces forces{};
+    for (std::size_t k = 0; k < steps; ++k) {
+        forces[k] = rollbem::reference::step_response_de_hoog(static_cast<double>(k + 1), poisson_ratio, aspect);
+    }
+    return forces;
+}
+
+template <class Exact>
+double largest_difference(const Forces& forces, const Exact& exact) {
+    double largest = 0;
+    for (std::size_t k = 0; k < steps; ++k) {
+        const double difference = std::abs(forces[k] / exact[k] - 1);
+        if (std::isnan(difference)) return nan;
+        largest = std::max(largest, difference);
+    }
+    return largest;
+}
+
+// b/a for the closed forms; steady results of the plane model do not depend on it
+double finite_aspect(const Scene& scene) {
+    return std::isfinite(scene.contact.aspect()) ? scene.contact.aspect() : 1000;
+}
+
+std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+
+double element_error(const Scene& scene, const Elements& elements, long n, const Quantity& quantity) {
+    const double nu = scene.contact.poisson_ratio(), aspect = finite_aspect(scene);
+    switch (quantity.problem) {
+        case Problem::steady: {
+            if (quantity.name == "traction") {
+                const Tractions found = tractions(scene, elements, n);
+                const ArrayX<double> exact = carter_means(found.mesh, nu);
+                return weighted_norm(found.mesh, found.values - exact) / weighted_norm(found.mesh, exact);
+            }
+            const auto c11 = [&](const Mesh<double>& mesh) { return steady_c11(scene, elements, mesh); };
+            return evaluate(scene, elements, n, c11) / rollbem::steady_c11(nu) - 1;
+        }
+        case Problem::harmonic: {
+            const auto c11 = [&](const Mesh<double>& mesh) {
+                return harmonic_c11(scene, elements, mesh, quantity.frequency);
+            };
+            const Complex exact = rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect);
+            return std::abs(evaluate(scene, elements, n, c11) / exact - 1.0);
+        }
+        case Problem::step: return largest_difference(all_step_forces(scene, elements, n), scene.step_forces);
+        default: break;
+    }
+    const auto force = [&](const Mesh<double>& mesh) { return friction_force(scene, elements, mesh); };
+    return evaluate(scene, elements, n, force) / rollbem::carter_force_ratio(creepage_ratio) - 1;
+}
+
+}  // namespace
+
+const std::vector<Quantity>& quantities() {
+    static const std::vector<Quantity> all{{"c11", Problem::steady},
+                                           {"traction", Problem::steady},
+                                           {"c11_z0.1", Problem::harmonic, 0.1},
+                                           {"c11_z1", Problem::harmonic, 1},
+                                           {"c11_z5", Problem::harmonic, 5},
+                                           {"step_force", Problem::step},
+                                           {"friction_force", Problem::friction}};
+    return all;
+}
+
+std::vector<double> exact_step_forces(const Contact<double>& contact) {
+    const rollbem::reference::StepResponse response(contact.poisson_ratio(), contact.aspect());
+    std::vector<double> forces;
+    for (std::size_t k = 0; k < steps; ++k) forces.push_back(response.step(static_cast<double>(k + 1)));
+    return forces;
+}
+
+const std::vector<std::string>& scheme_names() {
+    static const std::vector<std::string> all{
+        "uniform-0.5/0.5", "uniform-0/0.63",     "geometric",         "knothe",    "cosine",     "galerkin-uniform",
+        "galerkin-cosine", "richardson-uniform", "richardson-cosine", "chebyshev", "closed-form"};
+    return all;
+}
+
+Case::Case(const Scene& scene, std::string scheme, long n) : scene_(scene), scheme_(std::move(scheme)), n_(n) {}
+
+bool Case::exists(const std::string& scheme, long n) {
+    if (scheme == "closed-form") return n == 0;
+    if (scheme == "chebyshev") return n >= 1;
+    if (elements(scheme)->order > 0) return n >= 4 && n % 2 == 0;
+    return n >= (scheme == "knothe" ? 3 : 2);
+}
+
+bool Case::has(const std::string& scheme, const Quantity& quantity) {
+    return scheme != "chebyshev" || quantity.problem != Problem::friction;
+}
+
+std::optional<double> Case::relative_error(const Quantity& quantity) const {
+    if (const auto found = elements(scheme_)) return if_finite(element_error(scene_, *found, n_, quantity));
+    const double nu = scene_.contact.poisson_ratio(), aspect = finite_aspect(scene_);
+    const Complex s(0, quantity.frequency);
+    if (scheme_ == "closed-form") {  // against a second route to the same number, where there is one
+        if (quantity.problem == Problem::step) {
+            return if_finite(largest_difference(closed_form_forces(nu, aspect), scene_.step_forces));
+        }
+        if (quantity.problem != Problem::harmonic) return 0;
+        const Complex other = rollbem::polynomial_c11(s, nu, aspect).c11;
+        return if_finite(std::abs(rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect) / other - 1.0));
+    }
+    if (quantity.name == "traction") return if_finite(polynomial_traction_error(nu, aspect, n_));
+    if (quantity.problem == Problem::step) {
+        return if_finite(largest_difference(polynomial_forces(nu, aspect, n_), scene_.step_forces));
+    }
+    const Complex c11 = rollbem::polynomial_c11(s, nu, aspect, n_).c11;
+    if (quantity.problem == Problem::steady) return if_finite(c11.real() / rollbem::steady_c11(nu) - 1);
+    return if_finite(std::abs(c11 / rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect) - 1.0));
+}
+
+double Case::run(const Quantity& quantity) const {
+    const double nu = scene_.contact.poisson_ratio(), aspect = finite_aspect(scene_);
+    const Complex s(0, quantity.frequency);
+    if (const auto found = elements(scheme_)) {
+        if (quantity.name == "traction") return tractions(scene_, *found, n_).values[0];
+        switch (quantity.problem) {
+            case Problem::steady:
+                return evaluate(scene_, *found, n_, [&](const auto& mesh) { return steady_c11(scene_, *found, mesh); });
+            case Problem::harmonic:
+                return evaluate(
+                           scene_, *found, n_,
+                           [&](const auto& mesh) { return harmonic_c11(scene_, *found, mesh, quantity.frequency); })
+                    .real();
+            case Problem::step: return all_step_forces(scene_, *found, n_)[0];
+            default: break;
+        }
+        return evaluate(scene_, *found, n_, [&](const auto& mesh) { return friction_force(scene_, *found, mesh); });
+    }
+    const bool closed = scheme_ == "closed-form";
+    switch (quantity.problem) {
+        case Problem::step: return closed ? closed_form_forces(nu, aspect)[0] : polynomial_forces(nu, aspect, n_)[0];
+        case Problem::friction: return rollbem::carter_force_ratio(creepage_ratio);
+        case Problem::harmonic:
+            return closed ? rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect).real()
+                          : rollbem::polynomial_c11(s, nu, aspect, n_).c11.real();
+        default: break;
+    }
+    if (quantity.name == "traction") {
+        return closed ? rollbem::carter_traction(0.5, nu)
+                      : rollbem::solve_chebyshev(s, nu, aspect, n_).traction(0.5).real();
+    }
+    return closed ? rollbem::steady_c11(nu) : rollbem::polynomial_c11(s, nu, aspect, n_).c11.real();
+}
+
+std::optional<bool> Case::stable() const {
+    const double aspect = scene_.contact.aspect();
+    if (!std::isfinite(aspect)) return std::nullopt;
+    const bool plane_decays = rollbem::plane_lambda(scene_.contact.poisson_ratio(), aspect) > 0;
+    const auto found = elements(scheme_);
+    if (!found) return plane_decays;  // of the model itself
+    if (scene_.plane && !plane_decays) return std::nullopt;
+    for (const long n : found->order > 0 ? std::vector{n_ / 2, n_} : std::vector{n_}) {
+        const auto count = rollbem::count_unstable(both(scene_, *found, make_mesh(scene_, found->topology, n)));
+        if (count.status != rollbem::Status::ok) return std::nullopt;
+        if (count.unstable_count > 0) return false;
+    }
+    return true;
+}
+
+double model_error(const Scene& scene, const Quantity& quantity) {
+    if (scene.plane) return 0;
+    const Elements cosine = *elements("cosine");
+    const Mesh<double> mesh = rollbem::cosine_mesh(60);
+    Scene plane = scene;
+    plane.plane = true;
+    switch (quantity.problem) {
+        case Problem::harmonic:
+            return std::abs(harmonic_c11(scene, cosine, mesh, quantity.frequency) /
+                                harmonic_c11(plane, cosine, mesh, quantity.frequency) -
+                            1.0);
+        case Problem::step:
+            return largest_difference(step_forces(scene, cosine, mesh), step_forces(plane, cosine, mesh));
+        case Problem::friction: return friction_force(scene, cosine, mesh) / friction_force(plane, cosine, mesh) - 1;
+        default: break;
+    }
+    const ArrayX<double> own = steady(scene, cosine, mesh).traction, other = steady(plane, cosine, mesh).traction;
+    if (quantity.name == "traction") return weighted_norm(mesh, own - other) / weighted_norm(mesh, other);
+    return (own * mesh.widths()).sum() / (other * mesh.widths()).sum() - 1;
+}
+
+}  // namespace precision

@@ -1,0 +1,464 @@
+// Error against run time: what precision each scheme gives for its time, which schemes are worth it (the Pareto front),
+// and the cheapest scheme for a tolerance:
+//
+//     ./precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
+//     ./precision_study --schemes cosine,richardson-cosine --quantity c11 --n 7,14,28
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "precision/front.hpp"
+#include "precision/schemes.hpp"
+#include "support/non_steady.hpp"
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/scenes.hpp"
+#include "support/table.hpp"
+
+namespace {
+
+using precision::Case;
+using precision::Point;
+using precision::Problem;
+using precision::Quantity;
+
+const std::vector<std::string> columns{"scheme",  "n",      "quantity", "relative_error",
+                                       "time_us", "stable", "on_front", "model_error"};
+
+// --- the command line
+
+/// A comma-separated list of names, all from `known`; in the order of `known`.
+std::vector<std::string> names(const study::Options& options, const std::string& option,
+                               const std::vector<std::string>& known) {
+    std::istringstream text(options.text(option));
+    std::vector<std::string> given;
+    for (std::string name; std::getline(text, name, ',');) {
+        if (name != "all" && std::find(known.begin(), known.end(), name) == known.end()) {
+            throw study::BadInput("--" + option + " = " + name + " must be all, or some of " + study::join(known, ","));
+        }
+        if (std::find(given.begin(), given.end(), name) != given.end()) {
+            throw study::BadInput(options.said(option) + " must be a list without repeated items: " + name +
+                                  " is there twice");
+        }
+        given.push_back(name);
+    }
+    const auto is_given = [&](const std::string& name) {
+        return std::find(given.begin(), given.end(), name) != given.end();
+    };
+    if (is_given("all")) return known;
+    std::vector<std::string> result;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(result), is_given);
+    return result;
+}
+
+std::vector<Quantity> chosen_quantities(const study::Options& options) {
+    std::vector<std::string> known;
+    for (const Quantity& quantity : precision::quantities()) known.push_back(quantity.name);
+    const std::vector<std::string> chosen = names(options, "quantity", known);
+    std::vector<Quantity> result;
+    for (const Quantity& quantity : precision::quantities()) {
+        if (std::find(chosen.begin(), chosen.end(), quantity.name) != chosen.end()) result.push_back(quantity);
+    }
+    return result;
+}
+
+constexpr std::ptrdiff_t largest = 100000;  // n
+
+/// Without --n, what is costly stops at smaller n.
+long largest_n(Problem problem) { return problem == Problem::steady ? 640 : problem == Problem::harmonic ? 320 : 160; }
+
+// --- rows
+
+/// One scheme at one n with the quantities it is measured for.
+struct Task {
+    Case scheme;
+    std::vector<Quantity> quantities;
+};
+
+std::vector<Task> make_tasks(const study::Options& options, const precision::Scene& scene,
+                             const std::vector<std::string>& schemes, const std::vector<Quantity>& quantities) {
+    std::vector<Task> tasks;
+    const auto add = [&](const std::string& scheme, long n) {
+        if (!Case::exists(scheme, n)) return;
+        Task task{Case(scene, scheme, n), {}};
+        for (const Quantity& quantity : quantities) {
+            const bool wanted = options.given("n") || n <= largest_n(quantity.problem);
+            if (wanted && Case::has(scheme, quantity)) task.quantities.push_back(quantity);
+        }
+        if (!task.quantities.empty()) tasks.push_back(std::move(task));
+    };
+    for (const std::ptrdiff_t n : options.integers("n", 1, largest)) {
+        for (const std::string& scheme : schemes) add(scheme, n);
+    }
+    for (const std::string& scheme : schemes) add(scheme, 0);
+    if (tasks.empty())
+        throw study::BadInput(options.said("n") + " must fit at least one of the schemes and quantities");
+    return tasks;
+}
+
+precision::Scene make_scene(const study::Options& options, const std::vector<Quantity>& quantities) {
+    const std::vector<std::string> schemes = names(options, "schemes", precision::scheme_names());
+    const auto used = [&](const char* name) {
+        return std::find(schemes.begin(), schemes.end(), name) != schemes.end();
+    };
+    if (!used("geometric")) options.ignored("size-ratio", "without the scheme geometric");
+    if (!used("knothe")) options.ignored("epsilon", "without the scheme knothe");
+    const bool steady = std::none_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) {
+        return quantity.problem == Problem::harmonic || quantity.problem == Problem::step;
+    });
+    const rollbem::Contact<double> contact =
+        study::make_contact(options, steady ? study::Problem::steady : study::Problem::non_steady);
+    if (!steady) study::require_plane_model(options, contact);
+    // the strip of infinite width is the plane
+    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
+    precision::Scene scene{contact, plane, options.number("size-ratio", study::between(1e-12, 1e12)),
+                           options.number("epsilon", study::between(1e-12, 1e12))};
+    const bool steps = std::any_of(quantities.begin(), quantities.end(),
+                                   [](const Quantity& quantity) { return quantity.problem == Problem::step; });
+    if (steps) scene.step_forces = precision::exact_step_forces(contact);
+    return scene;
+}
+
+study::Row row(const Point& point) {
+    const auto flag = [](const std::optional<bool>& value) { return value ? study::Cell(int(*value)) : study::Cell(); };
+    return {point.scheme,  study::Cell(point.n), point.quantity,       point.relative_error,
+            point.time_us, flag(point.stable),   flag(point.on_front), point.model_error};
+}
+
+/// The rows of one task, but for on_front.
+std::vector<Point> points_of(const Task& task, const std::map<std::string, double>& model_errors,
+                             const std::map<Problem, double>& times) {
+    std::vector<Point> points;
+    const std::optional<bool> stable = task.scheme.stable();
+    for (const Quantity& quantity : task.quantities) {
+        Point point{.scheme = task.scheme.scheme(),
+                    .n = task.scheme.n() > 0 ? std::optional(task.scheme.n()) : std::nullopt,
+                    .quantity = quantity.name,
+                    .relative_error = task.scheme.relative_error(quantity),
+                    .time_us = std::nullopt,
+                    .stable = stable};
+        const auto time = times.find(quantity.problem);
+        if (time != times.end()) point.time_us = time->second;
+        const auto model = model_errors.find(quantity.name);
+        if (model != model_errors.end()) point.model_error = model->second;
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+// --- times
+
+/// One computation, repeated.
+struct Timer {
+    const Case* scheme;
+    Quantity quantity;
+    std::size_t calls = 1;  ///< in a run, so that it lasts some hundred times the clock's overhead
+    std::vector<double> runs{};
+    double total = 0;
+
+    double run(std::size_t count) const {
+        using Clock = std::chrono::steady_clock;
+        [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
+        const Clock::time_point start = Clock::now();
+        for (std::size_t i = 0; i < count; ++i) kept = scheme->run(quantity);
+        return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+    }
+    bool done() const { return runs.size() >= 5 && (total > 8000 || runs.size() >= 51); }
+    double median() {
+        const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
+        std::nth_element(runs.begin(), middle, runs.end());
+        return *middle / static_cast<double>(calls);
+    }
+};
+
+/// Median times of every task for each of its problems. All take turns, one run each, so that a machine that changes
+/// its speed hits all alike. done(part) is told how much of it is done.
+template <class Done>
+std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
+                                               const Done& done) {
+    std::vector<std::map<Problem, Timer>> timers(tasks.size());
+    for (const std::size_t i : wanted) {
+        for (const Quantity& quantity : tasks[i].quantities) {
+            timers[i].try_emplace(quantity.problem, Timer{&tasks[i].scheme, quantity});
+        }
+    }
+    for (auto& of_task : timers) {
+        for (auto& [problem, timer] : of_task) {
+            while (timer.calls < 4096 && timer.run(timer.calls) < 40) timer.calls *= 2;
+        }
+    }
+    bool again = true;
+    for (int round = 0; again; ++round) {
+        again = false;
+        done(std::min(round, 5) / 5.0);
+        for (auto& of_task : timers) {
+            for (auto& [problem, timer] : of_task) {
+                if (timer.done()) continue;
+                timer.runs.push_back(timer.run(timer.calls));
+                timer.total += timer.runs.back();
+                again = true;
+            }
+        }
+    }
+    std::vector<std::map<Problem, double>> times(tasks.size());
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        for (auto& [problem, timer] : timers[i]) times[i][problem] = timer.median();
+    }
+    return times;
+}
+
+// --- --front
+
+std::optional<double> read_cell(const std::string& text, const std::string& where) {
+    if (text.empty()) return std::nullopt;
+    const std::optional<double> value = study::detail::parse_number<double>(text);
+    if (!value || !std::isfinite(*value)) throw study::BadInput(where + " must be a number or empty: " + text);
+    return value;
+}
+
+/// The rows of this program's earlier output.
+std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities) {
+    const std::string path = options.text("front"), said = options.said("front");
+    std::ifstream file(path);
+    std::error_code error;
+    if (!file || std::filesystem::is_directory(path, error)) {
+        throw study::BadInput(said + " must be a file that can be read");
+    }
+    const std::string header = study::join(columns, ",");
+    std::vector<Point> points;
+    std::string line;
+    for (std::size_t number = 1; std::getline(file, line); ++number) {
+        const std::string where = said + ": line " + std::to_string(number);
+        const std::string text(study::detail::trim(line));
+        if (number == 1) {
+            if (text != header) throw study::BadInput(where + " must be " + header);
+            continue;
+        }
+        std::vector<std::string> cells(1);
+        for (const char c : text) {
+            if (c == ',')
+                cells.emplace_back();
+            else
+                cells.back() += c;
+        }
+        const auto known = [](const auto& list, const auto& name, const auto& name_of) {
+            return std::any_of(list.begin(), list.end(), [&](const auto& item) { return name_of(item) == name; });
+        };
+        if (cells.size() != columns.size()) {
+            throw study::BadInput(where + " must have " + std::to_string(columns.size()) + " cells");
+        }
+        if (!known(precision::scheme_names(), cells[0], [](const std::string& name) { return name; })) {
+            throw study::BadInput(where + " must name a scheme: " + cells[0]);
+        }
+        const auto name_of = [](const Quantity& quantity) { return quantity.name; };
+        if (!known(precision::quantities(), cells[2], name_of)) {
+            throw study::BadInput(where + " must name a quantity: " + cells[2]);
+        }
+        if (!known(quantities, cells[2], name_of)) continue;
+        const auto flag = [&](const std::string& cell) {
+            const std::optional<double> value = read_cell(cell, where);
+            return value ? std::optional(*value != 0) : std::nullopt;
+        };
+        const std::optional<double> n = read_cell(cells[1], where);
+        points.push_back({.scheme = cells[0],
+                          .n = n ? std::optional(std::lround(*n)) : std::nullopt,
+                          .quantity = cells[2],
+                          .relative_error = read_cell(cells[3], where),
+                          .time_us = read_cell(cells[4], where),
+                          .stable = flag(cells[5]),
+                          .on_front = std::nullopt,
+                          .model_error = read_cell(cells[7], where)});
+    }
+    if (points.empty()) throw study::BadInput(said + " must have rows of the quantities asked for");
+    return points;
+}
+
+// --- --cheapest and --plot
+
+void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
+                    const std::vector<Quantity>& quantities) {
+    using precision::Among;
+    const std::vector<double> sustained = precision::sustained_errors(points);
+    file.write(study::csv_line({"quantity", "tolerance", "among", "scheme", "n", "relative_error", "time_us"}));
+    for (const Quantity& quantity : quantities) {
+        for (int exponent = 2; exponent <= 12; ++exponent) {
+            for (const auto& [among, name] : {std::pair{Among::elements, "elements"},
+                                              {Among::stable_elements, "stable-elements"},
+                                              {Among::all, "all"}}) {
+                const double tolerance = std::pow(10.0, -exponent);
+                const auto best = precision::cheapest(points, sustained, quantity.name, tolerance, among);
+                const std::string text = "1e-" + std::to_string(exponent);
+                study::Row cells{quantity.name, text, name, {}, {}, {}, {}};
+                if (best) {
+                    const Point& point = points[*best];
+                    cells = {quantity.name,        text,         name, point.scheme, study::Cell(point.n),
+                             point.relative_error, point.time_us};
+                }
+                file.write(study::csv_line(cells));
+            }
+        }
+    }
+    file.commit();
+}
+
+/// A panel for one quantity: the error of every scheme over its time.
+study::Plot panel(const std::string& quantity, const std::vector<study::Row>& rows) {
+    study::Plot plot{.title = quantity,
+                     .x_label = "time [microseconds]",
+                     .y_label = "|relative error|",
+                     .log_x = true,
+                     .log_y = true,
+                     .series = {}};
+    std::vector<study::Row> own;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                 [&](const study::Row& cells) { return cells[2].text() == quantity; });
+    study::add_series(plot, columns, own, {.by = {"scheme"}, .x = "time_us", .y = "relative_error", .absolute = true});
+    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .style = 6};
+    for (const study::Row& cells : own) {
+        if (cells[6].text() != "1") continue;
+        const std::optional<double> time = cells[4].number(), error = cells[3].number();
+        if (time && error) front.points.emplace_back(*time, std::abs(*error));
+    }
+    std::sort(front.points.begin(), front.points.end());
+    if (!front.points.empty()) plot.series.push_back(std::move(front));
+    return plot;
+}
+
+/// Panels for up to three quantities: c11 at rest, at a frequency and with friction where there are more.
+study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows) {
+    std::vector<std::string> shown;
+    for (const Quantity& quantity : quantities) {
+        const bool drawn = std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
+            return cells[2].text() == quantity.name && cells[4].number().has_value();
+        });
+        if (!drawn) continue;
+        const bool chosen = quantity.name == "c11" || quantity.name == "c11_z1" || quantity.name == "friction_force";
+        if (quantities.size() <= 3 || chosen) shown.push_back(quantity.name);
+    }
+    if (shown.empty()) shown.push_back(quantities.front().name);
+    study::Plot plot = panel(shown.front(), rows);
+    for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows));
+    return plot;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("precision_study",
+                           "Error against run time: which scheme gives a required precision at the least cost?");
+    const std::string fixed = "the schemes of this study say where and how the equations are taken; see --schemes";
+    for (const char* name :
+         {"mesh", "edges", "method", "quadrature", "alpha-L", "alpha-T", "alpha", "lambda", "derivative"}) {
+        options.refuse(name, fixed);
+    }
+    options.set_default("n", "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640");
+    options.set_default("kernel", "plane");
+    options.set_default("size-ratio", "1.89");
+    options.set_default("epsilon", "0.37");
+    options.add("schemes", "LIST", "all, or some of " + study::join(precision::scheme_names(), ","), "all");
+    options.add("quantity", "LIST",
+                "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force", "all");
+    options.add("front", "FILE",
+                "compute nothing: read rows written before (shards put together), fill on_front, and draw or search "
+                "them");
+    options.add("cheapest", "FILE",
+                "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "
+                "stable one, and the fastest of all");
+    options.footer(
+        "Example: everything, with the cheapest schemes and a picture\n"
+        "  precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg\n"
+        "\n"
+        "One row per scheme, n and quantity. n counts elements, of the finer mesh where two (n/2 and n) are\n"
+        "extrapolated; for chebyshev it is the order; the closed form has none. relative_error is against the closed\n"
+        "forms of the plane model. traction: the norm of the differences to Carter's mean traction of each element\n"
+        "over that of the mean tractions, both with the weight sqrt(1 - x^2/a^2) - without it Carter's traction,\n"
+        "which is singular at the trailing edge, has no such norm, and with it the norm bounds the error of the "
+        "force.\n"
+        "step_force: the largest relative error at q/a = 1, 2, ... 10 after a step of creepage, exact in time.\n"
+        "friction_force: creepage ratio 0.5. closed-form: the difference of two closed forms where there are two.\n"
+        "time_us: from the mesh to the result, the median of at least 5 runs; all schemes take turns. stable: no\n"
+        "eigenvalue grows, as computed. on_front: no other element scheme is as fast and as precise; an error counts\n"
+        "as the largest of its scheme at this and every larger n, so that no change of sign passes for precision. It\n"
+        "is empty for chebyshev and closed-form, and with --shard or --jobs above 1, where times lack: put the shards\n"
+        "together and use --front. With the strip kernel model_error is what the model alone makes of the error.\n"
+        "Without --n, c11_z* stop at n = 320 and step_force and friction_force at 160: about a minute in all.\n");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        const std::vector<Quantity> quantities = chosen_quantities(given);
+        const bool with_times = study::job_count(given) == 1;
+        const bool partial = given.given("shard") || !with_times;
+        if (partial) given.ignored("cheapest", "with --shard or --jobs, where times lack; use --front");
+        study::Table table;
+        table.columns = columns;
+        table.plot = [&](const std::vector<study::Row>& rows) { return pictures(quantities, rows); };
+        std::vector<Point> points;  // all rows, where on_front can be told
+        std::vector<Task> tasks;
+        std::map<std::string, double> model_errors;
+        std::vector<std::map<Problem, double>> times;
+
+        if (given.given("front")) {
+            // 2. Rows from a file.
+            for (const char* name :
+                 {"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"}) {
+                given.ignored(name, "with --front");
+            }
+            points = read_points(given, quantities);
+            precision::mark_front(points);
+            table.rows_of_task.assign(points.size(), 1);
+            table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) { emit(row(points[i])); };
+        } else {
+            // 3. Or schemes to compute.
+            const precision::Scene scene = make_scene(given, quantities);
+            tasks = make_tasks(given, scene, names(given, "schemes", precision::scheme_names()), quantities);
+            for (const Task& task : tasks) table.rows_of_task.push_back(task.quantities.size());
+            if (!scene.plane) {
+                for (const Quantity& quantity : quantities) {
+                    model_errors[quantity.name] = precision::model_error(scene, quantity);
+                }
+            }
+
+            // 4. The times of all rows are measured before the first is written, and their errors where on_front is
+            // wanted.
+            table.prepare = [&](const std::vector<std::size_t>& wanted, const auto& done) {
+                if (with_times) times = measure(tasks, wanted, [&](double part) { done(part / 2); });
+                if (partial) return;
+                for (std::size_t i = 0; i < tasks.size(); ++i) {
+                    for (Point& point : points_of(tasks[i], model_errors, times[i])) points.push_back(std::move(point));
+                    done((1 + static_cast<double>(i + 1) / static_cast<double>(tasks.size())) / 2);
+                }
+                precision::mark_front(points);
+            };
+            table.compute = [&](std::size_t i, study::RowRange range, const study::Emit& emit) {
+                std::vector<Point> own;
+                if (partial) {
+                    own = points_of(tasks[i], model_errors, with_times ? times[i] : std::map<Problem, double>{});
+                } else {
+                    const auto first = points.begin() + std::accumulate(table.rows_of_task.begin(),
+                                                                        table.rows_of_task.begin() + std::ptrdiff_t(i),
+                                                                        std::ptrdiff_t(0));
+                    own.assign(first, first + std::ptrdiff_t(table.rows_of_task[i]));
+                }
+                for (std::size_t k = range.first; k < range.last; ++k) emit(row(own[k]));
+            };
+        }
+
+        // 5. The rows, and what they say about tolerances.
+        std::optional<study::OutputFile> cheapest;
+        if (given.given("cheapest")) cheapest.emplace(given.text("cheapest"), "--cheapest");
+        study::write_table(given, table);
+        if (cheapest) write_cheapest(*cheapest, points, quantities);
+        return study::exit_ok;
+    });
+}

@@ -1,0 +1,101 @@
+#!/bin/sh
+# apps/precision_study.cpp, seen from outside: what it refuses, columns, rows, numbers known by other routes, the front,
+# the cheapest schemes; and for every study that shards add up to the whole.
+# Usage: precision.sh FOLDER-OF-PROGRAMS
+. "$(dirname "$0")/functions.sh"
+precision=$programs/precision_study
+
+# --- bad input
+p="$precision --output x.csv --n 4"
+for option in --mesh --edges --method --quadrature --alpha --alpha-L --alpha-T --lambda --derivative; do
+    bad "$option = 1 cannot be used here" $p $option 1
+done
+bad '--schemes = foo must be all, or some of uniform-0.5/0.5' $p --schemes cosine,foo
+bad "--schemes = '' must not be empty" $p --schemes ''
+bad 'repeated items: cosine' $p --schemes cosine,knothe,cosine
+bad '--quantity = c12 must be all, or some of c11,traction' $p --quantity c12
+bad '--size-ratio = 2 has no effect without the scheme geometric' $p --schemes knothe --size-ratio 2
+bad '--epsilon = 0.4 has no effect without the scheme knothe' $p --schemes geometric --epsilon 0.4
+bad '--epsilon = 0 must lie in' $p --epsilon 0
+bad '--n = 5 must fit' "$precision" --output x.csv --n 5 --schemes richardson-cosine
+bad '--n = 0 must be an integer' "$precision" --output x.csv --n 0
+bad '--aspect = inf must be positive and finite' $p --aspect inf
+bad '--aspect = 0.1 must be larger than' $p --aspect 0.1
+bad '--cheapest = c.csv has no effect with --shard' $p --cheapest c.csv --shard 1/2
+bad '--cheapest = c.csv has no effect with --shard or --jobs' $p --cheapest c.csv --jobs 2
+bad '--cheapest = / must be a file that can be written' $p --cheapest /
+bad '--front = none must be a file that can be read' "$precision" --front none
+printf 'scheme,n\n' >wrong
+bad 'line 1 must be scheme,n,quantity' "$precision" --front ../wrong
+printf 'scheme,n,quantity,relative_error,time_us,stable,on_front,model_error\ncosine,4,c11,1e-3,x,1,,\n' >wrong
+bad 'line 2 must be a number or empty: x' "$precision" --front ../wrong
+sed -i 's/cosine/sine/' wrong
+bad 'line 2 must name a scheme: sine' "$precision" --front ../wrong
+bad '--n = 4 has no effect with --front' "$precision" --front ../wrong --n 4
+bad '--schemes = all has no effect with --front' "$precision" --front ../wrong --schemes all
+
+# --- columns, rows, numbers
+good 44 "$precision" --n 20 --quantity c11,traction,c11_z1,friction_force --cheapest cheapest.csv
+header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error
+is() { awk -F, -v s="$1" -v q="$2" '$1 == s && $3 == q { ok = '"$3"' } END { exit !ok }' out || fail "$1: $2: $(grep "$1.*$2" out)"; }
+is uniform-0.5/0.5 c11 '($4 / 7.543e-3 - 1) ^ 2 < 1e-6 && $6 == 1'
+is uniform-0/0.63 c11 '($4 / -3.1e-5 - 1) ^ 2 < 1e-3 && $6 == 1'
+is cosine c11 '($4 / 4.304e-4 - 1) ^ 2 < 1e-6'
+is galerkin-cosine c11 '($4 / 4.304e-4 - 1) ^ 2 < 1e-6'
+is richardson-uniform c11 '($4 / -4.07e-5 - 1) ^ 2 < 1e-4'
+is cosine friction_force '($4 / 3.0e-3 - 1) ^ 2 < 1e-3'
+is chebyshev c11_z1 '$4 < 1e-14 && $7 == ""'
+is closed-form c11_z1 '$2 == "" && $4 < 1e-14 && $7 == ""'
+check 'times, and no model error' '$5 > 0 && $8 == "" && $4 < 0.1'
+check 'a front of element schemes' '($7 == "") == ($1 == "chebyshev" || $1 == "closed-form")'
+grep -q ',1,1,$' out || fail 'an empty front'
+[ "$(head -n 1 cheapest.csv)" = quantity,tolerance,among,scheme,n,relative_error,time_us ] &&
+    [ "$(wc -l <cheapest.csv)" -eq 133 ] || fail "cheapest.csv"
+grep -q '^c11,1e-12,elements,,,,$' cheapest.csv && grep -q '^c11,1e-2,stable-elements,[a-z]' cheapest.csv &&
+    grep -q '^c11_z1,1e-12,all,c' cheapest.csv || fail "cheapest schemes: $(cat cheapest.csv)"
+good 3 "$precision" --n 4,6 --schemes richardson-cosine --quantity c11 --aspect inf
+check 'no stability without G' '$6 == "" && $4 < 0.02 && $4 > -0.02'
+good 2 "$precision" --n 160 --schemes uniform-0/0.63 --quantity friction_force --jobs 2
+check '0/0.63 is unstable at n = 160' '$6 == 0 && $5 == "" && $7 == ""'
+good 3 "$precision" --n 40 --schemes cosine --quantity c11,c11_z1 --kernel strip --aspect 10
+check 'the error of the strip is that of its model' '$8 > 3e-4 && ($4 / $8 - 1) ^ 2 < 0.01'
+
+# --- shards add up to the whole, byte for byte but for times and what follows from them
+# aside FILE: the rows with columns of times and on_front left empty
+aside() {
+    awk -F, 'BEGIN { OFS = "," } NR == 1 { for (i = 1; i <= NF; ++i) out[i] = $i ~ /_us$|^on_front$/; print; next }
+        { for (i = 1; i <= NF; ++i) if (out[i]) $i = ""; print }' "$1"
+}
+adds_up() {
+    "$@" >whole || fail "$*"
+    for k in 1 2 3; do "$@" --shard $k/3; done >parts
+    aside whole >one
+    aside parts | cmp -s - one || fail "shards do not add up: $*"
+    [ "$(wc -l <whole)" -gt 4 ] || fail "too few rows: $*"
+}
+adds_up "$programs/steady_study" --n 5,10 --alpha-T 0.5,0.63
+adds_up "$programs/traction_study" --n 5,8
+adds_up "$programs/stability_study" --n 5,8 --alpha-T 0.5,0.63
+adds_up "$programs/stability_study" --n 5,8 --spectrum
+adds_up "$programs/stability_study" --n 4,5,6,7 --critical
+adds_up "$programs/frequency_study" --n 5,8 --omega 0.1,1,5
+adds_up "$programs/frequency_study" --method polynomial --omega 0.1,1,5,10
+adds_up "$programs/transient_study" --n 5,8 --step 1 --until 1
+adds_up "$programs/friction_study" --n 5,8 --creepage-ratio 0.5,1.1
+adds_up "$programs/friction_study" --n 5 --transient --creepage-ratio 0.5 --until 1
+adds_up "$precision" --n 4,6 --schemes cosine,uniform-0/0.63,chebyshev --quantity c11,c11_z1
+
+# --- --front: of the whole nothing but itself, of shards the columns that were empty
+"$precision" --front whole >again || fail '--front'
+cmp -s whole again || fail '--front changes a whole'
+"$precision" --front parts --quantity c11 --cheapest cheapest.csv >filled || fail '--front of parts'
+awk -F, 'NR > 1 && $3 != "c11" { bad = 1 } NR > 1 && ($7 == "") != ($1 == "chebyshev") { bad = 1 } $7 == 1 { front = 1 }
+    END { exit bad || !front }' filled || fail "a front of parts: $(cat filled)"
+grep -q '^c11,1e-2,elements,[a-z]' cheapest.csv || fail 'cheapest of parts'
+
+# --- plot
+if command -v gnuplot >/dev/null; then
+    good 13 "$precision" --front whole --plot p.svg
+    [ "$(grep -c '</svg>' p.svg)" -eq 1 ] && grep -q 'Pareto front' p.svg || fail 'plot'
+fi
+finish
