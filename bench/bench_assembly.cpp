@@ -1,40 +1,20 @@
 // Assembly of G' and G beside Eigen's LU solve of the same size and beside the plain double loop over elements.
 // Sample run: ./bench_assembly --benchmark_filter=/80$
-#include <cmath>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
 #include <rollbem/assembly/influence.hpp>
 #include <rollbem/problem/steady.hpp>
 
+#include "naive.hpp"
+
 namespace {
 
 using namespace rollbem;
 
 const Contact<double> contact = Contact<double>::dimensionless(1000, 0.28);
-
-// The plain way: four antiderivatives for every entry of an fd G', one at a time.
-MatrixX<double> naive_G_prime(const Mesh<double>& mesh, const Collocation& scheme, double b, double nu) {
-    const double pi = 3.14159265358979323846;
-    const auto H = [=](double x) {
-        return x == 0 ? 0 : 2 / pi * ((1 - nu) * x * std::asinh(b / std::abs(x)) + b * std::asinh(x / b));
-    };
-    const ArrayX<double> alpha = interpolate_alpha(mesh, scheme.alpha_L, scheme.alpha_T);
-    const Eigen::Index n = mesh.size();
-    MatrixX<double> G_prime(n, n);
-    for (Eigen::Index l = 0; l < n; ++l) {
-        const double width = mesh.widths()[l];
-        for (Eigen::Index m = 0; m < n; ++m) {
-            const double d = mesh.centres()[l] + alpha[l] * width - mesh.centres()[m];
-            const double h = mesh.widths()[m] / 2;
-            const auto u = [&](double x) { return H(x + h) - H(x - h); };
-            G_prime(l, m) = (u(d + width / 2) - u(d - width / 2)) / width;
-        }
-    }
-    return G_prime;
-}
 
 Mesh<double> make_mesh(const std::string& name, Eigen::Index n) {
     return name == "cosine" ? cosine_mesh(n) : uniform_mesh(n);
@@ -51,7 +31,6 @@ void assemble_gradient(benchmark::State& state, const std::string& mesh_name) {
     const Kernel kernel = Kernel::longitudinal(contact);
     for (auto _ : state) benchmark::DoNotOptimize(assemble_G_prime(mesh, scheme, kernel));
     state.counters["n"] = static_cast<double>(state.range(0));
-    state.SetComplexityN(state.range(0));
 }
 
 template <class Kernel>
@@ -61,21 +40,42 @@ void assemble_both(benchmark::State& state, const std::string& mesh_name) {
     const Kernel kernel = Kernel::longitudinal(contact);
     for (auto _ : state) benchmark::DoNotOptimize(assemble(mesh, scheme, kernel));
     state.counters["n"] = static_cast<double>(state.range(0));
-    state.SetComplexityN(state.range(0));
 }
 
+template <class Kernel>
 void galerkin_gradient(benchmark::State& state) {
     const Mesh<double> mesh = uniform_mesh(state.range(0));
-    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    const Kernel kernel = Kernel::longitudinal(contact);
     for (auto _ : state) benchmark::DoNotOptimize(assemble_G_prime(mesh, Galerkin{}, kernel));
     state.counters["n"] = static_cast<double>(state.range(0));
 }
 
-void naive_gradient(benchmark::State& state, const std::string& mesh_name) {
+enum class KernelName { strip, plane };
+
+template <class Function>
+auto with_naive_kernel(KernelName kernel, const Function& function) {
+    const double b = contact.aspect(), nu = contact.poisson_ratio();
+    return kernel == KernelName::strip ? function([=](double x) { return naive::strip_H(x, b, nu); })
+                                       : function([=](double x) { return naive::plane_H(x, b, nu); });
+}
+
+void naive_gradient(benchmark::State& state, const std::string& mesh_name, KernelName kernel) {
     const Mesh<double> mesh = make_mesh(mesh_name, state.range(0));
     const Collocation scheme = make_scheme(mesh_name);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(naive_G_prime(mesh, scheme, contact.aspect(), contact.poisson_ratio()));
+        benchmark::DoNotOptimize(
+            with_naive_kernel(kernel, [&](const auto& H) { return naive::G_prime(mesh, scheme, H); }));
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+}
+
+void naive_both(benchmark::State& state, const std::string& mesh_name, KernelName kernel) {
+    const Mesh<double> mesh = make_mesh(mesh_name, state.range(0));
+    const Collocation scheme = make_scheme(mesh_name);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(with_naive_kernel(kernel, [&](const auto& H) {
+            return InfluenceMatrices<double>{naive::G(mesh, scheme, H), naive::G_prime(mesh, scheme, H)};
+        }));
     }
     state.counters["n"] = static_cast<double>(state.range(0));
 }
@@ -89,7 +89,6 @@ void lu_solve(benchmark::State& state) {
         benchmark::DoNotOptimize(VectorX<double>(lu.solve(ones)));
     }
     state.counters["n"] = static_cast<double>(state.range(0));
-    state.SetComplexityN(state.range(0));
 }
 
 void register_all() {
@@ -111,10 +110,21 @@ void register_all() {
             ->Apply(sizes);
         benchmark::RegisterBenchmark(name("AssembleBoth", "strip").c_str(), assemble_both<StripKernel<double>>, mesh)
             ->Apply(sizes);
-        benchmark::RegisterBenchmark(name("AssembleGradientNaive", "strip").c_str(), naive_gradient, mesh)
-            ->Apply(sizes);
+        for (const auto& [kernel, kernel_name] :
+             {std::pair{KernelName::plane, "plane"}, {KernelName::strip, "strip"}}) {
+            benchmark::RegisterBenchmark(name("AssembleGradientNaive", kernel_name).c_str(), naive_gradient, mesh,
+                                         kernel)
+                ->Apply(sizes);
+            benchmark::RegisterBenchmark(name("AssembleBothNaive", kernel_name).c_str(), naive_both, mesh, kernel)
+                ->Apply(sizes);
+        }
     }
-    benchmark::RegisterBenchmark("BM_AssembleGradientGalerkin/uniform/strip", galerkin_gradient)->Arg(80)->Arg(160);
+    benchmark::RegisterBenchmark("BM_AssembleGradientGalerkin/uniform/plane", galerkin_gradient<PlaneKernel<double>>)
+        ->Arg(80)
+        ->Arg(160);
+    benchmark::RegisterBenchmark("BM_AssembleGradientGalerkin/uniform/strip", galerkin_gradient<StripKernel<double>>)
+        ->Arg(80)
+        ->Arg(160);
     benchmark::RegisterBenchmark("BM_LU", lu_solve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 }
 

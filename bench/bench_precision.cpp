@@ -1,0 +1,121 @@
+// c11 from nothing to the number, with its error: element schemes from the mesh on, the polynomial approach and the
+// closed form. A plain double loop over elements with LU stands beside the elements, monomials beside Chebyshev
+// polynomials.
+// Sample run: ./bench_precision --benchmark_filter='Recommended|Polynomial'
+#include <cmath>
+#include <complex>
+#include <string>
+
+#include <Eigen/LU>
+#include <benchmark/benchmark.h>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/problem/recommendation.hpp>
+#include <rollbem/problem/richardson.hpp>
+#include <rollbem/problem/steady.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "naive.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+
+constexpr double nu = 0.28, aspect = 1000;
+const PlaneKernel<double> kernel(aspect, 1 - nu, nu);
+constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+
+double error(double c11) { return c11 / steady_c11(nu) - 1; }
+double error(Complex c11, double z) { return std::abs(c11 / reference::harmonic_c11(z, nu, aspect) - 1.0); }
+
+template <class Compute>
+void measure(benchmark::State& state, double n, const Compute& compute) {
+    double c11 = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(c11 = compute());
+    state.counters["n"] = n;
+    state.counters["relative_error"] = error(c11);
+}
+
+template <class MakeMesh>
+void richardson_c11(benchmark::State& state, double order, const MakeMesh& make_mesh) {
+    const Eigen::Index n = state.range(0);
+    measure(state, static_cast<double>(n), [&] {
+        const double coarse = solve_steady(make_mesh(n / 2), halves, kernel).c11;
+        return richardson(coarse, solve_steady(make_mesh(n), halves, kernel).c11, order);
+    });
+}
+void BM_RichardsonUniform(benchmark::State& state) {
+    richardson_c11(state, 1, [](Eigen::Index n) { return uniform_mesh(n); });
+}
+void BM_RichardsonCosine(benchmark::State& state) {
+    richardson_c11(state, 2, [](Eigen::Index n) { return cosine_mesh(n); });
+}
+BENCHMARK(BM_RichardsonUniform)->Arg(16)->Arg(40)->Arg(80)->Arg(160);
+BENCHMARK(BM_RichardsonCosine)->Arg(14)->Arg(40)->Arg(80)->Arg(160);
+
+// Argument: the number of digits asked for.
+void BM_Recommended(benchmark::State& state) {
+    const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+    const Eigen::Index n = recommended_scheme(tolerance, Purpose::steady).n;
+    measure(state, static_cast<double>(n), [&] {
+        const RecommendedScheme best = recommended_scheme(tolerance, Purpose::steady);
+        return best.evaluate([&](const Mesh<double>& mesh) { return solve_steady(mesh, best.scheme, kernel).c11; });
+    });
+}
+BENCHMARK(BM_Recommended)->DenseRange(2, 8);
+
+// The plain way to the errors of Kalker's scheme: four antiderivatives for every entry, LU of the whole.
+void BM_Naive(benchmark::State& state) {
+    const Eigen::Index n = state.range(0);
+    measure(state, static_cast<double>(n), [&] {
+        const Mesh<double> mesh = uniform_mesh(n);
+        const MatrixX<double> G_prime =
+            naive::G_prime(mesh, halves, [](double x) { return naive::plane_H(x, aspect, nu); });
+        const Eigen::PartialPivLU<MatrixX<double>> lu(G_prime);
+        const VectorX<double> traction = lu.solve(VectorX<double>::Ones(n));
+        return -mesh.widths().matrix().dot(traction);
+    });
+}
+BENCHMARK(BM_Naive)->Arg(16)->Arg(40)->Arg(80)->Arg(160);
+
+// Complex c11 at omega a/V = 1, the order as argument.
+void BM_Polynomial(benchmark::State& state) {
+    PolynomialC11<double> solution{};
+    for (auto _ : state) benchmark::DoNotOptimize(solution = polynomial_c11(Complex(0, 1), nu, aspect, state.range(0)));
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["relative_error"] = error(solution.c11, 1);
+}
+BENCHMARK(BM_Polynomial)->Arg(5)->Arg(10)->Arg(20)->Arg(34)->Arg(80);
+
+// The same with the order that it takes by itself.
+void BM_PolynomialDefault(benchmark::State& state) {
+    PolynomialC11<double> solution{};
+    for (auto _ : state) benchmark::DoNotOptimize(solution = polynomial_c11(Complex(0, 1), nu, aspect));
+    state.counters["n"] = static_cast<double>(default_polynomial_order(Complex(0, 1)));
+    state.counters["relative_error"] = error(solution.c11, 1);
+}
+BENCHMARK(BM_PolynomialDefault);
+
+// As the paper has it.
+void BM_PolynomialMonomial(benchmark::State& state) {
+    PolynomialSolution<double> solution{};
+    for (auto _ : state) benchmark::DoNotOptimize(solution = solve_monomial(Complex(0, 1), nu, aspect, state.range(0)));
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["relative_error"] = error(solution.c11, 1);
+}
+BENCHMARK(BM_PolynomialMonomial)->Arg(5)->Arg(10)->Arg(20);
+
+// Bessel functions of GSL; the error is the difference to the polynomial approach.
+void BM_ClosedForm(benchmark::State& state) {
+    Complex c11 = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(c11 = reference::harmonic_c11(1, nu, aspect));
+    state.counters["n"] = 0;
+    state.counters["relative_error"] = error(polynomial_c11(Complex(0, 1), nu, aspect).c11, 1);
+}
+BENCHMARK(BM_ClosedForm);
+
+}  // namespace
+
+BENCHMARK_MAIN();
