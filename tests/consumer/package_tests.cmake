@@ -26,12 +26,12 @@ function(add_consumer_test name program)
 endfunction()
 
 set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
-add_consumer_test(find_package consumer "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
-add_consumer_test(reference consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
+add_consumer_test(find_package oscillation "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
+add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
 add_consumer_test(subdirectory slip -DROLLBEM_FROM=subdirectory ${no_gsl})
-add_consumer_test(pkg_config consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
+add_consumer_test(pkg_config readme "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
 
 # Without GSL the component is refused, and the message says why.
-add_consumer_test(reference_without_gsl consumer "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference ${no_gsl})
+add_consumer_test(reference_without_gsl exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference ${no_gsl})
 set_tests_properties(package.reference_without_gsl PROPERTIES
     PASS_REGULAR_EXPRESSION "component reference needs GSL, which was not found")
