@@ -39,7 +39,7 @@ struct Scene {
     Scheme scheme;
     double aspect, poisson_ratio;
     bool plane, lateral;
-    bool modest;      // graded by no more than 10, and alphas for which tractions converge
+    bool modest;      // no end element far larger than others, and alphas for which tractions converge
     double rounding;  // of G', relative to its largest entry
     std::string words;
 
@@ -123,7 +123,7 @@ public:
                     .poisson_ratio = std::clamp(uniform(-0.1, 0.6), 0.0, 0.5),
                     .plane = integer(0, 2) == 0,
                     .lateral = integer(0, 3) == 0,
-                    .modest = grading >= 0.1 && grading <= 10 && ordinary && n >= 8 &&
+                    .modest = grading >= 0.1 && grading <= 3 && ordinary && n >= 8 &&
                               derivative == Derivative::finite_difference,
                     .rounding = 0,
                     .words = {}};
@@ -135,6 +135,7 @@ public:
         // width; a finite difference averaged in closed form divides once more.
         const double contrast = mesh.widths().maxCoeff() / mesh.widths().minCoeff();
         scene.rounding = 50 * eps * contrast;
+        if (derivative == Derivative::analytic) scene.rounding *= 20;  // points at 0.001 of a width from a singularity
         const auto* galerkin = std::get_if<Galerkin>(&scene.scheme);
         if (galerkin != nullptr && galerkin->quadrature == exact_quadrature &&
             derivative == Derivative::finite_difference) {
@@ -265,7 +266,7 @@ TEST_CASE("Units scale out of a steady solution", "[property]") {
             solve_steady(Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio), scene.mesh, scheme, 1.0);
         if (without.status != Status::ok) return;
         const double force = with_units.force_per_width / (a * G * creepage * without.force_per_width);
-        const double tolerance = 1000 * eps / without.rcond;
+        const double tolerance = (1000 * eps + scene.rounding) / without.rcond;
         if (!(std::abs(force - 1) <= tolerance)) CHECK(force == Approx(1).epsilon(tolerance));
     });
 }
