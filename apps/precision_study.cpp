@@ -205,6 +205,7 @@ std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, c
         for (auto& of_task : timers) {
             for (auto& [problem, timer] : of_task) {
                 if (timer.done()) continue;
+                if (timer.calls > 1) timer.run(1);  // warms up what the one before has driven out
                 timer.runs.push_back(timer.run(timer.calls));
                 timer.total += timer.runs.back();
                 again = true;
@@ -314,7 +315,9 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
 
 /// A panel for one quantity: the error of every scheme over its time.
 study::Plot panel(const std::string& quantity, const std::vector<study::Row>& rows) {
-    study::Plot plot{.title = quantity,
+    std::string title = quantity;  // gnuplot takes a bare underscore for a subscript
+    if (const std::size_t at = title.find('_'); at != std::string::npos) title.insert(at, "\\");
+    study::Plot plot{.title = title,
                      .x_label = "time [microseconds]",
                      .y_label = "|relative error|",
                      .log_x = true,
@@ -393,7 +396,7 @@ int main(int argc, char** argv) {
         "as the largest of its scheme at this and every larger n, so that no change of sign passes for precision. It\n"
         "is empty for chebyshev and closed-form, and with --shard or --jobs above 1, where times lack: put the shards\n"
         "together and use --front. With the strip kernel model_error is what the model alone makes of the error.\n"
-        "Without --n, c11_z* stop at n = 320 and step_force and friction_force at 160: about a minute in all.\n");
+        "Without --n, c11_z* stop at n = 320 and step_force and friction_force at 160: one to two minutes in all.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const std::vector<Quantity> quantities = chosen_quantities(given);
