@@ -1,4 +1,4 @@
-// Which mesh, how many elements, and whether to extrapolate: the cheapest stable element scheme for a required precision.
+// Which mesh, how many elements, and whether to extrapolate: a stable and cheap element scheme for a required precision.
 // Stands on measured errors, given below; knows no matrices.
 #pragma once
 
@@ -52,9 +52,9 @@ struct RecommendedScheme {
     }
 };
 
-/// The cheapest stable element scheme whose relative error stays below the tolerance, as measured against the closed
-/// forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. The measured
-/// errors obey
+/// An element scheme, stable and among the cheapest, whose relative error stays below the tolerance, as measured against
+/// the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. The
+/// measured errors obey
 ///
 ///     purpose    mesh     extrapolated   error below     n from   e.g. tolerance -> n
 ///     steady     uniform  yes, order 1   0.19 n^-2.8      6       1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34
@@ -64,9 +64,9 @@ struct RecommendedScheme {
 ///     friction   cosine   no             1.4 n^-1.85      4       1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
 ///
 /// so that no change of sign of an error counts as precision. With the strip kernel the error against the strip's own
-/// solution is the same; its distance from the plane, of order (a/b)^2, is the model's. Extrapolation has to be on
-/// results that are linear in the tractions: not on forces with friction. Where only c11 for the plane kernel is
-/// wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost.
+/// solution is the same; its distance from the plane, of order (a/b)^2, is the model's. With friction, errors jump with
+/// the element at the border of slip; extrapolation, which helps at some creepages, is not relied on. Where only c11 for
+/// the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost.
 /// Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
 inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
     constexpr Eigen::Index largest = 640;
