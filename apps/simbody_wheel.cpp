@@ -195,6 +195,7 @@ int main(int argc, char** argv) {
                              .log_x = true,
                              .log_y = true,
                              .series = {}};
+            if (rows.empty()) return plot;  // of a shard
             for (const std::string name : {"frequency", "decay", "response"}) {
                 study::add_series(plot, table.columns, rows,
                                   {.by = {}, .x = "n", .y = name + "_error", .absolute = true});

@@ -246,6 +246,7 @@ int main(int argc, char** argv) {
                              .series = {}};
             const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
             study::add_series(plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
+            if (rows.empty()) return plot;  // of a shard
             if (plot.series.size() == 1) plot.series.front().label = "computed";
             study::Plot exact_plot = plot;
             study::add_series(exact_plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});

@@ -1,0 +1,89 @@
+#!/bin/sh
+# apps/transient_study.cpp and simbody_wheel.cpp, seen from outside: what they refuse, columns, rows, shards and jobs, and
+# forces that the exact response of the plane model gives.
+# Usage: transient.sh FOLDER-OF-PROGRAMS
+. "$(dirname "$0")/functions.sh"
+study=$programs/transient_study
+second="$study --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25"
+
+printf 'q_over_a,creepage\n0,0\n1,1e-3\n1,2e-3\n2.03,2e-3\n2.5,-1e-3\n' >"$scratch/history"
+printf 'q_over_a,creepage\n' >"$scratch/empty"
+printf 'q_over_a,creepage\n0,0\n1,0\n' >"$scratch/zero"
+printf 'q_over_a,creepage\n-1,0\n1,1\n' >"$scratch/before"
+printf 'q_over_a,creepage\n1,1\n0,1\n' >"$scratch/backwards"
+printf 'q_over_a,creepage\n0,nan\n' >"$scratch/word"
+printf 'q,xi\n0,1\n' >"$scratch/header"
+
+# --- bad input
+bad 'one of --step, --ramp, --sine and --history must be given' $study
+bad '--ramp = 1 cannot go with --step' $study --step 1 --ramp 1 --output x.csv
+bad '--history = h cannot go with --sine' $study --sine 1,1 --history h
+bad '--step = 0 must be finite and not 0' $study --step 0
+bad '--step = nan must be finite and not 0' $study --step nan
+bad '--ramp = inf must be finite and not 0' $study --ramp inf
+bad '--sine = 1 must be AMP,OMEGA' $study --sine 1
+bad '--sine = 0,1 must be AMP,OMEGA' $study --sine 0,1
+bad '--sine = 1,-1 must be AMP,OMEGA' $study --sine 1,-1
+bad '--dq = 0 must be positive and finite' $study --step 1 --dq 0 --output x.csv
+bad '--until = 0.01 must be at least --dq' $study --step 1 --until 0.01
+bad '--until = 1e9 must be at most 1e7 times --dq' $study --step 1 --until 1e9
+bad '--integrator = rk4 must be one of sdirk2, implicit-euler, exponential' $study --step 1 --integrator rk4
+bad '--aspect = inf must be positive and finite' $study --step 1 --aspect inf
+bad '--aspect = 0.1 must be larger than' $study --step 1 --kernel plane --aspect 0.1
+bad 'unstable and' $study --step 1 --alpha 0.6 --output x.csv
+bad 'the creepage must not be 0 all the way up to --until' $study --history "$scratch/zero" --output x.csv
+bad 'must have at least one row below its header' $study --history "$scratch/empty"
+bad 'line 2 = -1,0' $study --history "$scratch/before"
+bad 'line 3 = 0,1 must not lie before' $study --history "$scratch/backwards"
+bad 'line 2 = 0,nan must be two finite numbers' $study --history "$scratch/word"
+bad 'line 1 = q,xi must be q_over_a,creepage' $study --history "$scratch/header"
+bad 'must be a file that can be read' $study --history "$scratch/none"
+
+# --- the exact response: a step
+good 801 $second --step 1 --integrator exponential --until 40
+header q_over_a,creepage,force,exact,relative_error
+check 'the step, to what the mesh allows' '$2 == 1 && $5 ^ 2 < 1.5e-4 ^ 2 && ($3 / $4 - 1 - $5) ^ 2 < 1e-28'
+check 'rows' '($1 / 0.05 - NR + 1) ^ 2 < 1e-18'
+awk -F, 'function near(value) { return ($4 / value - 1) ^ 2 < 1e-20 } BEGIN { found = 0 }
+    NR == 3 && near(0.03298237853325) { ++found } NR == 21 && near(0.3171793811867) { ++found }
+    NR == 101 && near(1.205411082237) { ++found } NR == 401 && near(2.028055957243) { ++found }
+    END { exit found != 4 }' out || fail 'the exact response to a step'
+good 1001 $second --step 2 --integrator exponential --until 1 --dq 0.001
+check 'a short step' '$2 == 2 && $5 ^ 2 < 1.5e-4 ^ 2'
+# the others; what steps leave of a sine, its chords, is of second order
+good 201 $second --ramp -0.5 --integrator exponential
+check 'ramp' '($2 + 0.5 * $1) ^ 2 < 1e-24 && $4 < 0 && $5 ^ 2 < 1.5e-4 ^ 2'
+good 1001 $second --sine 1e-3,2 --dq 0.01
+check 'sine' '($2 / 1e-3 - sin(2 * $1)) ^ 2 < 1e-24 && ($3 - $4) ^ 2 < 1e-4 ^ 2'
+good 41 $second --history "$scratch/history" --integrator exponential --dq 0.1 --until 4
+check 'a history with a jump and knots within steps' '($3 - $4) ^ 2 < 5e-5 ^ 2 && $4 ^ 2 > 0'
+awk -F, 'NR == 11 { at = $2 == 0.001 } NR == 12 { after = $2 == 0.002 } NR == 41 { last = $2 == -0.001 }
+    END { exit !(at && after && last) }' out || fail 'creepage at a jump and after the last row'
+# twice the steps: order one or two
+for integrator in sdirk2 implicit-euler; do
+    for dq in 0.2 0.1 0.0125; do
+        $second --n 20 --sine 1,1 --until 1 --dq $dq --integrator $integrator | tail -n 1 | cut -d, -f3
+    done | awk -v order=$integrator '{ f[NR] = $1 } END { ratio = (f[1] - f[3]) / (f[2] - f[3])
+        exit !(order == "sdirk2" ? ratio > 3.4 && ratio < 4.8 : ratio > 1.8 && ratio < 2.4) }' ||
+        fail "order of $integrator"
+done
+good 201 $study --step 1 --aspect 0.1
+check 'no closed form where the plane model is unstable' '$3 > 0 && $4 == "" && $5 == ""'
+good 201 $study --step 1 --alpha 0.6 --unchecked
+shards $second --n 5,6 --step 1 --until 1
+good 0 $study --step 1 --output x.csv
+grep -q '^step = ' x.csv.toml || fail 'companion file'
+
+# --- plots, those of shards without a row among them
+if command -v gnuplot >/dev/null; then
+    good 401 $second --n 20,30 --step 1 --plot s.svg
+    grep -q exact s.svg || fail 'the exact response in the plot'
+    $study --step 1 --until 0.1 --shard 1/100 --plot s.svg >out 2>err
+    [ $? -eq 3 ] && grep -q 'no point to draw' err || fail "a plot of no row: $(cat err)"
+    if [ -x "$programs/simbody_wheel" ]; then
+        "$programs/simbody_wheel" --n 10 --shard 1/3 --plot s.svg >out 2>err
+        [ $? -eq 3 ] && grep -q 'no point to draw' err || fail "a plot of no row in simbody_wheel: $(cat err)"
+    fi
+fi
+
+finish
