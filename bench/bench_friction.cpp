@@ -67,8 +67,8 @@ void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction,
                                       integrator);
-    FrictionState<double> now = model.steady(creepage(0.5)), next = now;
-    FrictionStep<double> step;
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionStep<double> step = model.steady(next, creepage(0.5), now);
     for (int i = 0; i < 400; ++i) {
         step = model.advance(now, 0.05, creepage(0.5), next);
         std::swap(now, next);

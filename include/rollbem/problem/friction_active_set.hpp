@@ -17,8 +17,9 @@ namespace rollbem {
 /// What became of a friction problem.
 enum class FrictionStatus {
     ok,
-    no_solution,  ///< none was found to rounding: the complementarity residual tells how far off this one is. With finite
-                  ///< bounds a solution always exists, so only matrices that are singular to rounding lead here
+    /// None was found to rounding: the complementarity residual tells how far off this one is. With finite bounds a
+    /// solution always exists, so only matrices that are singular to rounding lead here.
+    no_solution,
     not_finite,    ///< an input or a result is not a number or infinite
     invalid_step,  ///< the distance rolled is not positive and finite
     wrong_state,   ///< a state of a different size, or one object both `from` and `to`
@@ -34,9 +35,9 @@ namespace detail {
 /// variational inequality on a compact box: Hartman and Stampacchia 1966); it is unique where M is a P-matrix.
 ///
 /// Rounds of a primal-dual active set: all elements that break a condition change at once. They nearly always settle
-/// within a few rounds but may cycle where M is no P-matrix. When the number of offenders has not fallen for a while, the solver
-/// turns to Lemke's complementary pivoting on c + t d, d of one sign, from full sliding at large t down to t = 0:
-/// for finite bounds its path ends at a solution for every M, as a secondary ray would have to leave the box.
+/// within a few rounds but may cycle where M is no P-matrix. When the number of offenders has not fallen for a while,
+/// the solver turns to Lemke's complementary pivoting on c + t d, d of one sign, from full sliding at large t down to
+/// t = 0: for finite bounds its path ends at a solution for every M, as a secondary ray would have to leave the box.
 /// (Lemke 1965; Judice and Pires 1994 for rounds with a finite fallback; Cottle, Pang and Stone, ch. 4.)
 ///
 /// T is the principal pivot transform of M: it maps (s_stick, p_slip) to (p_stick, s_slip), c left aside. With T at

@@ -81,15 +81,16 @@ template <class Scalar>
 struct FrictionStep {
     Scalar force_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< F_bar on body 1 [N/m]
     Scalar force = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift by the shift [N/m^2]. Not a number
-    /// where the matrix of the stick elements is singular.
+    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift by the shift [N/m^2]. Not a
+    /// number where the matrix of the stick elements is singular.
     Scalar tangent_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();  ///< the same of the force: 2b times it; infinite with b
-    /// Work that slip turns into heat, never negative: of a step or a shift per unit width [J/m]; of a steady solution per
-    /// unit width and unit distance rolled [J/m^2]. The sum over the elements: of first order in 1/n, and in steady rolling
-    /// below -F_bar xi, what it tends to (by 7 % at n = 40).
+    /// Work that slip turns into heat, never negative: of a step or a shift per unit width [J/m]; of a steady solution
+    /// per unit width and unit distance rolled [J/m^2]. The sum over the elements: of first order in 1/n, and in steady
+    /// rolling below -F_bar xi, what it tends to (n = 40, creepage ratios of 0.2, 0.5 and 0.8: by 13, 7 and 4 %).
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
-    /// Largest violation of |p| <= mu p_n (over the largest mu p_n) and of s (over the largest imposed slip).
+    /// Largest violation of |p| <= mu p_n (over the largest mu p_n) and of s (over the largest slip there would be
+    /// without traction).
     Scalar complementarity_residual = std::numeric_limits<Scalar>::quiet_NaN();
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< rounds of the active set
@@ -143,6 +144,7 @@ public:
     Scalar half_length() const { return half_length_; }
     Scalar shear_modulus() const { return shear_modulus_; }
     State at_rest() const { return State(size()); }
+    Scalar force(const State& state) const { return width_ * half_length_ * widths_.dot(state.traction_); }
 
     bool fits(const State& from, const State& to) const noexcept {
         return &from != &to && from.traction_.size() == size() && to.traction_.size() == size();
@@ -177,7 +179,8 @@ public:
         Scalar first, last;
     };
 
-    /// The first of two stages: solves from the zones of `from`, and begins the slip of `to` with `weight` times its own.
+    /// The first of two stages: solves from the zones of `from`, and begins the slip of `to` with `weight` times its
+    /// own.
     Before solve_first(const State& from, Scalar weight, State& to) const noexcept {
         ActiveSet<Scalar>& solver = to.solver_;
         const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, from.zones_);
@@ -228,7 +231,18 @@ public:
         return step;
     }
 
+    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`.
+    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, State& to) const noexcept {
+        if (!fits(from, to)) return failed(FrictionStatus::wrong_state);
+        if (!std::isfinite(creepage)) return failed(FrictionStatus::not_finite);
+        if (MatrixX<Scalar>* matrix = claim(to, steadily)) *matrix = -G_prime;
+        constant(to).setConstant(creepage);
+        return solve(from, {.zones = from.zones_}, {.first = 0, .last = 1}, 1, to);
+    }
+
 private:
+    static constexpr Scalar steadily = -1;  // in place of a distance rolled, which is 0 for a rigid shift
+
     // stick leaves rounding behind, and so may the border of slip
     void set_slip(State& to) const {
         const ActiveSet<Scalar>& solver = to.solver_;

@@ -2,7 +2,6 @@
 // One model for a whole creep curve; each point starts from the one before.
 #pragma once
 
-#include <cmath>
 #include <utility>
 
 #include "friction_model.hpp"
@@ -29,7 +28,7 @@ public:
     template <class Scheme, LineKernel Kernel>
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
-        : SteadyFrictionModel(contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
+        : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
                               detail::friction_bound("SteadyFrictionModel", friction, mesh.size(),
                                                      unknown_count(scheme, mesh.size()), contact.shear_modulus())) {}
 
@@ -37,7 +36,7 @@ public:
     /// pressures. Throws std::invalid_argument as above and where sizes differ or an entry is not finite.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
-        : SteadyFrictionModel(contact, std::move(G_prime), widths,
+        : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths,
                               detail::friction_bound("SteadyFrictionModel", friction, widths.size(), widths.size(),
                                                      contact.shear_modulus())) {}
 
@@ -47,20 +46,18 @@ public:
     State at_rest() const { return core_.at_rest(); }
 
     /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of this model; it
-    /// is left alone where the status is wrong_state or the creepage is not finite. A `to` that was used before costs no
-    /// allocation up to a hundred elements.
+    /// is left alone where the status is wrong_state or the creepage is not finite. A `to` that was used before costs
+    /// no allocation up to a hundred elements.
     Step solve(const State& from, Scalar creepage, State& to) const noexcept {
-        if (!core_.fits(from, to)) return Core::failed(FrictionStatus::wrong_state);
-        if (!std::isfinite(creepage)) return Core::failed(FrictionStatus::not_finite);
-        if (MatrixX<Scalar>* matrix = core_.claim(to, 0)) *matrix = -G_prime_;
-        core_.constant(to).setConstant(creepage);
-        return core_.solve(from, {.zones = from.zones()}, {.first = 0, .last = 1}, 1, to);
+        return core_.solve_steady(from, creepage, G_prime_, to);
     }
 
 private:
     using Core = detail::FrictionCore<Scalar>;
 
-    SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
+    struct Checked {};  // tells the constructor from the one whose law may come in braces
+
+    SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         VectorX<Scalar> bound)
         : core_(contact, widths, std::move(bound)), G_prime_(std::move(G_prime)) {
         detail::check_influence("SteadyFrictionModel", G_prime_, size());

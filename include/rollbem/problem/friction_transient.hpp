@@ -7,16 +7,20 @@
 #include <utility>
 
 #include "friction_model.hpp"
+#include "plane_model.hpp"
 #include "transient.hpp"
 
 namespace rollbem {
 
-/// The contact as a force element with friction, stepped like TransientModel. Const and free of caches: threads may share
-/// it.
+/// The contact as a force element with friction, stepped like TransientModel. Const and free of caches: threads may
+/// share it.
 ///
 /// Integrator::sdirk2 solves for stick and slip twice a step and is of second order in dq, forces and slip work alike;
 /// implicit_euler solves once and is of first order. Both keep Coulomb's law at each of these solutions, and slip never
 /// gains energy. Elements that begin to slip or stick within a step cost no order.
+///
+/// The scheme must be stable, which nothing here checks (see StabilityVerdict): friction bounds the tractions of an
+/// unstable one, but they are wrong then, whatever the status.
 ///
 ///     const FrictionModel<double> model(contact, mesh, scheme, kernel, friction);
 ///     State now = model.at_rest(), next = now;
@@ -29,12 +33,12 @@ public:
     using State = FrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
 
-    /// Throws std::invalid_argument as assemble() does, where the law breaks what CoulombFriction asks for, and for
-    /// Integrator::matrix_exponential, which knows no friction.
+    /// Throws std::invalid_argument as assemble and require_stable_model do, where the law breaks what CoulombFriction
+    /// asks for, and for Integrator::matrix_exponential, which knows no friction.
     template <class Scheme, LineKernel Kernel>
     FrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
-        : FrictionModel(contact, assemble(mesh, scheme, kernel), unknown_widths(mesh, scheme),
+        : FrictionModel(Checked{}, contact, assemble_model(mesh, scheme, kernel), unknown_widths(mesh, scheme),
                         detail::friction_bound("FrictionModel", friction, mesh.size(),
                                                unknown_count(scheme, mesh.size()), contact.shear_modulus()),
                         integrator) {}
@@ -44,7 +48,7 @@ public:
     FrictionModel(const Contact<Scalar>& contact, InfluenceMatrices<Scalar> matrices, const ArrayX<Scalar>& widths,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : FrictionModel(
-              contact, std::move(matrices), widths,
+              Checked{}, contact, std::move(matrices), widths,
               detail::friction_bound("FrictionModel", friction, widths.size(), widths.size(), contact.shear_modulus()),
               integrator) {}
 
@@ -54,22 +58,19 @@ public:
     /// No traction anywhere, everything sticks.
     State at_rest() const { return core_.at_rest(); }
 
-    /// The state of steady rolling at a creepage [-], to start from. Throws std::invalid_argument unless it is finite.
-    State steady(Scalar creepage) const {
-        detail::require(std::isfinite(creepage), "FrictionModel", "creepage", creepage, "be finite");
-        const State rest = at_rest();
-        State state = rest;
-        *core_.claim(state, 0) = -G_prime_;
-        core_.constant(state).setConstant(creepage);
-        core_.solve(rest, {.zones = rest.zones()}, {.first = 0, .last = 1}, 1, state);
-        return state;
+    /// 2b F_bar of a state [N]. The state must have size() elements.
+    Scalar force(const State& state) const { return core_.force(state); }
+
+    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does.
+    Step steady(const State& from, Scalar creepage, State& to) const noexcept {
+        return core_.solve_steady(from, creepage, G_prime_, to);
     }
 
-    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling. `from` is never written; `to` must
-    /// be another state of this model. It is left alone where the status is invalid_step or wrong_state or the motion is
-    /// not finite, and becomes a copy of `from` where the result is not finite. A `to` that has been used with this dq
-    /// costs three products of a matrix and a vector for each solution while no element changes, and no allocation; a new
-    /// dq costs a matrix inversion, and no allocation up to a hundred elements.
+    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling. `from` is never written; `to`
+    /// must be another state of this model. It is left alone where the status is invalid_step or wrong_state or the
+    /// motion is not finite, and becomes a copy of `from` where the result is not finite. A `to` that has been used
+    /// with this dq costs three products of a matrix and a vector for each solution while no element changes, and no
+    /// allocation; a new dq costs a matrix inversion, and no allocation up to a hundred elements.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to) const noexcept {
         if (!core_.fits(from, to)) return Core::failed(FrictionStatus::wrong_state);
         const bool shifts = motion.kind_ == RigidMotion<Scalar>::Kind::shift;
@@ -119,8 +120,10 @@ private:
     static constexpr Scalar gamma = 1 - std::numbers::sqrt2_v<Scalar> / 2;
     static constexpr Scalar ratio = 1 + std::numbers::sqrt2_v<Scalar>;  // (1 - gamma)/gamma
 
-    FrictionModel(const Contact<Scalar>& contact, InfluenceMatrices<Scalar> matrices, const ArrayX<Scalar>& widths,
-                  VectorX<Scalar> bound, Integrator integrator)
+    struct Checked {};  // tells the constructor from those whose law may come in braces
+
+    FrictionModel(Checked, const Contact<Scalar>& contact, InfluenceMatrices<Scalar> matrices,
+                  const ArrayX<Scalar>& widths, VectorX<Scalar> bound, Integrator integrator)
         : core_(contact, widths, std::move(bound)),
           G_(std::move(matrices.G)),
           G_prime_(std::move(matrices.G_prime)),
@@ -129,6 +132,13 @@ private:
         detail::check_influence("FrictionModel", G_prime_, size());
         detail::require(integrator != Integrator::matrix_exponential, "FrictionModel", "integrator",
                         static_cast<int>(integrator), "be implicit_euler (0) or sdirk2 (1)");
+    }
+
+    template <class Scheme, class Kernel>
+    static InfluenceMatrices<Scalar> assemble_model(const Mesh<Scalar>& mesh, const Scheme& scheme,
+                                                    const Kernel& kernel) {
+        require_stable_model(kernel);
+        return assemble(mesh, scheme, kernel);
     }
 
     // lengths in a
