@@ -47,11 +47,11 @@ void in_parallel(const std::string& what, std::size_t count, const Settings& set
         compute(task);
         emit({});
     };
-    std::vector<study::detail::Task> tasks;
+    std::vector<study::Task> tasks;
     for (std::size_t k = 0; k < count; ++k) tasks.push_back({k, {0, 1}});
     std::size_t done = 0;
     progress.update(0);
-    study::detail::compute_in_order(
+    study::compute_in_order(
         table, tasks, settings.jobs, [](study::Row) {}, [&] { progress.update(++done); });
 }
 

@@ -36,11 +36,6 @@ Shard shard_of(const Options& options) {
     return {*index, *count};
 }
 
-struct Task {
-    std::size_t index;
-    RowRange range;
-};
-
 /// The tasks and their rows that make up `wanted` rows of the table.
 std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
     std::vector<Task> tasks;
@@ -54,7 +49,8 @@ std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
     return tasks;
 }
 
-/// Computes tasks in `jobs` threads, a bounded number ahead of the output, and hands their rows over in order.
+}  // namespace
+
 void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
                       const std::function<void()>& task_done) {
     if (jobs == 1) {
@@ -117,8 +113,6 @@ void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::s
         task_done();
     }
 }
-
-}  // namespace
 
 std::size_t job_count(const Options& options) { return static_cast<std::size_t>(options.integer("jobs", 1, 1024)); }
 

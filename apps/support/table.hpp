@@ -31,6 +31,16 @@ struct Table {
     std::function<Plot(const std::vector<Row>& rows)> plot;                           ///< for --plot
 };
 
+/// Rows of one task that are asked for.
+struct Task {
+    std::size_t index;
+    RowRange range;
+};
+
+/// Computes tasks in `jobs` threads, a bounded number ahead of the output, and hands their rows over in order.
+void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
+                      const std::function<void()>& task_done);
+
 /// --jobs.
 std::size_t job_count(const Options& options);
 
