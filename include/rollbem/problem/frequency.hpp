@@ -129,24 +129,7 @@ public:
     using Complex = std::complex<Scalar>;
 
     /// Throws std::invalid_argument for matrices that are not square and of one size or another number of widths.
-    FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths)
-        : matrices_(std::move(matrices)), widths_(std::move(widths)) {
-        detail::require_response("FrequencySweep", matrices_, widths_);
-        if (!matrices_.G.allFinite() || !matrices_.G_prime.allFinite()) return;
-        const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices_.G_prime);
-        const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
-        consistent_ = detail::opposes_creepage<Scalar>(steady, widths_);
-        if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
-        const MatrixX<Scalar> M = lu.solve(matrices_.G);
-        const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
-        Reduced reduced;
-        reduced.H = hessenberg.matrixH();
-        const MatrixX<Scalar> U = hessenberg.matrixQ();
-        reduced.steady = U.transpose() * steady;
-        reduced.weights = U.transpose() * widths_.matrix();
-        reduced.norm = reduced.H.cwiseAbs().rowwise().sum().maxCoeff();
-        reduced_ = std::move(reduced);
-    }
+    FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths);
 
     /// Assembles G and G'. Throws as assemble and require_stable_model do.
     template <class Scheme, LineKernel Kernel>
@@ -164,18 +147,7 @@ public:
     }
 
     /// Response to creepage e^{st}. Throws std::invalid_argument for an s that is not finite.
-    SweepPoint<Scalar> at(Complex s) const {
-        detail::require_growth("FrequencySweep", s);
-        SweepPoint<Scalar> point;
-        if (reduced_) {
-            point = solve_reduced(s);
-        } else {
-            const HarmonicSolution<Scalar> full = solve_exponential(matrices_, widths_, s);
-            point = {full.c11, full.residual, full.rcond, full.status};
-        }
-        if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
-        return point;
-    }
+    SweepPoint<Scalar> at(Complex s) const;
 
 private:
     struct Reduced {
@@ -212,77 +184,118 @@ private:
     // (I - s H) y = b column by column from the right: one column operation, with the larger of two pivots, clears the
     // entry below the diagonal; the column that remains gives one unknown of the triangular system and is done with.
     // The column operations are applied to the unknowns at the end, O(n).
-    SweepPoint<Scalar> solve_reduced(const Complex& s) const {
-        const MatrixX<Scalar>& H = reduced_->H;
-        const Eigen::Index n = H.rows();
-        const Scalar scale = detail::equation_scale(s);
-        const Complex ratio(-s.real() / scale, -s.imag() / scale);
-        const auto load = [&](Eigen::Index j, Column& column) {
-            const Eigen::Index size = std::min(j + 2, n);
-            column.re.head(size) = ratio.real() * H.col(j).head(size).array();
-            column.im.head(size) = ratio.imag() * H.col(j).head(size).array();
-            column.re[j] += 1 / scale;
-        };
-        Column rest(n), y(n), probe(n), factor(n), column(n), next(n);
-        Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
-        rest.re = reduced_->steady / scale;
-        for (Eigen::Index j = 0; j < n; ++j) probe.re[j] = j % 2 == 0 ? 1 : -1;
-        Scalar largest_probe = 0;  // of A^-1 probe, up to the rotations that are still to come
-        load(n - 1, column);
-        for (Eigen::Index j = n - 1; j > 0; --j) {
-            load(j - 1, next);
-            swapped[j] = norm_1(next[j]) > norm_1(column[j]);
-            if (swapped[j]) column.swap(next);
-            const Complex pivot = column[j], multiplier = next[j] / pivot, unknown = rest[j] / pivot;
-            next.subtract(multiplier, column, j);
-            rest.subtract(unknown, column, j);
-            const Complex probed = probe[j] / pivot;
-            probe.subtract(probed, column, j);
-            largest_probe = std::max(largest_probe, norm_1(probed));
-            factor.set(j, multiplier);
-            y.set(j, unknown);
-            column.swap(next);
-        }
-        y.set(0, rest[0] / column[0]);
-        largest_probe = std::max(largest_probe, norm_1(probe[0] / column[0]));
-        for (Eigen::Index j = 1; j < n; ++j) {
-            const Complex own = y[j] - factor[j] * y[j - 1], before = y[j - 1];
-            y.set(j, swapped[j] ? before : own);
-            y.set(j - 1, swapped[j] ? own : before);
-        }
-        return finish(y, ratio, scale, largest_probe);
-    }
+    SweepPoint<Scalar> solve_reduced(const Complex& s) const;
 
-    SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const {
-        const Reduced& reduced = *reduced_;
-        const MatrixX<Scalar>& H = reduced.H;
-        const Eigen::Index n = H.rows(), below = n - 1;
-        SweepPoint<Scalar> point;
-        point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
-        if (!std::isfinite(norm_1(point.c11))) return point;
-        Column product(n);  // H y
-        product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
-        product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
-        product.re.tail(below) += H.diagonal(-1).array() * y.re.head(below);
-        product.im.tail(below) += H.diagonal(-1).array() * y.im.head(below);
-        Column difference(n);
-        difference.re = (y.re - reduced.steady) / scale;
-        difference.im = y.im / scale;
-        difference.subtract(-ratio, product, n);
-        const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
-        point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
-        point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
-        const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-        const bool trusted = point.rcond > rounding && point.residual <= 100 * rounding;
-        point.status = trusted ? Status::ok : Status::ill_conditioned;
-        return point;
-    }
+    SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const;
 
     InfluenceMatrices<Scalar> matrices_;
     ArrayX<Scalar> widths_;
     std::optional<Reduced> reduced_;
     bool consistent_ = false;  // the steady solution opposes the creepage
 };
+
+template <class Scalar_>
+FrequencySweep<Scalar_>::FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths)
+    : matrices_(std::move(matrices)), widths_(std::move(widths)) {
+    detail::require_response("FrequencySweep", matrices_, widths_);
+    if (!matrices_.G.allFinite() || !matrices_.G_prime.allFinite()) return;
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices_.G_prime);
+    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
+    consistent_ = detail::opposes_creepage<Scalar>(steady, widths_);
+    if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
+    const MatrixX<Scalar> M = lu.solve(matrices_.G);
+    const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
+    Reduced reduced;
+    reduced.H = hessenberg.matrixH();
+    const MatrixX<Scalar> U = hessenberg.matrixQ();
+    reduced.steady = U.transpose() * steady;
+    reduced.weights = U.transpose() * widths_.matrix();
+    reduced.norm = reduced.H.cwiseAbs().rowwise().sum().maxCoeff();
+    reduced_ = std::move(reduced);
+}
+
+template <class Scalar_>
+auto FrequencySweep<Scalar_>::at(Complex s) const -> SweepPoint<Scalar> {
+    detail::require_growth("FrequencySweep", s);
+    SweepPoint<Scalar> point;
+    if (reduced_) {
+        point = solve_reduced(s);
+    } else {
+        const HarmonicSolution<Scalar> full = solve_exponential(matrices_, widths_, s);
+        point = {full.c11, full.residual, full.rcond, full.status};
+    }
+    if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
+    return point;
+}
+
+template <class Scalar_>
+auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoint<Scalar> {
+    const MatrixX<Scalar>& H = reduced_->H;
+    const Eigen::Index n = H.rows();
+    const Scalar scale = detail::equation_scale(s);
+    const Complex ratio(-s.real() / scale, -s.imag() / scale);
+    const auto load = [&](Eigen::Index j, Column& column) {
+        const Eigen::Index size = std::min(j + 2, n);
+        column.re.head(size) = ratio.real() * H.col(j).head(size).array();
+        column.im.head(size) = ratio.imag() * H.col(j).head(size).array();
+        column.re[j] += 1 / scale;
+    };
+    Column rest(n), y(n), probe(n), factor(n), column(n), next(n);
+    Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
+    rest.re = reduced_->steady / scale;
+    for (Eigen::Index j = 0; j < n; ++j) probe.re[j] = j % 2 == 0 ? 1 : -1;
+    Scalar largest_probe = 0;  // of A^-1 probe, up to the rotations that are still to come
+    load(n - 1, column);
+    for (Eigen::Index j = n - 1; j > 0; --j) {
+        load(j - 1, next);
+        swapped[j] = norm_1(next[j]) > norm_1(column[j]);
+        if (swapped[j]) column.swap(next);
+        const Complex pivot = column[j], multiplier = next[j] / pivot, unknown = rest[j] / pivot;
+        next.subtract(multiplier, column, j);
+        rest.subtract(unknown, column, j);
+        const Complex probed = probe[j] / pivot;
+        probe.subtract(probed, column, j);
+        largest_probe = std::max(largest_probe, norm_1(probed));
+        factor.set(j, multiplier);
+        y.set(j, unknown);
+        column.swap(next);
+    }
+    y.set(0, rest[0] / column[0]);
+    largest_probe = std::max(largest_probe, norm_1(probe[0] / column[0]));
+    for (Eigen::Index j = 1; j < n; ++j) {
+        const Complex own = y[j] - factor[j] * y[j - 1], before = y[j - 1];
+        y.set(j, swapped[j] ? before : own);
+        y.set(j - 1, swapped[j] ? own : before);
+    }
+    return finish(y, ratio, scale, largest_probe);
+}
+
+template <class Scalar_>
+auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const
+    -> SweepPoint<Scalar> {
+    const Reduced& reduced = *reduced_;
+    const MatrixX<Scalar>& H = reduced.H;
+    const Eigen::Index n = H.rows(), below = n - 1;
+    SweepPoint<Scalar> point;
+    point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
+    if (!std::isfinite(norm_1(point.c11))) return point;
+    Column product(n);  // H y
+    product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
+    product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
+    product.re.tail(below) += H.diagonal(-1).array() * y.re.head(below);
+    product.im.tail(below) += H.diagonal(-1).array() * y.im.head(below);
+    Column difference(n);
+    difference.re = (y.re - reduced.steady) / scale;
+    difference.im = y.im / scale;
+    difference.subtract(-ratio, product, n);
+    const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
+    point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
+    point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = point.rcond > rounding && point.residual <= 100 * rounding;
+    point.status = trusted ? Status::ok : Status::ill_conditioned;
+    return point;
+}
 
 #ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
 extern template HarmonicSolution<double> solve_exponential<double>(const InfluenceMatrices<double>&,

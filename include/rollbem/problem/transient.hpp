@@ -159,41 +159,7 @@ public:
 
     /// The same whatever the eigenvalues.
     TransientModel(const Contact<Scalar>& contact, InfluenceMatrices<Scalar> matrices, const ArrayX<Scalar>& widths,
-                   Unchecked, Integrator integrator = Integrator::sdirk2)
-        : half_length_(contact.half_length()),
-          width_(2 * contact.half_width()),
-          traction_scale_(contact.shear_modulus() / contact.half_length()),
-          G_(std::move(matrices.G)),
-          G_prime_(std::move(matrices.G_prime)),
-          integrator_(integrator) {
-        require_finite_width(contact);
-        const Eigen::Index n = widths.size();
-        detail::require(n >= 1, "TransientModel", "number of elements", n, "be at least 1");
-        for (const MatrixX<Scalar>* matrix : {&G_, &G_prime_}) {
-            detail::require(matrix->rows() == n && matrix->cols() == n, "TransientModel", "size of a matrix",
-                            matrix->rows() != n ? matrix->rows() : matrix->cols(), "equal the number of elements");
-            const Scalar sum = matrix->sum();
-            detail::require(std::isfinite(sum), "TransientModel", "sum of a matrix", sum, "be finite");
-        }
-        areas_ = width_ * half_length_ * widths.matrix();
-        // r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are
-        // Laguerre polynomials of 1/gamma. It is cut off after `stages_` terms, where 1/gamma is a zero of the
-        // Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
-        const Scalar inverse_gamma = integrator == Integrator::implicit_euler ? Scalar(1)
-                                     : integrator == Integrator::sdirk2
-                                         ? 2 + std::sqrt(Scalar(2))
-                                         : static_cast<Scalar>(4.266700170287658793649421826900639634482L);
-        stages_ = integrator == Integrator::implicit_euler ? 1 : integrator == Integrator::sdirk2 ? 2 : 8;
-        gamma_ = 1 / inverse_gamma;
-        Scalar before = 1;
-        b_[1] = inverse_gamma;
-        for (int j = 1; j < stages_; ++j) {
-            const Scalar next =
-                ((inverse_gamma - Scalar(2 * j)) * b_[index(j)] - Scalar(j - 1) * before) / Scalar(j + 1);
-            before = b_[index(j)];
-            b_[index(j + 1)] = next;
-        }
-    }
+                   Unchecked, Integrator integrator = Integrator::sdirk2);
 
     Eigen::Index size() const { return areas_.size(); }  ///< number of unknown elements
     Integrator integrator() const { return integrator_; }
@@ -202,78 +168,24 @@ public:
     State at_rest() const { return {VectorX<Scalar>::Zero(size())}; }
 
     /// Steady rolling at a creepage [-]: G' p = xi, Eq. (15). Throws std::invalid_argument unless it is finite.
-    State steady(Scalar creepage) const {
-        detail::require(std::isfinite(creepage), "TransientModel", "creepage", creepage, "be finite");
-        MatrixX<Scalar> traction(size(), 1);
-        traction.setConstant(creepage * traction_scale_ * half_length_);
-        solve(G_prime_, traction);
-        return {traction};
-    }
+    State steady(Scalar creepage) const;
 
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return areas_.dot(state.traction); }
 
     /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; with dq = 0 the
     /// step takes rigid shifts only.
-    Prepared prepare(Scalar dq) const {
-        detail::require(dq >= 0 && std::isfinite(dq), "TransientModel", "dq", dq, "be finite and not negative");
-        const Eigen::Index n = size();
-        const int doublings = count_doublings(dq / half_length_);
-        const Scalar h = std::ldexp(dq / half_length_, -doublings);
-
-        // Powers of Y = gamma h (G - gamma h G')^-1 G' make the change of p; applied to the column beside it, those of
-        // the creepage.
-        MatrixX<Scalar> Y(n, n + 1);
-        Y.leftCols(n) = gamma_ * h * G_prime_;
-        Y.col(n).setConstant(gamma_);
-        solve(G_ - gamma_ * h * G_prime_, Y);
-        Prepared step;
-        step.dq_ = dq;
-        MatrixX<Scalar>& map = step.map_;
-        map.setZero(n, n + 2);
-        MatrixX<Scalar> product(n, n + 2);
-        for (int j = stages_; j >= 1; --j) {
-            product.noalias() = Y.leftCols(n) * map;
-            map = product;
-            map.leftCols(n + 1) += b_[index(j)] * Y;
-            map.col(n + 1) += ramp_weight(j) * Y.col(n);
-        }
-        // Two steps in one. On e^w - 1 rather than e^w, so that short steps keep their digits.
-        for (int k = 0; k < doublings; ++k) {
-            product.noalias() = map.leftCols(n) * map;
-            map.col(n + 1) = map.col(n + 1) / 2 + map.col(n) / 4 + product.col(n + 1) / 4;
-            map.col(n) += product.col(n) / 2;
-            map.leftCols(n) += map.leftCols(n) + product.leftCols(n);
-        }
-        map.rightCols(2) *= -traction_scale_;
-        step.force_per_shift_ = areas_.dot(map.col(n));
-        step.force_per_ramp_ = areas_.dot(map.col(n + 1));
-        return step;
-    }
+    Prepared prepare(Scalar dq) const;
 
     /// One step of a prepared dq: one product of a matrix and a vector, no allocation. `from` is never written.
     /// `to` must be another state of the same size. It is left alone where the status is invalid_step, needs_prepare or
     /// wrong_state or the motion is not finite; it becomes a copy of `from` where the result is not finite.
-    Step advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion, State& to) const noexcept {
-        const StepStatus status = check(from, step.dq_, motion, to);
-        if (status != StepStatus::ok) return failed(status);
-        const Eigen::Index n = size();
-        if (step.map_.rows() != n) return failed(StepStatus::wrong_state);
-        const Travel travel = travel_of(motion, step.dq_);
-        to.traction = from.traction + travel.shift * step.map_.col(n) + travel.ramp * step.map_.col(n + 1);
-        to.traction.noalias() += step.map_.leftCols(n) * from.traction;
-        return finish(from, travel, step.force_per_shift_, step.force_per_ramp_, to);
-    }
+    Step advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion, State& to) const noexcept;
 
     /// One step of any dq [m], positive and finite. Up to largest_unprepared elements it solves for the step at once,
     /// without heap memory; above, and with Integrator::matrix_exponential, the status is needs_prepare. Otherwise as
     /// above.
-    Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to) const noexcept {
-        const StepStatus status = check(from, dq, motion, to);
-        if (status != StepStatus::ok) return failed(status);
-        if (size() > largest_unprepared || stages_ > 2) return failed(StepStatus::needs_prepare);
-        return solve_step(from, dq, travel_of(motion, dq), to);
-    }
+    Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to) const noexcept;
 
 private:
     using Motion = RigidMotion<Scalar>;
@@ -319,22 +231,9 @@ private:
 
     // e^w is taken for steps so short that the norm of w is at most 1/16: there the eighth order r(w) is exact to
     // rounding. The cap matters only where G is singular to rounding: what it leaves out decays at once.
-    int count_doublings(Scalar h) const {
-        if (integrator_ != Integrator::matrix_exponential || !(h > 0)) return 0;
-        MatrixX<Scalar> rates = G_prime_;
-        solve(G_, rates);
-        const Scalar norm = 16 * h * rates.cwiseAbs().colwise().sum().maxCoeff();
-        return std::isfinite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
-    }
+    int count_doublings(Scalar h) const;
 
-    static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
-        std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
-        const detail::MatrixRef<Scalar> factors(matrix);
-        detail::factorise_in_place<Scalar>(factors, swaps.data());
-        for (Eigen::Index j = 0; j < right.cols(); ++j) {
-            detail::solve_in_place<Scalar>(factors, swaps.data(), right.col(j));
-        }
-    }
+    static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right);
 
     StepStatus check(const State& from, Scalar dq, const Motion& motion, const State& to) const noexcept {
         if (&from == &to || from.traction.size() != size() || to.traction.size() != size()) {
@@ -373,40 +272,7 @@ private:
     }
 
     // What prepare() does for a whole matrix, for this one state. Apart from advance() so that only it needs the stack.
-    [[gnu::noinline]] Step solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept {
-        const Eigen::Index n = size();
-        const Scalar h = dq / half_length_;
-        alignas(64) std::array<Scalar, largest_unprepared * largest_unprepared> memory;
-        std::array<Eigen::Index, largest_unprepared> swaps;
-        Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n) = G_ - gamma_ * h * G_prime_;
-        const detail::MatrixRef<Scalar> factors(Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n));
-        detail::factorise_in_place<Scalar>(factors, swaps.data());
-
-        SmallVector unit = SmallVector::Constant(n, gamma_);
-        detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
-        SmallVector right(n);
-        SmallVector change(n);
-        change.noalias() = G_prime_ * from.traction;
-        change *= gamma_ * h;
-        detail::solve_in_place<Scalar>(factors, swaps.data(), change);
-        SmallVector per_shift = b_[1] * unit;
-        SmallVector per_ramp = ramp_weight(1) * unit;
-        to.traction = from.traction + b_[1] * change;
-        for (int j = 2; j <= stages_; ++j) {
-            right.noalias() = G_prime_ * unit;
-            unit = gamma_ * h * right;
-            detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
-            per_shift += b_[index(j)] * unit;
-            per_ramp += ramp_weight(j) * unit;
-            right.noalias() = G_prime_ * change;
-            change = gamma_ * h * right;
-            detail::solve_in_place<Scalar>(factors, swaps.data(), change);
-            to.traction += b_[index(j)] * change;
-        }
-        to.traction -= traction_scale_ * (travel.shift * per_shift + travel.ramp * per_ramp);
-        return finish(from, travel, -traction_scale_ * areas_.dot(per_shift), -traction_scale_ * areas_.dot(per_ramp),
-                      to);
-    }
+    [[gnu::noinline]] Step solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept;
 
     Scalar half_length_, width_, traction_scale_;  // a [m], 2b [m], G/a [Pa/m]
     MatrixX<Scalar> G_, G_prime_;
@@ -416,6 +282,166 @@ private:
     Scalar gamma_ = 1;
     std::array<Scalar, 10> b_{};
 };
+
+template <class Scalar_>
+TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, InfluenceMatrices<Scalar> matrices,
+                                        const ArrayX<Scalar>& widths, Unchecked, Integrator integrator)
+    : half_length_(contact.half_length()),
+      width_(2 * contact.half_width()),
+      traction_scale_(contact.shear_modulus() / contact.half_length()),
+      G_(std::move(matrices.G)),
+      G_prime_(std::move(matrices.G_prime)),
+      integrator_(integrator) {
+    require_finite_width(contact);
+    const Eigen::Index n = widths.size();
+    detail::require(n >= 1, "TransientModel", "number of elements", n, "be at least 1");
+    for (const MatrixX<Scalar>* matrix : {&G_, &G_prime_}) {
+        detail::require(matrix->rows() == n && matrix->cols() == n, "TransientModel", "size of a matrix",
+                        matrix->rows() != n ? matrix->rows() : matrix->cols(), "equal the number of elements");
+        const Scalar sum = matrix->sum();
+        detail::require(std::isfinite(sum), "TransientModel", "sum of a matrix", sum, "be finite");
+    }
+    areas_ = width_ * half_length_ * widths.matrix();
+    // r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are
+    // Laguerre polynomials of 1/gamma. It is cut off after `stages_` terms, where 1/gamma is a zero of the
+    // Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
+    const Scalar inverse_gamma = integrator == Integrator::implicit_euler ? Scalar(1)
+                                 : integrator == Integrator::sdirk2
+                                     ? 2 + std::sqrt(Scalar(2))
+                                     : static_cast<Scalar>(4.266700170287658793649421826900639634482L);
+    stages_ = integrator == Integrator::implicit_euler ? 1 : integrator == Integrator::sdirk2 ? 2 : 8;
+    gamma_ = 1 / inverse_gamma;
+    Scalar before = 1;
+    b_[1] = inverse_gamma;
+    for (int j = 1; j < stages_; ++j) {
+        const Scalar next = ((inverse_gamma - Scalar(2 * j)) * b_[index(j)] - Scalar(j - 1) * before) / Scalar(j + 1);
+        before = b_[index(j)];
+        b_[index(j + 1)] = next;
+    }
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
+    detail::require(std::isfinite(creepage), "TransientModel", "creepage", creepage, "be finite");
+    MatrixX<Scalar> traction(size(), 1);
+    traction.setConstant(creepage * traction_scale_ * half_length_);
+    solve(G_prime_, traction);
+    return {traction};
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
+    detail::require(dq >= 0 && std::isfinite(dq), "TransientModel", "dq", dq, "be finite and not negative");
+    const Eigen::Index n = size();
+    const int doublings = count_doublings(dq / half_length_);
+    const Scalar h = std::ldexp(dq / half_length_, -doublings);
+
+    // Powers of Y = gamma h (G - gamma h G')^-1 G' make the change of p; applied to the column beside it, those of
+    // the creepage.
+    MatrixX<Scalar> Y(n, n + 1);
+    Y.leftCols(n) = gamma_ * h * G_prime_;
+    Y.col(n).setConstant(gamma_);
+    solve(G_ - gamma_ * h * G_prime_, Y);
+    Prepared step;
+    step.dq_ = dq;
+    MatrixX<Scalar>& map = step.map_;
+    map.setZero(n, n + 2);
+    MatrixX<Scalar> product(n, n + 2);
+    for (int j = stages_; j >= 1; --j) {
+        product.noalias() = Y.leftCols(n) * map;
+        map = product;
+        map.leftCols(n + 1) += b_[index(j)] * Y;
+        map.col(n + 1) += ramp_weight(j) * Y.col(n);
+    }
+    // Two steps in one. On e^w - 1 rather than e^w, so that short steps keep their digits.
+    for (int k = 0; k < doublings; ++k) {
+        product.noalias() = map.leftCols(n) * map;
+        map.col(n + 1) = map.col(n + 1) / 2 + map.col(n) / 4 + product.col(n + 1) / 4;
+        map.col(n) += product.col(n) / 2;
+        map.leftCols(n) += map.leftCols(n) + product.leftCols(n);
+    }
+    map.rightCols(2) *= -traction_scale_;
+    step.force_per_shift_ = areas_.dot(map.col(n));
+    step.force_per_ramp_ = areas_.dot(map.col(n + 1));
+    return step;
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion,
+                                      State& to) const noexcept -> Step {
+    const StepStatus status = check(from, step.dq_, motion, to);
+    if (status != StepStatus::ok) return failed(status);
+    const Eigen::Index n = size();
+    if (step.map_.rows() != n) return failed(StepStatus::wrong_state);
+    const Travel travel = travel_of(motion, step.dq_);
+    to.traction = from.traction + travel.shift * step.map_.col(n) + travel.ramp * step.map_.col(n + 1);
+    to.traction.noalias() += step.map_.leftCols(n) * from.traction;
+    return finish(from, travel, step.force_per_shift_, step.force_per_ramp_, to);
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
+                                      State& to) const noexcept -> Step {
+    const StepStatus status = check(from, dq, motion, to);
+    if (status != StepStatus::ok) return failed(status);
+    if (size() > largest_unprepared || stages_ > 2) return failed(StepStatus::needs_prepare);
+    return solve_step(from, dq, travel_of(motion, dq), to);
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::count_doublings(Scalar h) const -> int {
+    if (integrator_ != Integrator::matrix_exponential || !(h > 0)) return 0;
+    MatrixX<Scalar> rates = G_prime_;
+    solve(G_, rates);
+    const Scalar norm = 16 * h * rates.cwiseAbs().colwise().sum().maxCoeff();
+    return std::isfinite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
+}
+
+template <class Scalar_>
+void TransientModel<Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
+    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
+    const detail::MatrixRef<Scalar> factors(matrix);
+    detail::factorise_in_place<Scalar>(factors, swaps.data());
+    for (Eigen::Index j = 0; j < right.cols(); ++j) {
+        detail::solve_in_place<Scalar>(factors, swaps.data(), right.col(j));
+    }
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept
+    -> Step {
+    const Eigen::Index n = size();
+    const Scalar h = dq / half_length_;
+    alignas(64) std::array<Scalar, largest_unprepared * largest_unprepared> memory;
+    std::array<Eigen::Index, largest_unprepared> swaps;
+    Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n) = G_ - gamma_ * h * G_prime_;
+    const detail::MatrixRef<Scalar> factors(Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n));
+    detail::factorise_in_place<Scalar>(factors, swaps.data());
+
+    SmallVector unit = SmallVector::Constant(n, gamma_);
+    detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
+    SmallVector right(n);
+    SmallVector change(n);
+    change.noalias() = G_prime_ * from.traction;
+    change *= gamma_ * h;
+    detail::solve_in_place<Scalar>(factors, swaps.data(), change);
+    SmallVector per_shift = b_[1] * unit;
+    SmallVector per_ramp = ramp_weight(1) * unit;
+    to.traction = from.traction + b_[1] * change;
+    for (int j = 2; j <= stages_; ++j) {
+        right.noalias() = G_prime_ * unit;
+        unit = gamma_ * h * right;
+        detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
+        per_shift += b_[index(j)] * unit;
+        per_ramp += ramp_weight(j) * unit;
+        right.noalias() = G_prime_ * change;
+        change = gamma_ * h * right;
+        detail::solve_in_place<Scalar>(factors, swaps.data(), change);
+        to.traction += b_[index(j)] * change;
+    }
+    to.traction -= traction_scale_ * (travel.shift * per_shift + travel.ramp * per_ramp);
+    return finish(from, travel, -traction_scale_ * areas_.dot(per_shift), -traction_scale_ * areas_.dot(per_ramp), to);
+}
 
 #ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
 extern template class TransientModel<double>;
