@@ -41,9 +41,11 @@ const std::vector<std::string> columns{"scheme",  "n",      "quantity", "relativ
 /// A comma-separated list of names, all from `known`; in the order of `known`.
 std::vector<std::string> names(const study::Options& options, const std::string& option,
                                const std::vector<std::string>& known) {
-    std::istringstream text(options.text(option));
+    std::istringstream text(options.text(option) + ',');
     std::vector<std::string> given;
-    for (std::string name; std::getline(text, name, ',');) {
+    for (std::string item; std::getline(text, item, ',');) {
+        const std::string name(study::detail::trim(item));
+        if (name.empty()) throw study::BadInput(options.said(option) + " must be a list without empty items");
         if (name != "all" && std::find(known.begin(), known.end(), name) == known.end()) {
             throw study::BadInput("--" + option + " = " + name + " must be all, or some of " + study::join(known, ","));
         }
@@ -268,17 +270,21 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
             throw study::BadInput(where + " must name a quantity: " + cells[2]);
         }
         if (!known(quantities, cells[2], name_of)) continue;
-        const auto flag = [&](const std::string& cell) {
-            const std::optional<double> value = read_cell(cell, where);
-            return value ? std::optional(*value != 0) : std::nullopt;
+        const auto in_range = [&](std::size_t column, double low, double high) {
+            const std::optional<double> value = read_cell(cells[column], where);
+            if (value && !(*value >= low && *value <= high)) {
+                throw study::BadInput(where + ": " + columns[column] + " = " + cells[column] + " must " +
+                                      study::between(low, high).text);
+            }
+            return value;
         };
-        const std::optional<double> n = read_cell(cells[1], where);
+        const std::optional<double> n = in_range(1, 1, largest), stable = in_range(5, 0, 1);
         points.push_back({.scheme = cells[0],
                           .n = n ? std::optional(std::lround(*n)) : std::nullopt,
                           .quantity = cells[2],
                           .relative_error = read_cell(cells[3], where),
-                          .time_us = read_cell(cells[4], where),
-                          .stable = flag(cells[5]),
+                          .time_us = in_range(4, 0, 1e15),
+                          .stable = stable ? std::optional(*stable != 0) : std::nullopt,
                           .on_front = std::nullopt,
                           .model_error = read_cell(cells[7], where)});
     }
@@ -314,13 +320,14 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
     file.commit();
 }
 
-/// A panel for one quantity: the error of every scheme over its time.
-study::Plot panel(const std::string& quantity, const std::vector<study::Row>& rows) {
-    std::string title = quantity;  // gnuplot takes a bare underscore for a subscript
+/// A panel for one quantity: the error of every scheme over its time, and the front with the errors that put it there.
+study::Plot panel(const std::string& quantity, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
+    constexpr double smallest = 1e-17;  // for results without error, which logarithmic axes have no place for
+    std::string title = quantity;       // gnuplot takes a bare underscore for a subscript
     if (const std::size_t at = title.find('_'); at != std::string::npos) title.insert(at, "\\");
     study::Plot plot{.title = title,
                      .x_label = "time [microseconds]",
-                     .y_label = "|relative error|",
+                     .y_label = "|relative error|, 1e-17 where none",
                      .log_x = true,
                      .log_y = true,
                      .series = {}};
@@ -328,11 +335,14 @@ study::Plot panel(const std::string& quantity, const std::vector<study::Row>& ro
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
                  [&](const study::Row& cells) { return cells[2].text() == quantity; });
     study::add_series(plot, columns, own, {.by = {"scheme"}, .x = "time_us", .y = "relative_error", .absolute = true});
+    for (study::Series& series : plot.series) {
+        for (auto& [time, error] : series.points) error = std::max(error, smallest);
+    }
     study::Series front{.label = "Pareto front", .points = {}, .markers = false, .style = 6};
-    for (const study::Row& cells : own) {
-        if (cells[6].text() != "1") continue;
-        const std::optional<double> time = cells[4].number(), error = cells[3].number();
-        if (time && error) front.points.emplace_back(*time, std::abs(*error));
+    const std::vector<double> sustained = precision::sustained_errors(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;
+        front.points.emplace_back(*points[i].time_us, sustained[i]);
     }
     std::sort(front.points.begin(), front.points.end());
     if (!front.points.empty()) plot.series.push_back(std::move(front));
@@ -340,7 +350,8 @@ study::Plot panel(const std::string& quantity, const std::vector<study::Row>& ro
 }
 
 /// Panels for up to three quantities: c11 at rest, at a frequency and with friction where there are more.
-study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows) {
+study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
+                     const std::vector<Point>& points) {
     std::vector<std::string> shown;
     for (const Quantity& quantity : quantities) {
         const bool drawn = std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
@@ -351,8 +362,8 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
         if (quantities.size() <= 3 || chosen) shown.push_back(quantity.name);
     }
     if (shown.empty()) shown.push_back(quantities.front().name);
-    study::Plot plot = panel(shown.front(), rows);
-    for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows));
+    study::Plot plot = panel(shown.front(), rows, points);
+    for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
     return plot;
 }
 
@@ -406,8 +417,8 @@ int main(int argc, char** argv) {
         if (partial) given.ignored("cheapest", "with --shard or --jobs, where times lack; use --front");
         study::Table table;
         table.columns = columns;
-        table.plot = [&](const std::vector<study::Row>& rows) { return pictures(quantities, rows); };
         std::vector<Point> points;  // all rows, where on_front can be told
+        table.plot = [&](const std::vector<study::Row>& rows) { return pictures(quantities, rows, points); };
         std::vector<Task> tasks;
         std::map<std::string, double> model_errors;
         std::vector<std::map<Problem, double>> times;

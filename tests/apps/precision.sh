@@ -13,6 +13,8 @@ done
 bad '--schemes = foo must be all, or some of uniform-0.5/0.5' $p --schemes cosine,foo
 bad "--schemes = '' must not be empty" $p --schemes ''
 bad 'repeated items: cosine' $p --schemes cosine,knothe,cosine
+bad '--schemes = cosine, ,knothe must be a list without empty items' $p --schemes 'cosine, ,knothe'
+bad '--quantity = c11, must be a list without empty items' $p --quantity c11,
 bad '--quantity = c12 must be all, or some of c11,traction' $p --quantity c12
 bad '--size-ratio = 2 has no effect without the scheme geometric' $p --schemes knothe --size-ratio 2
 bad '--epsilon = 0.4 has no effect without the scheme knothe' $p --schemes geometric --epsilon 0.4
@@ -29,6 +31,10 @@ printf 'scheme,n\n' >wrong
 bad 'line 1 must be scheme,n,quantity' "$precision" --front ../wrong
 printf 'scheme,n,quantity,relative_error,time_us,stable,on_front,model_error\ncosine,4,c11,1e-3,x,1,,\n' >wrong
 bad 'line 2 must be a number or empty: x' "$precision" --front ../wrong
+printf 'scheme,n,quantity,relative_error,time_us,stable,on_front,model_error\ncosine,1e30,c11,1e-3,1,1,,\n' >wrong
+bad 'line 2: n = 1e30 must lie in [1, 100000]' "$precision" --front ../wrong
+sed -i 's/1e30/4/; s/,1,1,,/,-1,1,,/' wrong
+bad 'line 2: time_us = -1 must lie in [0,' "$precision" --front ../wrong
 sed -i 's/cosine/sine/' wrong
 bad 'line 2 must name a scheme: sine' "$precision" --front ../wrong
 bad '--n = 4 has no effect with --front' "$precision" --front ../wrong --n 4
@@ -53,6 +59,7 @@ grep -q ',1,1,$' out || fail 'an empty front'
     [ "$(wc -l <cheapest.csv)" -eq 133 ] || fail "cheapest.csv"
 grep -q '^c11,1e-12,elements,,,,$' cheapest.csv && grep -q '^c11,1e-2,stable-elements,[a-z]' cheapest.csv &&
     grep -q '^c11_z1,1e-12,all,c' cheapest.csv || fail "cheapest schemes: $(cat cheapest.csv)"
+good 5 "$precision" --n 4,6 --schemes ' cosine , knothe' --quantity c11
 good 3 "$precision" --n 4,6 --schemes richardson-cosine --quantity c11 --aspect inf
 check 'no stability without G' '$6 == "" && $4 < 0.02 && $4 > -0.02'
 good 2 "$precision" --n 160 --schemes uniform-0/0.63 --quantity friction_force --jobs 2
