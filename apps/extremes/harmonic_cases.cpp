@@ -105,7 +105,12 @@ void add_refusals(std::vector<Case>& cases) {
                              sweep_at(n, alpha, 1), "inconsistent"});
         }
     }
-    cases.push_back({"z = nan", "|c11|", sweep_at(40, 0.5, nothing), "must be finite"});
+    cases.push_back({"z = nan", "|c11|",
+                     [] {
+                         const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(40), equal, plane(1000));
+                         return from_sweep(sweep, nothing, 1, 0);
+                     },
+                     "FrequencySweep: omega a/V = nan must be finite"});
     cases.push_back({"z = 1, b/a = 0.1, plane", "|c11|",
                      [] {
                          const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(40), equal, plane(0.1));
