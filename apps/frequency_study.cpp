@@ -1,5 +1,5 @@
-// Harmonic creepage: the complex creep coefficient c11 over the frequency z = omega a/V, by elements or by the polynomial
-// approach, against the exact response of the plane model:
+// Harmonic creepage: the complex creep coefficient c11 over the frequency z = omega a/V, by elements or by the
+// polynomial approach, against the exact response of the plane model:
 //
 //     ./frequency_study --n 60 --omega 0.1,1,5
 //     ./frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
@@ -234,7 +234,7 @@ int main(int argc, char** argv) {
         "the\n"
         "response of the plane model b >> a in closed form; relative_error = |c11/exact - 1|. With the strip kernel "
         "it\n"
-        "contains the difference of the models, of order (a/b)^2 (1.7e-5 at b/a = 100, 1.7e-7 at 1000); --kernel "
+        "contains the difference of the models, of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --kernel "
         "plane\n"
         "leaves the error of the discretisation alone.\n"
         "--method polynomial takes no elements: n is empty and the column order has the order. --basis monomial is "

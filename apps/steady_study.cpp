@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
         "  steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg\n"
         "\n"
         "One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, whatever the kernel: with the\n"
-        "strip kernel relative_error cannot fall below a floor of order (a/b)^2 (1.7e-5 at b/a = 100, 1.7e-7 at "
+        "strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at "
         "1000);\n"
         "--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. c11 and what "
         "follows\n"

@@ -1,4 +1,4 @@
-// The problems solved with ready influence matrices, each fast route beside the plain one, and the steady problem whole.
+// Problems solved with ready influence matrices, each fast route beside the plain one, and the steady problem whole.
 // Sample run: ./bench_problems --benchmark_filter='Stability|Sweep'
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ std::vector<double> frequencies() {
     return values;
 }
 
-// Largest relative error of c11(z) against the plane limit, which is the strip's within 1e-7 at this width.
+// Largest relative error of c11(z) against the plane limit, which is the strip's within 2e-7 at this width.
 template <class Response>
 double sweep_error(const Response& c11) {
     double largest = 0;
