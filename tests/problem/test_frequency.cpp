@@ -76,7 +76,7 @@ TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]"
     CHECK(order < 2.15);
 }
 
-TEST_CASE("A scheme that converges to something else than full adhesion is told", "[frequency]") {
+TEST_CASE("A sweep tells of a scheme that converges to something else than full adhesion", "[frequency]") {
     for (const double alpha : {-0.5, 0.0, 1.5}) {
         for (const Eigen::Index n : {20, 21}) {  // G' is singular for alpha = 0 and n = 21
             const FrequencySweep<double> sweep(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000));
