@@ -19,6 +19,7 @@
 #include "rollbem/problem/transient.hpp"
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/reference/step_response.hpp"
+#include "rollbem/reference/strip.hpp"
 
 namespace {
 
@@ -73,6 +74,18 @@ TEST_CASE("Recommended for steady rolling", "[recommendation]") {
             const double c11 =
                 best.evaluate([&](const Mesh<double>& mesh) { return solve_steady(mesh, best.scheme, kernel).c11; });
             return std::abs(c11 / steady_c11(0.28) - 1);
+        });
+    }
+}
+
+TEST_CASE("Recommended for steady rolling of a strip", "[recommendation]") {
+    const StripKernel<double> strip(10, 0.72, 0.28);
+    const double exact = reference::strip_c11(0, 0.28, 10).c11.real();
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+        check_promise(Purpose::steady, tolerance, 4, [&](const RecommendedScheme& best) {
+            const double c11 =
+                best.evaluate([&](const Mesh<double>& mesh) { return solve_steady(mesh, best.scheme, strip).c11; });
+            return std::abs(c11 / exact - 1);
         });
     }
 }
