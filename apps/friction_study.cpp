@@ -19,6 +19,8 @@
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/problem/friction.hpp>
+#include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/steady.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
@@ -62,9 +64,10 @@ Pressure make_pressure(const study::Options& options) {
     }
 }
 
-const char* name_of(rollbem::FrictionStatus status) {
+/// `consistent` is whether steady rolling of the same scheme in full adhesion is.
+const char* name_of(rollbem::FrictionStatus status, bool consistent = true) {
     switch (status) {
-        case rollbem::FrictionStatus::ok: return "ok";
+        case rollbem::FrictionStatus::ok: return consistent ? "ok" : "inconsistent";
         case rollbem::FrictionStatus::no_solution: return "no_solution";
         default: return "not_finite";
     }
@@ -121,6 +124,8 @@ void steady_rows(const study::Options& options, const study::Scene& scene, const
     const Eigen::Index unknown = widths.size();
     study::Cell assembly_us;
     if (timed) assembly_us = study::median_time_us([&] { return assemble().first(0, 0); });
+    // Slip hides what is wrong with a scheme that does not converge; in full adhesion it shows.
+    const bool consistent = rollbem::solve_steady<double>(G_prime, widths).status != rollbem::Status::inconsistent;
     const Eigen::ArrayXd means = pressure(*scene.mesh);
     const rollbem::CoulombFriction<double> friction{1, means.head(unknown)};
     const rollbem::SteadyFrictionModel<double> model(scene.contact, G_prime, widths, friction);
@@ -136,14 +141,16 @@ void steady_rows(const study::Options& options, const study::Scene& scene, const
         study::Cell time_us;
         if (timed) time_us = study::median_time_us([&] { return solve().force_per_width; });
 
-        const double force_ratio =
-            step.status == rollbem::FrictionStatus::ok ? -step.force_per_width / mu_N : std::nan("");
+        const bool usable = consistent && step.status == rollbem::FrictionStatus::ok;
+        const auto if_usable = [&](double value) { return usable ? value : std::nan(""); };
+        const double force_ratio = if_usable(-step.force_per_width / mu_N);
         const std::optional<double> exact =
             pressure.hertz ? std::optional(rollbem::carter_force_ratio(ratios[i])) : std::nullopt;
         emit({scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, scene.alpha_T, ratios[i],
               force_ratio, exact, relative_error(force_ratio, exact), step.stick_count, step.rounds,
-              step.complementarity_residual, time_us, assembly_us, -step.tangent_per_width * creepage(scene, 1) / mu_N,
-              step.slip_work_per_width / mu_N, step.pivots, name_of(step.status)});
+              step.complementarity_residual, time_us, assembly_us,
+              if_usable(-step.tangent_per_width * creepage(scene, 1) / mu_N),
+              if_usable(step.slip_work_per_width / mu_N), step.pivots, name_of(step.status, consistent)});
         if (profiles == nullptr) continue;
         Profile profile{&scene, scene.mesh_name, ratios[i], *scene.mesh, {}, means.matrix(), {}, {}};
         profile.traction.setZero(scene.n());
@@ -267,7 +274,7 @@ study::Plot steady_plot(const std::vector<std::string>& columns, const std::vect
 }
 
 int run_steady(const study::Options& given, const Pressure& pressure) {
-    for (const char* name : {"sine", "shift", "dq", "until", "integrator"}) {
+    for (const char* name : {"sine", "shift", "dq", "until", "integrator", "unchecked"}) {
         given.ignored(name, "without --transient");
     }
     given.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
@@ -436,6 +443,10 @@ int run_transient(const study::Options& given, const Pressure& pressure) {
             return std::pair<rollbem::InfluenceMatrices<double>, Eigen::ArrayXd>(
                 rollbem::assemble(mesh, scheme, kernel), rollbem::unknown_widths(mesh, scheme));
         });
+        if (!given.flag("unchecked")) {
+            study::require_steppable(scene, rollbem::verdict(matrices),
+                                     rollbem::solve_steady<double>(matrices.G_prime, widths).status);
+        }
         const rollbem::CoulombFriction<double> friction{1, pressure(*scene.mesh).head(widths.size())};
         models.emplace_back(scene.contact, std::move(matrices), widths, friction, method);
     }
@@ -502,6 +513,8 @@ int main(int argc, char** argv) {
     options.add("dq", "D", "with --transient: distance rolled in a step, in units of a (dimensionless)", "0.05");
     options.add("until", "Q", "with --transient: distance rolled in all, in units of a (dimensionless)", "10");
     options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
+    options.add_flag("unchecked",
+                     "with --transient: step even a scheme that is unstable, or may be, or does not converge");
     options.footer(
         "Examples\n"
         "  the creep curve, with the tractions drawn under their bound\n"
@@ -526,8 +539,10 @@ int main(int argc, char** argv) {
         "complementarity_residual: largest violation of |p| <= mu p_n (over mu p0) and of the slip's direction\n"
         "(over |xi|); time_us and assembly_us [microseconds]: medians of at least 5 runs of the solution and of\n"
         "G' before it; tangent_ratio: d force_ratio/d creepage_ratio; slip_work: per distance a rolled, in mu N\n"
-        "mu p0 a/G, summed over the elements (of first order in 1/n). Where status is not ok, force_ratio is\n"
-        "empty. --tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0.\n"
+        "mu p0 a/G, summed over the elements (of first order in 1/n). Where status is not ok, these two and\n"
+        "force_ratio are empty; it is inconsistent where in full adhesion tractions of the same scheme push with the\n"
+        "creepage, so that the scheme does not converge: alpha at or below 0 (near 0 on coarse meshes), or above 1.\n"
+        "--tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0.\n"
         "\n"
         "--fit-border is for pressures that leave one slip zone at the trailing edge, as Hertz's does. Where that\n"
         "does not hold, mesh = cosine and the plain solver with alpha = 0.5 takes over. rounds then counts\n"
@@ -536,7 +551,10 @@ int main(int argc, char** argv) {
         "\n"
         "--transient: one row per step, from q = dq on; with --shift, a row at q = 0 before. shift: imposed in\n"
         "this row, in mu p0 a/G. slip_work: cumulative, in mu N mu p0 a/G. creepage is linear over a step (its\n"
-        "end value with implicit-euler). rounds: of all solutions of a step, two with sdirk2.\n");
+        "end value with implicit-euler). rounds: of all solutions of a step, two with sdirk2.\n"
+        "A scheme that is not certainly stable, or that steady rolling shows as inconsistent, is refused unless\n"
+        "--unchecked is given: friction bounds its tractions, but they are wrong, and status does not tell. The\n"
+        "check finds eigenvalues, in time of order n^3.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const Pressure pressure = make_pressure(given);

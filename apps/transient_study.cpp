@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <rollbem/problem/stability.hpp>
+#include <rollbem/problem/steady.hpp>
 #include <rollbem/problem/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
@@ -178,7 +179,7 @@ int main(int argc, char** argv) {
         "integrator", "NAME",
         "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
         "sdirk2");
-    options.add_flag("unchecked", "step even where the scheme is unstable or rounding leaves that open");
+    options.add_flag("unchecked", "step even a scheme that is unstable, or may be, or does not converge");
     options.footer(
         "Example: the step response of the second-order scheme\n"
         "  transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \\\n"
@@ -189,7 +190,8 @@ int main(int argc, char** argv) {
         "is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It "
         "is\n"
         "empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly\n"
-        "stable is refused unless --unchecked is given.\n");
+        "stable, or whose steady tractions push with the creepage (alpha near or below 0, or above 1), is refused\n"
+        "unless --unchecked is given.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const History history = make_history(given);
@@ -204,7 +206,7 @@ int main(int argc, char** argv) {
                                            : integrator == "implicit-euler" ? rollbem::Integrator::implicit_euler
                                                                             : rollbem::Integrator::matrix_exponential;
 
-        // 2. One model for each scene. Eigenvalues tell whether stepping makes sense.
+        // 2. One model for each scene. Eigenvalues and steady rolling tell whether stepping makes sense.
         const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given);
         std::vector<Model> models;
         for (const study::Scene& scene : scenes) {
@@ -215,12 +217,8 @@ int main(int argc, char** argv) {
                     return Model(scene.contact, std::move(matrices), widths, rollbem::unchecked, method);
                 }
                 const rollbem::StabilityVerdict verdict = rollbem::verdict(matrices);
-                if (!verdict.stable()) {
-                    throw study::BadInput("n = " + std::to_string(scene.n()) + ": the scheme has " +
-                                          std::to_string(verdict.unstable_count) + " unstable and " +
-                                          std::to_string(verdict.uncertain_count) +
-                                          " uncertain eigenvalues; it must be stable, or --unchecked be given");
-                }
+                study::require_steppable(scene, verdict,
+                                         rollbem::solve_steady<double>(matrices.G_prime, widths).status);
                 return Model(scene.contact, std::move(matrices), widths, verdict, method);
             }));
         }

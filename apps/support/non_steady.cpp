@@ -1,6 +1,7 @@
 #include "non_steady.hpp"
 
 #include <cmath>
+#include <string>
 #include <variant>
 
 #include <rollbem/closed_form/carter.hpp>
@@ -28,6 +29,23 @@ std::vector<Scene> make_non_steady_scenes(const Options& options) {
     const Scene& any = scenes.front();  // all have the same contact and kernel
     if (std::holds_alternative<rollbem::PlaneKernel<double>>(any.kernel)) require_plane_model(options, any.contact);
     return scenes;
+}
+
+void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict, rollbem::Status steady) {
+    const std::string scheme = "n = " + std::to_string(scene.n()) + ": the scheme ";
+    if (verdict.status != rollbem::Status::ok) {
+        throw BadInput(scheme + "has eigenvalues that were not found; they must be, or --unchecked be given");
+    }
+    if (!verdict.stable()) {
+        throw BadInput(scheme + "has " + std::to_string(verdict.unstable_count) + " unstable and " +
+                       std::to_string(verdict.uncertain_count) +
+                       " uncertain eigenvalues; it must be stable, or --unchecked be given");
+    }
+    if (steady == rollbem::Status::inconsistent) {
+        throw BadInput(scheme +
+                       "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions "
+                       "must oppose the creepage, or --unchecked be given");
+    }
 }
 
 }  // namespace study

@@ -1,9 +1,11 @@
-// What studies of problems in time share: scenes whose model is stable before any discretisation, and whether the exact
-// solutions of the plane model exist for a contact.
+// What studies of problems in time share: scenes whose model is stable before any discretisation, whether the exact
+// solutions of the plane model exist for a contact, and which schemes are fit to be stepped.
 #pragma once
 
 #include <vector>
 
+#include <rollbem/problem/stability_verdict.hpp>
+#include <rollbem/problem/status.hpp>
 #include <rollbem/scene/contact.hpp>
 
 #include "options.hpp"
@@ -19,5 +21,9 @@ void require_plane_model(const Options& options, const rollbem::Contact<double>&
 
 /// All cases of a problem in time. Throws BadInput as make_scenes and require_plane_model do.
 std::vector<Scene> make_non_steady_scenes(const Options& options);
+
+/// Throws BadInput unless steps of a scene's scheme tend to steady rolling: no eigenvalue is unstable or uncertain, and
+/// `steady`, the status of solve_steady for the same scheme, is not inconsistent.
+void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict, rollbem::Status steady);
 
 }  // namespace study

@@ -20,7 +20,7 @@ printf 'x,p\n-1,0\n' >"$scratch/header"
 bad '--creepage-ratio = nan must be finite' $study --creepage-ratio nan --output x.csv
 bad '--creepage-ratio = 0.5x must be a number' $study --creepage-ratio 0.5x
 bad 'repeated items: 0.5' $study --creepage-ratio 0.5,0.5
-for option in '--dq 0.1' '--until 3' '--sine 1,1' '--shift 1' '--integrator sdirk2' '--lambda 0.5'; do
+for option in '--dq 0.1' '--until 3' '--sine 1,1' '--shift 1' '--integrator sdirk2' '--lambda 0.5' --unchecked; do
     bad 'has no effect without --transient' $study $option --output x.csv
 done
 bad '--tractions = t has no effect with --transient' $study --transient --creepage-ratio 1 --tractions t
@@ -37,6 +37,9 @@ bad '--until = 1e9 must be at most 1e7 times --dq' $study --transient --creepage
 bad '--integrator = exponential must be one of sdirk2, implicit-euler' $study --transient --sine 1,1 --integrator exponential
 bad '--aspect = inf must be positive and finite' $study --transient --creepage-ratio 1 --aspect inf
 bad '--aspect = 0.1 must be larger than' $study --transient --creepage-ratio 1 --kernel plane --aspect 0.1
+bad 'n = 20: the scheme has 9 unstable and 0 uncertain' $rolling --alpha 1 --creepage-ratio 0.5 --output x.csv
+bad 'n = 40: the scheme has' $study --transient --n 40 --alpha 0.6 --creepage-ratio 0.5
+bad 'n = 20: the scheme does not converge' $rolling --mesh uniform --alpha 1.5 --creepage-ratio 0.5 --output x.csv
 bad '--mesh = uniform has no effect with --fit-border' $study --fit-border --mesh uniform
 bad '--alpha = 0.5 has no effect with --fit-border' $study --fit-border --alpha 0.5
 bad '--n = 15 must be even and at least 10 with --fit-border' $study --fit-border --n 20,15
@@ -56,7 +59,7 @@ header method,derivative,mesh,n,alpha_L,alpha_T,creepage_ratio,force_ratio,exact
 check 'the default scheme' '$1 == "collocation" && $2 == "fd" && $3 == "cosine" && $5 == 0.5 && $6 == 0.5'
 check 'Carter' '($9 - ($7 < 1 ? $7 * (2 - $7) : 1)) ^ 2 < 1e-30 && ($8 / $9 - 1 - $10) ^ 2 < 1e-28'
 check 'small errors' '$10 ^ 2 < 5e-3 ^ 2 && $12 <= 10 && $13 < 1e-12 && $14 > 0'
-check 'full sliding' '($11 == 0) == ($7 >= 1)'
+check 'full sliding' '($11 == 0) == ($7 >= 1) && $19 == "ok"'
 good 5 $steady --n 20,40,80,160 --creepage-ratio 0.5
 check 'cosine mesh, second order or nearly' '$10 > 0 && $10 < 1.02 * ($4 == 20 ? 3e-3 : $4 == 40 ? 9.1e-4 : $4 == 80 ? 2.7e-4 : 7.8e-5)'
 good 3 $steady --n 20,40 --mesh uniform --creepage-ratio 0.5
@@ -66,6 +69,11 @@ check 'a border resolved' '$10 ^ 2 < 1e-4 ^ 2 && $3 == "fitted" && $5 == 0 && $1
 good 5 $steady --n 40 --creepage-ratio -0.5,0.5,-3,0
 awk -F, 'NR == 2 { minus = $8 } NR == 3 { mirrored = minus == -$8 } NR == 4 { slid = ($8 + 1) ^ 2 < 1e-26 }
     NR == 5 { nothing = $8 == 0 && $10 == "" } END { exit !(mirrored && slid && nothing) }' out || fail 'signs'
+# a scheme whose traction pushes with the creepage where all of it sticks; here it loses a third
+good 3 $steady --n 20 --mesh uniform --alpha 0.5,1.5 --creepage-ratio 0.5
+awk -F, 'NR == 2 { trusted = $19 == "ok" && $8 > 0.7 && $16 > 0 && $17 > 0 }
+    NR == 3 { refused = $19 == "inconsistent" && $8 $10 $16 $17 == "" && $9 == 0.75 && $13 < 1e-12 }
+    END { exit !(trusted && refused) }' out || fail "a scheme that does not converge: $(cat out)"
 # rounds that cycle end all the same
 good 5 $steady --n 20,80 --alpha-L 0 --alpha-T 0.5,0.63 --creepage-ratio 0.95
 check 'fallback' '$10 ^ 2 < 1e-3 ^ 2 && $13 < 1e-12 && $18 > 0 && $19 == "ok"'
@@ -104,8 +112,18 @@ for start in '--shift 0' '--shift 3' '--shift -2' '--integrator implicit-euler';
         fail "the long-time limit is not $steady_force after $start"
     awk -F, 'NR > 1 { if ($7 < work) bad = 1; work = $7 } END { exit bad }' out || fail "slip work after $start"
 done
-good 2 $rolling --alpha 0 --creepage-ratio 0 --shift 2 --dq 1 --until 1 --shard 1/2
+good 2 $rolling --alpha 0 --unchecked --creepage-ratio 0 --shift 2 --dq 1 --until 1 --shard 1/2
 check 'Cattaneo' '$1 == 0 && $3 == 2 && $9 ^ 2 < 5e-4 ^ 2 && $9 != "" && ($4 / $8 - 1 - $9) ^ 2 < 1e-28'
+# what --unchecked lets pass is wrong for the schemes that are refused without it, and the same for the others
+for scheme in '--alpha 1' '--mesh uniform --alpha 1.5'; do
+    good 1001 $rolling $scheme --unchecked --creepage-ratio 0.5 --until 50
+    awk -F, -v steady="$steady_force" 'END { exit !($12 == "ok" && $4 < 0.8 * steady) }' out ||
+        fail "--unchecked $scheme: $(tail -n 1 out)"
+done
+good 21 $rolling --creepage-ratio 0.5 --until 1
+mv out checked
+good 21 $rolling --creepage-ratio 0.5 --until 1 --unchecked
+cmp -s checked out || fail 'the check changes rows'
 good 5 $rolling --creepage-ratio -1e6 --until 1 --dq 0.25
 check 'full sliding' '($4 + 1) ^ 2 < 1e-24 && $5 == 0'
 # ten periods of a sine: the last repeats the one before, its second half mirrors its first, and the loop has an area

@@ -31,6 +31,7 @@ bad '--integrator = rk4 must be one of sdirk2, implicit-euler, exponential' $stu
 bad '--aspect = inf must be positive and finite' $study --step 1 --aspect inf
 bad '--aspect = 0.1 must be larger than' $study --step 1 --kernel plane --aspect 0.1
 bad 'unstable and' $study --step 1 --alpha 0.6 --output x.csv
+bad 'n = 20: the scheme does not converge' $study --step 1 --n 20 --alpha 1.5 --output x.csv
 bad 'the creepage must not be 0 all the way up to --until' $study --history "$scratch/zero" --output x.csv
 bad 'must have at least one row below its header' $study --history "$scratch/empty"
 bad 'line 2 = -1,0' $study --history "$scratch/before"

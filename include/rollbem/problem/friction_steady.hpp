@@ -11,6 +11,10 @@ namespace rollbem {
 /// Steady rolling of one contact, mesh, scheme and law of friction at any creepage. Const and free of caches: threads
 /// may share it. Creepage xi > 0 gives a negative force.
 ///
+/// The scheme must converge, which nothing here checks: the forces of one that does not (alpha <= 0, or alpha > 1) are
+/// wrong wherever elements stick, whatever the status. Ask solve_steady(G_prime, widths) of steady.hpp before, whose
+/// status must not be inconsistent. Steady rolling asks for no stability in time.
+///
 ///     const SteadyFrictionModel<double> model(contact, mesh, scheme, kernel, friction);
 ///     State now = model.at_rest(), next = now;
 ///     for (double creepage : curve) {

@@ -19,8 +19,9 @@ namespace rollbem {
 /// implicit_euler solves once and is of first order. Both keep Coulomb's law at each of these solutions, and slip never
 /// gains energy. Elements that begin to slip or stick within a step cost no order.
 ///
-/// The scheme must be stable, which nothing here checks (see StabilityVerdict): friction bounds the tractions of an
-/// unstable one, but they are wrong then, whatever the status.
+/// The scheme must be stable and converge, which nothing here checks: friction bounds the tractions of any other, but
+/// they are wrong then, whatever the status. Ask before: verdict(matrices).stable() of stability.hpp, and the status of
+/// solve_steady(matrices.G_prime, widths) of steady.hpp, which must not be inconsistent (alpha <= 0, or alpha > 1).
 ///
 ///     const FrictionModel<double> model(contact, mesh, scheme, kernel, friction);
 ///     State now = model.at_rest(), next = now;
