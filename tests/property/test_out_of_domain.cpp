@@ -6,12 +6,17 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/problem/frequency.hpp>
+#include <rollbem/problem/friction.hpp>
 #include <rollbem/problem/hertz.hpp>
 #include <rollbem/problem/plane_model.hpp>
+#include <rollbem/problem/recommendation.hpp>
+#include <rollbem/problem/transient.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
@@ -208,6 +213,44 @@ TEMPLATE_TEST_CASE("Hertz pressure", "[domain]", float, double, long double) {
     refuses<Scalar>("young_modulus", not_positive, with([](Parameters& p, Scalar x) { p.body_2.young_modulus = x; }));
     refuses<Scalar>("poisson_ratio", bad<Scalar>({Scalar(-0.1), Scalar(0.6)}),
                     with([](Parameters& p, Scalar x) { p.body_2.poisson_ratio = x; }));
+}
+
+TEST_CASE("Models", "[domain]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    const Mesh<double> mesh = cosine_mesh(4);
+    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const InfluenceMatrices<double> matrices = assemble(mesh, scheme, kernel);
+
+    const TransientModel<double> rolling(contact, matrices, mesh.widths(), unchecked);
+    refuses<double>("dq", bad<double>({-1e-300, infinity}), [&](double dq) { rolling.prepare(dq); });
+    refuses<double>("creepage", bad<double>({infinity}), [&](double creepage) { rolling.steady(creepage); });
+
+    const FrequencySweep<double> sweep(matrices, mesh.widths());
+    refuses<double>("omega a/V", bad<double>({infinity}), [&](double z) { sweep(z); });
+    refuses<double>("Re(s)", bad<double>({infinity}), [&](double re) { sweep.at({re, 0}); });
+    refuses<double>("Im(s)", bad<double>({infinity}), [&](double im) { sweep.at({0, im}); });
+
+    const auto law = [&](double mu, double pressure) {
+        ArrayX<double> normal_pressure = ArrayX<double>::Ones(4);
+        normal_pressure[2] = pressure;
+        return CoulombFriction<double>{mu, normal_pressure};
+    };
+    const auto both = [&](double mu, double pressure) {
+        const CoulombFriction<double> friction = law(mu, pressure);
+        const std::string steady =
+            refusal([&] { SteadyFrictionModel<double>(contact, matrices.G_prime, mesh.widths(), friction); });
+        CHECK(steady != "");
+        FrictionModel<double>(contact, matrices, mesh.widths(), friction);
+    };
+    refuses<double>("friction_coefficient", bad<double>({-1e-300, infinity}), [&](double mu) { both(mu, 1); });
+    refuses<double>("normal_pressure", bad<double>({-1e-300, infinity}), [&](double p) { both(0.3, p); });
+
+    for (const Purpose purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop, Purpose::friction}) {
+        refuses<double>("tolerance", bad<double>({0, -1e-3}),
+                        [&](double tolerance) { recommended_scheme(tolerance, purpose); });
+    }
 }
 
 }  // namespace
