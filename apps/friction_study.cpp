@@ -352,16 +352,10 @@ History make_history(const study::Options& options) {
     if (options.given("shift")) history.shift = options.number("shift", finite);
     if (options.given("sine")) {
         options.ignored("creepage-ratio", "with --sine");
-        const std::string text = options.text("sine");
-        const std::size_t comma = text.find(',');
-        const auto amplitude = study::detail::parse_number<double>(text.substr(0, comma));
-        const auto omega =
-            comma == std::string::npos ? std::nullopt : study::detail::parse_number<double>(text.substr(comma + 1));
-        if (!amplitude || !omega || !std::isfinite(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
-            throw study::BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and OMEGA > 0");
-        }
-        history.amplitude = *amplitude;
-        history.omega = *omega;
+        const study::Sine sine =
+            study::read_sine(options, {[](double value) { return std::isfinite(value); }, "finite"});
+        history.amplitude = sine.amplitude;
+        history.omega = sine.omega;
         return history;
     }
     if (!options.given("creepage-ratio")) {

@@ -82,17 +82,11 @@ History make_history(const study::Options& options) {
     if (given[0] == "history") return history_from_file(options);
     History history{.knots = {}, .knot_values = {}};
     if (given[0] == "sine") {
-        const std::string text = options.text("sine");
-        const std::size_t comma = text.find(',');
-        const auto amplitude = study::detail::parse_number<double>(text.substr(0, comma));
-        const auto omega =
-            comma == std::string::npos ? std::nullopt : study::detail::parse_number<double>(text.substr(comma + 1));
-        if (!amplitude || !omega || !not_zero.holds(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
-            throw study::BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
-        }
+        const study::Sine sine = study::read_sine(
+            options, {[](double value) { return std::isfinite(value) && value != 0; }, "finite and not 0"});
         history.kind = History::Kind::sine;
-        history.amplitude = *amplitude;
-        history.omega = *omega;
+        history.amplitude = sine.amplitude;
+        history.omega = sine.omega;
         return history;
     }
     history.kind = given[0] == "step" ? History::Kind::step : History::Kind::ramp;

@@ -1,6 +1,8 @@
 #include "non_steady.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -29,6 +31,17 @@ std::vector<Scene> make_non_steady_scenes(const Options& options) {
     const Scene& any = scenes.front();  // all have the same contact and kernel
     if (std::holds_alternative<rollbem::PlaneKernel<double>>(any.kernel)) require_plane_model(options, any.contact);
     return scenes;
+}
+
+Sine read_sine(const Options& options, const Rule& rule) {
+    const std::string text = options.text("sine");
+    const std::size_t comma = text.find(',');
+    const auto amplitude = detail::parse_number<double>(text.substr(0, comma));
+    const auto omega = comma == std::string::npos ? std::nullopt : detail::parse_number<double>(text.substr(comma + 1));
+    if (!amplitude || !omega || !rule.holds(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
+        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP " + rule.text + " and OMEGA > 0");
+    }
+    return {*amplitude, *omega};
 }
 
 void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict, rollbem::Status steady) {

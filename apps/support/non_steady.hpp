@@ -22,6 +22,15 @@ void require_plane_model(const Options& options, const rollbem::Contact<double>&
 /// All cases of a problem in time. Throws BadInput as make_scenes and require_plane_model do.
 std::vector<Scene> make_non_steady_scenes(const Options& options);
 
+/// A sinusoidal creepage: amplitude * sin(omega q), omega in V/a.
+struct Sine {
+    double amplitude, omega;
+};
+
+/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP fulfils the rule, whose text follows
+/// "must be AMP,OMEGA with AMP".
+Sine read_sine(const Options& options, const Rule& amplitude);
+
 /// Throws BadInput unless steps of a scene's scheme tend to steady rolling: no eigenvalue is unstable or uncertain, and
 /// `steady`, the status of solve_steady for the same scheme, is not inconsistent.
 void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict, rollbem::Status steady);
