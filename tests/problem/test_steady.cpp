@@ -319,4 +319,16 @@ TEST_CASE("What is not finite or not square is told", "[steady]") {
                     std::invalid_argument);
 }
 
+TEST_CASE("Two points in one place leave G' singular; the status says so", "[steady]") {
+    ArrayX<double> edges(6);
+    edges << -1, -0.17594030825560192, 0.005631806488683111, 0.079234900637084937, 0.0825571296575629, 1;
+    const double alpha = 0.55507984072057392;
+    const UnitSteadySolution<double> solution =
+        solve_steady(mesh_from_edges<double>(edges),
+                     Collocation{.alpha_L = alpha, .alpha_T = alpha, .derivative = Derivative::analytic},
+                     StripKernel<double>(18713779409.996429, 1 - 0.33151985305346909, 0.33151985305346909));
+    CAPTURE(solution.rcond, solution.c11);
+    CHECK(solution.status == Status::ill_conditioned);
+}
+
 }  // namespace

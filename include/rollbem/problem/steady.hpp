@@ -2,6 +2,7 @@
 // Builds G' alone and factorises it in place.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -53,14 +54,15 @@ UnitSteadySolution<Scalar> solve_steady_in_place(
     UnitSteadySolution<Scalar> solution;
     ArrayX<Scalar> row_sums = ArrayX<Scalar>::Zero(n);
     for (Eigen::Index m = 0; m < n; ++m) row_sums += G_prime.col(m).array().abs();
-    const Scalar norm = row_sums.maxCoeff();
+    const Scalar norm = row_sums.maxCoeff(), norm_1 = G_prime.colwise().template lpNorm<1>().maxCoeff();
     const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Scalar>>> lu(G_prime);
     solution.traction = lu.solve(VectorX<Scalar>::Ones(n));
     solution.c11 = -(widths * solution.traction.array()).sum();
     if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
     solution.residual = (product(solution.traction).array() - 1).abs().maxCoeff() /
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1);
-    solution.rcond = lu.rcond();
+    // 1 / (last pivot) is an entry of the inverse. The estimate alone misses two equal rows, which have no part in it.
+    solution.rcond = std::min(lu.rcond(), std::abs(G_prime(n - 1, n - 1)) / norm_1);
     const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
     const bool trusted = solution.rcond > 100 * rounding && solution.residual <= 100 * rounding;
     solution.status = !trusted                                              ? Status::ill_conditioned
