@@ -17,10 +17,10 @@
 #include <variant>
 #include <vector>
 
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/problem/friction.hpp>
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/friction/friction.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"

@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/influence.hpp>
-#include <rollbem/problem/steady.hpp>
 
 #include "naive.hpp"
 

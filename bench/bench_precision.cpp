@@ -9,10 +9,10 @@
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/recommendation.hpp>
-#include <rollbem/problem/richardson.hpp>
-#include <rollbem/problem/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

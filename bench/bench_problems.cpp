@@ -8,11 +8,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/stability_count.hpp>
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/stability_count.hpp>
-#include <rollbem/problem/steady.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 namespace {

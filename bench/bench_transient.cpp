@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/adhesion/transient.hpp"
 #include "rollbem/reference/step_response.hpp"
 
 namespace {

@@ -8,7 +8,9 @@ cd "$1"
 
 find rollbem -name '*.hpp' | LC_ALL=C sort | xargs awk '
 function complain(text) { print text; ++complaints }
-function stage(file,  parts) { return split(file, parts, "/") > 2 ? parts[2] : "umbrella" }
+function stage(file,  parts) {
+    return split(file, parts, "/") > 2 ? parts[2] : parts[2] == "rollbem.hpp" ? "umbrella" : "root"
+}
 
 # The path "directory/target" without its "." and ".." parts.
 function resolve(directory, target,  parts, count, kept, i, path) {
@@ -51,7 +53,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail closed_form scene discretisation elasticity assembly problem spectral reference umbrella", order, " ")
+    count = split("root detail closed_form scene discretisation normal elasticity assembly spectral adhesion friction accuracy reference umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/problem/status.hpp>
+#include <rollbem/status.hpp>
 
 namespace extremes {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/steady.hpp>
 
 #include "meshes.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/steady.hpp>
 #include <rollbem/reference/strip.hpp>
 
 #include "cases.hpp"

@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include <rollbem/adhesion/critical_alpha.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/stability_count.hpp>
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/critical_alpha.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/stability_count.hpp>
-#include <rollbem/problem/steady.hpp>
 
 #include "support/timing.hpp"
 

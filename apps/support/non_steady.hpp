@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include <rollbem/problem/stability_verdict.hpp>
-#include <rollbem/problem/status.hpp>
+#include <rollbem/adhesion/stability_verdict.hpp>
 #include <rollbem/scene/contact.hpp>
+#include <rollbem/status.hpp>
 
 #include "options.hpp"
 #include "scenes.hpp"

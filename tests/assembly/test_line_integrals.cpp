@@ -1,11 +1,11 @@
-// rollbem/assembly/line_integrals.hpp
+// rollbem/assembly/detail/line_integrals.hpp
 #include <cmath>
 #include <type_traits>
 #include <vector>
 
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
-#include "rollbem/assembly/line_integrals.hpp"
+#include "rollbem/assembly/detail/line_integrals.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/problem/friction.hpp>
+#include <rollbem/friction/friction.hpp>
 
 #include "wheel.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/problem/transient.hpp>
+#include <rollbem/adhesion/transient.hpp>
 
 /// What does not change. The rail force F on the wheel drives the vehicle: m dV/dt = F - D, J d(omega)/dt = T - R F.
 struct Wheel {

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/friction.hpp>
-#include <rollbem/problem/hertz.hpp>
-#include <rollbem/problem/steady.hpp>
-#include <rollbem/problem/transient.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/friction/friction.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // The other translation unit.
-#include <rollbem/problem/critical_alpha.hpp>
-#include <rollbem/problem/stability.hpp>
+#include <rollbem/adhesion/critical_alpha.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/rollbem.hpp>
 
 using CreepCoefficient = double (*)(double);

@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/friction.hpp>
-#include <rollbem/problem/hertz.hpp>
-#include <rollbem/problem/plane_model.hpp>
-#include <rollbem/problem/recommendation.hpp>
-#include <rollbem/problem/transient.hpp>
+#include <rollbem/elasticity/plane_model.hpp>
+#include <rollbem/friction/friction.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

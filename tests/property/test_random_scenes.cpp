@@ -12,10 +12,10 @@
 #include <utility>
 #include <variant>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/steady.hpp>
-#include <rollbem/problem/transient.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,5 @@
 // G, G' and the steady solution compiled for double.
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/adhesion/steady.hpp>
 
 namespace rollbem {
 

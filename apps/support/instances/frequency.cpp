@@ -1,5 +1,5 @@
 // The harmonic solution compiled for double.
-#include <rollbem/problem/frequency.hpp>
+#include <rollbem/adhesion/frequency.hpp>
 
 namespace rollbem {
 

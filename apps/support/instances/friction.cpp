@@ -1,5 +1,5 @@
 // Coulomb friction compiled for double.
-#include <rollbem/problem/friction.hpp>
+#include <rollbem/friction/friction.hpp>
 
 namespace rollbem {
 

@@ -1,6 +1,6 @@
 // Eigenvalues compiled for double.
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/stability_count.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/stability_count.hpp>
 
 namespace rollbem {
 

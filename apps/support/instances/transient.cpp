@@ -1,5 +1,5 @@
 // Steps in time compiled for double.
-#include <rollbem/problem/transient.hpp>
+#include <rollbem/adhesion/transient.hpp>
 
 namespace rollbem {
 

@@ -12,14 +12,10 @@
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
-#include "line_integrals.hpp"
+#include "../types.hpp"
+#include "detail/line_integrals.hpp"
 
 namespace rollbem {
-
-template <class Scalar>
-using MatrixX = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-template <class Scalar>
-using VectorX = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
 /// Both matrices of Eq. (12) in the form G' p - (1/V) G dp/dt = xi; row = equation, column = unknown element.
 template <class Scalar>

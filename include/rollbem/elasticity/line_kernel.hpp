@@ -12,12 +12,9 @@
 
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
+#include "../types.hpp"
 
 namespace rollbem {
-
-/// A column of numbers on which kernels work element by element.
-template <class Scalar>
-using ArrayX = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
 
 /// What the assembly needs of a kernel. x in units of a, results in units of 1/G (g), a/G (H) and a^2/G.
 /// - g(x): displacement at distance x from the line, even in x; may be infinite at x = 0;

@@ -1,0 +1,306 @@
+// Frequency response: harmonic creepage, (G' - i (omega/V) G) p = xi, Eq. (16), and the complex creep coefficient.
+// One LU per frequency, or for sweeps one reduction to Hessenberg form and then O(n^2) per frequency.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "../assembly/influence.hpp"
+#include "../elasticity/plane_model.hpp"
+#include "../status.hpp"
+#include "detail/consistency.hpp"
+#include "detail/pencil.hpp"
+
+namespace rollbem {
+
+/// Response to creepage xi e^{st}, s = i omega for harmonic creepage; dimensionless, s in units of V/a.
+template <class Scalar>
+struct HarmonicSolution {
+    VectorX<std::complex<Scalar>> traction;  ///< p / (G xi) of every unknown element, trailing to leading [-]
+    std::complex<Scalar> c11 = 0;            ///< creep coefficient -F_bar / (a G xi) [-], Eq. (30)
+    Scalar residual = 0;                     ///< |A p - xi| / (|A| |p| + |xi|) in the maximum norm, A = G' - s G [-]
+    Scalar rcond = 0;                        ///< estimate of 1 / (|A| |A^-1|) in the 1-norm [-]
+    Status status = Status::not_finite;
+};
+
+/// One point of a sweep.
+template <class Scalar>
+struct SweepPoint {
+    std::complex<Scalar> c11 = 0;  ///< as in HarmonicSolution
+    Scalar residual = 0;           ///< of the reduced equations, else as in HarmonicSolution
+    Scalar rcond = 0;  ///< of the reduced equations from one more right side: c11 is good to eps/rcond; else
+                       ///< as in HarmonicSolution [-]
+    Status status = Status::not_finite;
+};
+
+namespace detail {
+
+template <class Scalar>
+void require_response(const char* who, const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths) {
+    require_pencil(who, matrices);
+    require(widths.size() == matrices.G.cols(), who, "number of widths", widths.size(),
+            "equal the number of columns of G");
+}
+
+template <class Scalar>
+void require_growth(const char* who, const std::complex<Scalar>& s) {
+    require(std::isfinite(s.real()), who, "Re(s)", s.real(), "be finite");
+    require(std::isfinite(s.imag()), who, "Im(s)", s.imag(), "be finite");
+}
+
+/// What equations in G' - s G are divided by, so that no finite s overflows.
+template <class Scalar>
+Scalar equation_scale(const std::complex<Scalar>& s) {
+    return std::max({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
+}
+
+}  // namespace detail
+
+/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme converges
+/// (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not
+/// finite, matrices that are not square and of one size, or another number of widths.
+template <class Scalar>
+HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
+                                           std::complex<Scalar> s) {
+    using Complex = std::complex<Scalar>;
+    detail::require_response("solve_exponential", matrices, widths);
+    detail::require_growth("solve_exponential", s);
+    const Eigen::Index n = widths.size();
+    const Scalar scale = detail::equation_scale(s);
+    const Complex ratio(s.real() / scale, s.imag() / scale);
+    HarmonicSolution<Scalar> solution;
+    MatrixX<Complex> A(n, n);
+    A.real() = matrices.G_prime / scale - ratio.real() * matrices.G;
+    A.imag() = -ratio.imag() * matrices.G;
+    const Scalar norm = A.cwiseAbs().rowwise().sum().maxCoeff();
+    const VectorX<Complex> xi = VectorX<Complex>::Constant(n, 1 / scale);
+    const Eigen::PartialPivLU<MatrixX<Complex>> lu(A);
+    solution.traction = lu.solve(xi);
+    solution.c11 = -(widths * solution.traction.array()).sum();
+    if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
+    solution.residual = (A * solution.traction - xi).cwiseAbs().maxCoeff() /
+                        (norm * solution.traction.cwiseAbs().maxCoeff() + 1 / scale);
+    solution.rcond = lu.rcond();
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = solution.rcond > rounding && solution.residual <= 100 * rounding;
+    solution.status = trusted ? Status::ok : Status::ill_conditioned;
+    return solution;
+}
+
+/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign. Throws std::invalid_argument
+/// for a z that is not finite, matrices that are not square and of one size, or another number of widths.
+template <class Scalar>
+HarmonicSolution<Scalar> solve_harmonic(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
+                                        Scalar z) {
+    detail::require(std::isfinite(z), "solve_harmonic", "omega a/V", z, "be finite");
+    return solve_exponential(matrices, widths, std::complex<Scalar>(0, z));
+}
+
+/// Assembles G and G' and solves for one frequency; Status::inconsistent where the steady solution does not oppose the
+/// creepage. Throws as assemble and require_stable_model do, too.
+template <class Scalar, class Scheme, LineKernel Kernel>
+HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
+                                        Scalar z) {
+    require_stable_model(kernel);
+    const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
+    const ArrayX<Scalar> widths = unknown_widths(mesh, scheme);
+    HarmonicSolution<Scalar> solution = solve_harmonic<Scalar>(matrices, widths, z);
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices.G_prime);
+    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths.size()));
+    const bool consistent = detail::opposes_creepage<Scalar>(steady, widths);
+    if (solution.status == Status::ok && !consistent) solution.status = Status::inconsistent;
+    return solution;
+}
+
+/// c11 at many frequencies. With M = G'^-1 G = U H U^T, H of Hessenberg form, (G' - s G) p = xi turns into
+/// (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction here, O(n^2) per frequency. Where rcond(G') is too small for M
+/// to be relied on, each frequency takes its own LU; see reduced(). Const objects may be shared by threads.
+template <class Scalar_>
+class FrequencySweep {
+public:
+    using Scalar = Scalar_;
+    using Complex = std::complex<Scalar>;
+
+    /// Throws std::invalid_argument for matrices that are not square and of one size or another number of widths.
+    FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths);
+
+    /// Assembles G and G'. Throws as assemble and require_stable_model do.
+    template <class Scheme, LineKernel Kernel>
+    FrequencySweep(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel)
+        : FrequencySweep((require_stable_model(kernel), assemble(mesh, scheme, kernel)), unknown_widths(mesh, scheme)) {
+    }
+
+    /// Whether the reduction is in use.
+    bool reduced() const { return reduced_.has_value(); }
+
+    /// Response at z = omega a/V, of either sign. Throws std::invalid_argument for a z that is not finite.
+    SweepPoint<Scalar> operator()(Scalar z) const {
+        detail::require(std::isfinite(z), "FrequencySweep", "omega a/V", z, "be finite");
+        return at(Complex(0, z));
+    }
+
+    /// Response to creepage e^{st}. Throws std::invalid_argument for an s that is not finite.
+    SweepPoint<Scalar> at(Complex s) const;
+
+private:
+    struct Reduced {
+        MatrixX<Scalar> H;
+        ArrayX<Scalar> steady, weights;  // U^T G'^-1 xi, U^T widths
+        Scalar norm = 0;
+    };
+
+    // A column of complex numbers, real and imaginary parts apart: whole-array operations on them are real ones.
+    struct Column {
+        ArrayX<Scalar> re, im;
+
+        explicit Column(Eigen::Index n) : re(ArrayX<Scalar>::Zero(n)), im(ArrayX<Scalar>::Zero(n)) {}
+        Complex operator[](Eigen::Index i) const { return {re[i], im[i]}; }
+        void set(Eigen::Index i, const Complex& value) {
+            re[i] = value.real();
+            im[i] = value.imag();
+        }
+        // the first `count` entries less `factor` times those of `other`
+        void subtract(const Complex& factor, const Column& other, Eigen::Index count) {
+            const Scalar f = factor.real(), g = factor.imag();
+            re.head(count) -= f * other.re.head(count) - g * other.im.head(count);
+            im.head(count) -= f * other.im.head(count) + g * other.re.head(count);
+        }
+        void swap(Column& other) {
+            re.swap(other.re);
+            im.swap(other.im);
+        }
+        Scalar largest() const { return std::sqrt((re.square() + im.square()).maxCoeff()); }
+    };
+
+    static Scalar norm_1(const Complex& z) { return std::abs(z.real()) + std::abs(z.imag()); }
+
+    // (I - s H) y = b column by column from the right: one column operation, with the larger of two pivots, clears the
+    // entry below the diagonal; the column that remains gives one unknown of the triangular system and is done with.
+    // The column operations are applied to the unknowns at the end, O(n).
+    SweepPoint<Scalar> solve_reduced(const Complex& s) const;
+
+    SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const;
+
+    InfluenceMatrices<Scalar> matrices_;
+    ArrayX<Scalar> widths_;
+    std::optional<Reduced> reduced_;
+    bool consistent_ = false;  // the steady solution opposes the creepage
+};
+
+template <class Scalar_>
+FrequencySweep<Scalar_>::FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths)
+    : matrices_(std::move(matrices)), widths_(std::move(widths)) {
+    detail::require_response("FrequencySweep", matrices_, widths_);
+    if (!matrices_.G.allFinite() || !matrices_.G_prime.allFinite()) return;
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices_.G_prime);
+    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
+    consistent_ = detail::opposes_creepage<Scalar>(steady, widths_);
+    if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
+    const MatrixX<Scalar> M = lu.solve(matrices_.G);
+    const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
+    Reduced reduced;
+    reduced.H = hessenberg.matrixH();
+    const MatrixX<Scalar> U = hessenberg.matrixQ();
+    reduced.steady = U.transpose() * steady;
+    reduced.weights = U.transpose() * widths_.matrix();
+    reduced.norm = reduced.H.cwiseAbs().rowwise().sum().maxCoeff();
+    reduced_ = std::move(reduced);
+}
+
+template <class Scalar_>
+auto FrequencySweep<Scalar_>::at(Complex s) const -> SweepPoint<Scalar> {
+    detail::require_growth("FrequencySweep", s);
+    SweepPoint<Scalar> point;
+    if (reduced_) {
+        point = solve_reduced(s);
+    } else {
+        const HarmonicSolution<Scalar> full = solve_exponential(matrices_, widths_, s);
+        point = {full.c11, full.residual, full.rcond, full.status};
+    }
+    if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
+    return point;
+}
+
+template <class Scalar_>
+auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoint<Scalar> {
+    const MatrixX<Scalar>& H = reduced_->H;
+    const Eigen::Index n = H.rows();
+    const Scalar scale = detail::equation_scale(s);
+    const Complex ratio(-s.real() / scale, -s.imag() / scale);
+    const auto load = [&](Eigen::Index j, Column& column) {
+        const Eigen::Index size = std::min(j + 2, n);
+        column.re.head(size) = ratio.real() * H.col(j).head(size).array();
+        column.im.head(size) = ratio.imag() * H.col(j).head(size).array();
+        column.re[j] += 1 / scale;
+    };
+    Column rest(n), y(n), probe(n), factor(n), column(n), next(n);
+    Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
+    rest.re = reduced_->steady / scale;
+    for (Eigen::Index j = 0; j < n; ++j) probe.re[j] = j % 2 == 0 ? 1 : -1;
+    Scalar largest_probe = 0;  // of A^-1 probe, up to the rotations that are still to come
+    load(n - 1, column);
+    for (Eigen::Index j = n - 1; j > 0; --j) {
+        load(j - 1, next);
+        swapped[j] = norm_1(next[j]) > norm_1(column[j]);
+        if (swapped[j]) column.swap(next);
+        const Complex pivot = column[j], multiplier = next[j] / pivot, unknown = rest[j] / pivot;
+        next.subtract(multiplier, column, j);
+        rest.subtract(unknown, column, j);
+        const Complex probed = probe[j] / pivot;
+        probe.subtract(probed, column, j);
+        largest_probe = std::max(largest_probe, norm_1(probed));
+        factor.set(j, multiplier);
+        y.set(j, unknown);
+        column.swap(next);
+    }
+    y.set(0, rest[0] / column[0]);
+    largest_probe = std::max(largest_probe, norm_1(probe[0] / column[0]));
+    for (Eigen::Index j = 1; j < n; ++j) {
+        const Complex own = y[j] - factor[j] * y[j - 1], before = y[j - 1];
+        y.set(j, swapped[j] ? before : own);
+        y.set(j - 1, swapped[j] ? own : before);
+    }
+    return finish(y, ratio, scale, largest_probe);
+}
+
+template <class Scalar_>
+auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const
+    -> SweepPoint<Scalar> {
+    const Reduced& reduced = *reduced_;
+    const MatrixX<Scalar>& H = reduced.H;
+    const Eigen::Index n = H.rows(), below = n - 1;
+    SweepPoint<Scalar> point;
+    point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
+    if (!std::isfinite(norm_1(point.c11))) return point;
+    Column product(n);  // H y
+    product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
+    product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
+    product.re.tail(below) += H.diagonal(-1).array() * y.re.head(below);
+    product.im.tail(below) += H.diagonal(-1).array() * y.im.head(below);
+    Column difference(n);
+    difference.re = (y.re - reduced.steady) / scale;
+    difference.im = y.im / scale;
+    difference.subtract(-ratio, product, n);
+    const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
+    point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
+    point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = point.rcond > rounding && point.residual <= 100 * rounding;
+    point.status = trusted ? Status::ok : Status::ill_conditioned;
+    return point;
+}
+
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template HarmonicSolution<double> solve_exponential<double>(const InfluenceMatrices<double>&,
+                                                                   const ArrayX<double>&, std::complex<double>);
+extern template class FrequencySweep<double>;
+#endif
+
+}  // namespace rollbem

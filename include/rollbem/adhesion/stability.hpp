@@ -1,0 +1,267 @@
+// Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p by the QZ algorithm, and which
+// signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
+#include <Eigen/LU>
+
+#include "../assembly/influence.hpp"
+#include "../elasticity/plane_model.hpp"
+#include "detail/pencil.hpp"
+#include "stability_verdict.hpp"
+
+namespace rollbem {
+
+/// What solve_stability computes besides eigenvalues; each costs about as much as they do, or less.
+struct StabilityOptions {
+    bool settle_signs = false;  ///< uncertainty, settled_unstable_count and uncertain_count
+    bool condition = false;     ///< cond_G
+};
+
+/// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless.
+template <class Scalar>
+struct StabilityResult {
+    /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered; pairs stand together.
+    VectorX<std::complex<Scalar>> alpha;
+    VectorX<Scalar> beta;
+    /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: what rounding of G and G' can
+    /// do to each eigenvalue, to first order. Empty unless asked for; infinite for infinite eigenvalues.
+    VectorX<Scalar> uncertainty;
+    Eigen::Index unstable_count = 0;                     ///< Re(nu) > 0 as computed
+    std::optional<Eigen::Index> settled_unstable_count;  ///< those of them whose sign is settled
+    std::optional<Eigen::Index> uncertain_count;         ///< |Re(nu)| <= uncertainty, either sign
+    Scalar spectral_abscissa = 0;                        ///< largest Re(nu) of the finite eigenvalues
+    Scalar spectral_radius = 0;                          ///< largest |nu|; infinite where an eigenvalue is
+    Scalar stiffness_ratio = 0;                          ///< largest |Re(nu)| over smallest
+    std::optional<Scalar> cond_G;                        ///< |G| |G^-1| in the 2-norm; infinite for a singular G
+    Status status = Status::not_finite;
+
+    Scalar unstable_fraction() const {
+        return static_cast<Scalar>(unstable_count) / static_cast<Scalar>(std::max<Eigen::Index>(alpha.size(), 1));
+    }
+
+    /// The eigenvalues as numbers; infinite ones are (inf, 0).
+    VectorX<std::complex<Scalar>> eigenvalues() const {
+        VectorX<std::complex<Scalar>> nu(alpha.size());
+        for (Eigen::Index k = 0; k < nu.size(); ++k) {
+            nu[k] = beta[k] > 0 ? alpha[k] / beta[k] : std::complex<Scalar>(std::numeric_limits<Scalar>::infinity());
+        }
+        return nu;
+    }
+};
+
+namespace detail {
+
+/// Largest singular value.
+template <class Scalar>
+Scalar two_norm(const MatrixX<Scalar>& A) {
+    MatrixX<Scalar> square(A.cols(), A.cols());
+    square.noalias() = A.transpose() * A;
+    const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
+    return std::sqrt(std::max(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
+}
+
+/// |G| |G^-1|; the inverse, unlike the small eigenvalues of G^T G, keeps condition numbers beyond 1/sqrt(eps).
+template <class Scalar>
+Scalar two_norm_condition(const MatrixX<Scalar>& G) {
+    const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(G).inverse();
+    if (!inverse.allFinite()) return std::numeric_limits<Scalar>::infinity();
+    return two_norm(G) * two_norm(inverse);
+}
+
+/// The pair (S, T) of a real QZ decomposition of (G', G), T triangular and S so but for 2 x 2 blocks.
+template <class Scalar>
+struct QuasiTriangularPair {
+    MatrixX<Scalar> S, T;
+
+    bool is_pair(Eigen::Index i) const { return i + 1 < S.rows() && S(i + 1, i) != 0; }
+};
+
+/// Eigenvalue alpha / beta, beta >= 0, that starts at diagonal entry i; of a pair the one with positive imaginary part.
+/// Beside a 2 x 2 block of S, QZ leaves a diagonal one of T.
+template <class Scalar>
+std::pair<std::complex<Scalar>, Scalar> eigenvalue_at(const QuasiTriangularPair<Scalar>& pair, Eigen::Index i) {
+    const auto& [S, T] = pair;
+    if (!pair.is_pair(i)) {
+        const Scalar beta = T(i, i);
+        return {beta < 0 ? -S(i, i) : S(i, i), std::abs(beta)};
+    }
+    // (S - nu T) is singular: nu is an eigenvalue of S diag(b, a) / (a b) with T = diag(a, b)
+    const Scalar a = T(i, i), b = T(i + 1, i + 1);
+    const Scalar half_difference = (S(i, i) * b - S(i + 1, i + 1) * a) / 2;
+    const Scalar mean = (S(i, i) * b + S(i + 1, i + 1) * a) / 2;
+    const Scalar square = half_difference * half_difference + S(i, i + 1) * a * S(i + 1, i) * b;
+    const Scalar beta = a * b;
+    return {{beta < 0 ? -mean : mean, std::sqrt(std::abs(square))}, std::abs(beta)};
+}
+
+/// Turns the 2 x 2 blocks into triangles by complex rotations, the eigenvalue with positive imaginary part first.
+template <class Scalar>
+void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex<Scalar>>& S,
+                   MatrixX<std::complex<Scalar>>& T) {
+    using Complex = std::complex<Scalar>;
+    S = pair.S.template cast<Complex>();
+    T = pair.T.template cast<Complex>();
+    for (Eigen::Index i = 0; i + 1 < S.rows(); ++i) {
+        if (!pair.is_pair(i)) continue;
+        const auto [alpha, beta] = eigenvalue_at(pair, i);
+        // the second row of (beta S - alpha T) v = 0 gives v, which becomes the first column
+        Eigen::JacobiRotation<Complex> rotation;
+        const Complex first = beta * S(i + 1, i + 1) - alpha * T(i + 1, i + 1);
+        const Complex second = -beta * S(i + 1, i);
+        const Scalar length = std::hypot(std::abs(first), std::abs(second));
+        Eigen::Matrix<Complex, 2, 2> Z;
+        Z << first / length, -std::conj(second) / length, second / length, std::conj(first) / length;
+        S.template middleCols<2>(i) = (S.template middleCols<2>(i) * Z).eval();
+        T.template middleCols<2>(i) = (T.template middleCols<2>(i) * Z).eval();
+        rotation.makeGivens(T(i, i), T(i + 1, i));
+        S.applyOnTheLeft(i, i + 1, rotation.adjoint());
+        T.applyOnTheLeft(i, i + 1, rotation.adjoint());
+        S(i + 1, i) = T(i + 1, i) = 0;
+    }
+}
+
+/// StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution, each for its
+/// own eigenvalue: no matching of two spectra, no inverse of an ill-conditioned matrix of vectors. As v ends and w
+/// starts at the eigenvalue's own entry i, where both are 1, y^H G x = T_ii / (|v| |w|).
+template <class Scalar>
+VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pair, Scalar norm_G_prime,
+                                           Scalar norm_G) {
+    using Complex = std::complex<Scalar>;
+    const Eigen::Index n = pair.S.rows();
+    const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    MatrixX<Complex> S, T;
+    triangularise(pair, S, T);
+    VectorX<Scalar> uncertainty(n);
+    MatrixX<Complex> shifted(n, n);
+    VectorX<Complex> v(n), w(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto [alpha, beta] = eigenvalue_at(pair, i);
+        for (Eigen::Index j = 0; j < n; ++j) {
+            shifted.col(j).head(j + 1) = beta * S.col(j).head(j + 1) - alpha * T.col(j).head(j + 1);
+        }
+        // close eigenvalues: a smallest pivot in place of zero, as rounding could have produced
+        const Scalar rounding = epsilon * (beta * norm_G_prime + std::abs(alpha) * norm_G);
+        for (Eigen::Index j = 0; j < n; ++j) {
+            if (std::abs(shifted(j, j)) < rounding) shifted(j, j) = rounding;
+        }
+        const Eigen::Index after = n - 1 - i;
+        v.head(i) = -shifted.col(i).head(i);
+        shifted.topLeftCorner(i, i).template triangularView<Eigen::Upper>().solveInPlace(v.head(i));
+        w.tail(after) = -shifted.row(i).tail(after).adjoint();
+        shifted.bottomRightCorner(after, after)
+            .template triangularView<Eigen::Upper>()
+            .adjoint()
+            .solveInPlace(w.tail(after));
+        const Scalar lengths = std::hypot(Scalar(1), v.head(i).norm()) * std::hypot(Scalar(1), w.tail(after).norm());
+        const Scalar bound =
+            beta > 0 ? static_cast<Scalar>(n) * (rounding / beta) * (lengths / std::abs(T(i, i))) : infinity;
+        uncertainty[i] = std::isnan(bound) ? infinity : bound;  // overflow in v or w
+        if (pair.is_pair(i)) {
+            uncertainty[i + 1] = uncertainty[i];
+            ++i;
+        }
+    }
+    return uncertainty;
+}
+
+}  // namespace detail
+
+/// All eigenvalues of G' p = nu G p by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose triangular pair is
+/// needed here). Without options no vectors are computed. Throws std::invalid_argument unless G and G' are square and
+/// of one size; matrices that are not finite give Status::not_finite, no convergence Status::ill_conditioned.
+template <class Scalar>
+StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrices, StabilityOptions options = {}) {
+    detail::require_pencil("solve_stability", matrices);
+    const Eigen::Index n = matrices.G.rows();
+    StabilityResult<Scalar> result;
+    if (!matrices.G.allFinite() || !matrices.G_prime.allFinite()) return result;
+    detail::QuasiTriangularPair<Scalar> pair;
+    {
+        const Eigen::RealQZ<MatrixX<Scalar>> qz(matrices.G_prime, matrices.G, false);
+        result.status = qz.info() == Eigen::Success ? Status::ok : Status::ill_conditioned;
+        if (result.status != Status::ok) return result;
+        pair = {qz.matrixS(), qz.matrixT()};
+    }
+    result.alpha.resize(n);
+    result.beta.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto [alpha, beta] = detail::eigenvalue_at(pair, i);
+        result.alpha[i] = alpha;
+        result.beta[i] = beta;
+        if (!pair.is_pair(i)) continue;
+        ++i;
+        result.alpha[i] = std::conj(alpha);
+        result.beta[i] = beta;
+    }
+
+    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    result.spectral_abscissa = -infinity;
+    Scalar largest = 0, smallest = infinity;
+    for (const std::complex<Scalar>& nu : result.eigenvalues()) {
+        result.spectral_radius = std::max(result.spectral_radius, std::abs(nu));
+        largest = std::max(largest, std::abs(nu.real()));
+        smallest = std::min(smallest, std::abs(nu.real()));
+        if (nu.real() == infinity) continue;
+        result.spectral_abscissa = std::max(result.spectral_abscissa, nu.real());
+        if (nu.real() > 0) ++result.unstable_count;
+    }
+    result.stiffness_ratio = largest / smallest;
+
+    if (options.settle_signs) {
+        result.uncertainty =
+            detail::uncertainty_of_eigenvalues(pair, detail::two_norm(matrices.G_prime), detail::two_norm(matrices.G));
+        Eigen::Index settled = 0, settled_unstable = 0;
+        for (Eigen::Index k = 0; k < n; ++k) {
+            if (!(result.beta[k] > 0)) continue;
+            const Scalar growth = result.alpha[k].real() / result.beta[k];
+            if (std::abs(growth) > result.uncertainty[k]) ++settled;
+            if (growth > result.uncertainty[k]) ++settled_unstable;
+        }
+        result.uncertain_count = n - settled;
+        result.settled_unstable_count = settled_unstable;
+    }
+    if (options.condition) result.cond_G = detail::two_norm_condition(matrices.G);
+    return result;
+}
+
+/// Assembles G and G' and finds the eigenvalues. Throws as assemble and require_stable_model do.
+template <class Scalar, class Scheme, LineKernel Kernel>
+StabilityResult<Scalar> solve_stability(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
+                                        StabilityOptions options = {}) {
+    require_stable_model(kernel);
+    return solve_stability(assemble(mesh, scheme, kernel), options);
+}
+
+/// The verdict of a result that has its signs settled. Throws std::invalid_argument for any other result.
+template <class Scalar>
+StabilityVerdict verdict(const StabilityResult<Scalar>& result) {
+    detail::require(result.status != Status::ok || result.uncertain_count.has_value(), "verdict", "settle_signs", 0,
+                    "be set in the options of solve_stability");
+    return {.n = result.alpha.size(),
+            .unstable_count = result.unstable_count,
+            .settled_unstable_count = result.settled_unstable_count.value_or(0),
+            .uncertain_count = result.uncertain_count.value_or(0),
+            .spectral_abscissa = static_cast<double>(result.spectral_abscissa),
+            .status = result.status};
+}
+
+/// The verdict on given matrices. Throws as solve_stability does.
+template <class Scalar>
+StabilityVerdict verdict(const InfluenceMatrices<Scalar>& matrices) {
+    return verdict(solve_stability(matrices, {.settle_signs = true}));
+}
+
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template StabilityResult<double> solve_stability<double>(const InfluenceMatrices<double>&, StabilityOptions);
+#endif
+
+}  // namespace rollbem

@@ -1,0 +1,63 @@
+// How many modes of G' p = nu G p grow, by the standard eigenvalue problem of M = G'^-1 G: several times as fast as
+// the QZ algorithm of stability.hpp, and much faster to compile; no vectors, no look at rounding.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "../assembly/influence.hpp"
+#include "../elasticity/plane_model.hpp"
+#include "../status.hpp"
+#include "detail/pencil.hpp"
+
+namespace rollbem {
+
+/// Result of count_unstable.
+template <class Scalar>
+struct UnstableCount {
+    Eigen::Index n = 0;
+    Eigen::Index unstable_count = 0;  ///< eigenvalues with real part > 0 as computed
+    Scalar flattest_cosine = -1;      ///< largest Re(nu)/|nu|: negative, and the distance to instability, when stable
+    Scalar rcond = 0;                 ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
+    Status status = Status::not_finite;  ///< ill_conditioned: no count, rcond is too small; take QZ
+};
+
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, mu those of M = G'^-1 G: Re(nu) and Re(mu) have the same
+/// sign. Throws std::invalid_argument unless G and G' are square and of one size.
+template <class Scalar>
+UnstableCount<Scalar> count_unstable(const InfluenceMatrices<Scalar>& matrices) {
+    detail::require_pencil("count_unstable", matrices);
+    UnstableCount<Scalar> result;
+    result.n = matrices.G.rows();
+    if (!matrices.G.allFinite() || !matrices.G_prime.allFinite()) return result;
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices.G_prime);
+    result.rcond = lu.rcond();
+    result.status = Status::ill_conditioned;
+    if (!(result.rcond > Scalar(detail::least_rcond_of_G_prime))) return result;
+    const MatrixX<Scalar> M = lu.solve(matrices.G);
+    const Eigen::EigenSolver<MatrixX<Scalar>> solver(M, false);
+    if (solver.info() != Eigen::Success) return result;
+    for (const std::complex<Scalar>& mu : solver.eigenvalues()) {
+        if (mu.real() > 0) ++result.unstable_count;
+        const Scalar size = std::abs(mu);
+        result.flattest_cosine = std::max(result.flattest_cosine, size > 0 ? mu.real() / size : Scalar(0));
+    }
+    result.status = Status::ok;
+    return result;
+}
+
+/// Assembles G and G' and counts. Throws as assemble and require_stable_model do.
+template <class Scalar, class Scheme, LineKernel Kernel>
+UnstableCount<Scalar> count_unstable(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    require_stable_model(kernel);
+    return count_unstable(assemble(mesh, scheme, kernel));
+}
+
+#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
+extern template UnstableCount<double> count_unstable<double>(const InfluenceMatrices<double>&);
+#endif
+
+}  // namespace rollbem

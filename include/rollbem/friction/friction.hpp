@@ -1,0 +1,9 @@
+// Coulomb friction: steady and non-steady rolling with stick and slip, rigid shifts, Hertz's pressure and others.
+// Umbrella of the friction headers.
+#pragma once
+
+#include "../normal/hertz.hpp"
+#include "../normal/pressure_table.hpp"
+#include "border.hpp"
+#include "steady.hpp"
+#include "transient.hpp"

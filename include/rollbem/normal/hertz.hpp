@@ -1,0 +1,126 @@
+// Hertz's line contact of two cylinders: half-length, peak pressure, and the mean pressure of elements.
+// The normal half of a friction problem; SI units outside.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "../detail/require.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../scene/contact.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// An elastic body. Invariant: 0 < young_modulus < inf, 0 <= poisson_ratio <= 0.5.
+template <class Scalar>
+struct ElasticBody {
+    Scalar young_modulus;  ///< E [Pa]
+    Scalar poisson_ratio;  ///< nu [-]
+
+    Scalar shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }  ///< G [Pa]
+};
+
+/// Two parallel cylinders pressed together: p_n(x) = p0 sqrt(1 - x^2/a^2) with a^2 = 4 P R / (pi E*),
+/// p0 = 2 P / (pi a) and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (Hertz 1882).
+template <class Scalar_ = double>
+class HertzLine {
+public:
+    using Scalar = Scalar_;
+
+    struct Parameters {
+        Scalar load_per_width;       ///< P [N/m], positive
+        Scalar combined_radius;      ///< R [m], 1/R = 1/R_1 + 1/R_2; positive (a radius is negative where hollow)
+        ElasticBody<Scalar> body_1;  ///< wheel
+        ElasticBody<Scalar> body_2;  ///< rail or road
+    };
+
+    /// Throws std::invalid_argument naming the parameter that is out of range.
+    explicit HertzLine(const Parameters& parameters) : parameters_(parameters) {
+        const auto positive = [](Scalar value, const char* name) {
+            detail::require(value > 0 && std::isfinite(value), "HertzLine", name, value, "be positive and finite");
+        };
+        positive(parameters.load_per_width, "load_per_width");
+        positive(parameters.combined_radius, "combined_radius");
+        Scalar compliance = 0;
+        for (const ElasticBody<Scalar>& body : {parameters.body_1, parameters.body_2}) {
+            positive(body.young_modulus, "young_modulus");
+            detail::require(body.poisson_ratio >= 0 && body.poisson_ratio <= Scalar(0.5), "HertzLine", "poisson_ratio",
+                            body.poisson_ratio, "lie in [0, 0.5]");
+            compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
+        }
+        half_length_ = std::sqrt(4 / std::numbers::pi_v<Scalar> * parameters.load_per_width *
+                                 parameters.combined_radius * compliance);
+        detail::require(half_length_ > 0 && std::isfinite(half_length_), "HertzLine", "half_length", half_length_,
+                        "be positive and finite");
+    }
+
+    Scalar load_per_width() const { return parameters_.load_per_width; }  ///< P [N/m]
+    Scalar half_length() const { return half_length_; }                   ///< a [m]
+    Scalar peak_pressure() const {                                        ///< p0 [Pa]
+        return 2 / std::numbers::pi_v<Scalar> * parameters_.load_per_width / half_length_;
+    }
+
+    /// Mean pressure of each element of a mesh [Pa], exactly: the pressures carry the load P whatever the mesh.
+    ArrayX<Scalar> mean_pressure(const Mesh<Scalar>& mesh) const;
+
+    /// The contact of half-width b [m] (infinite for steady problems) with the combined constants
+    /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). Where the bodies are elastically unlike,
+    /// the pressure itself causes slip, which the tangential theory leaves out.
+    Contact<Scalar> contact(Scalar half_width) const {
+        const ElasticBody<Scalar>& one = parameters_.body_1;
+        const ElasticBody<Scalar>& two = parameters_.body_2;
+        const Scalar compliance_1 = 1 / one.shear_modulus(), compliance_2 = 1 / two.shear_modulus();
+        const Scalar compliance = (compliance_1 + compliance_2) / 2;
+        return Contact<Scalar>(
+            {.half_length = half_length_,
+             .half_width = half_width,
+             .shear_modulus = 1 / compliance,
+             .poisson_ratio = (one.poisson_ratio * compliance_1 + two.poisson_ratio * compliance_2) / 2 / compliance});
+    }
+
+private:
+    Parameters parameters_;
+    Scalar half_length_;
+};
+
+/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in a): Hertz's pressure over its peak. No cancellation
+/// at the edges: with x = -cos(theta), the mean m and the half difference h of theta, the integral is
+/// (h - sin h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
+template <class Scalar>
+ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh) {
+    const Eigen::Index n = mesh.size();
+    const auto& trailing = mesh.edges_from_trailing();
+    const auto& leading = mesh.edges_from_leading();
+    ArrayX<Scalar> mean(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        // sines and cosines of theta/2 of both edges are roots of their distances from the ends of the contact
+        const Scalar sine_1 = std::sqrt(trailing[i] / 2), cosine_1 = std::sqrt(leading[i] / 2);
+        const Scalar sine_2 = std::sqrt(trailing[i + 1] / 2), cosine_2 = std::sqrt(leading[i + 1] / 2);
+        const Scalar sine_mean = sine_2 * cosine_1 + cosine_2 * sine_1;
+        const Scalar sine_half = mesh.widths()[i] / (2 * sine_mean);
+        const Scalar cosine_half = cosine_1 * cosine_2 + sine_1 * sine_2;
+        const Scalar half = std::atan2(sine_half, cosine_half);
+        Scalar half_minus_sine = half - sine_half;
+        if (half < Scalar(0.5)) {  // Taylor series: what is cut off is below 0.5^19/19!
+            Scalar term = half * half * half / 6;
+            half_minus_sine = term;
+            for (int k = 4; k <= 16; k += 2) {
+                term *= -half * half / static_cast<Scalar>(k * (k + 1));
+                half_minus_sine += term;
+            }
+        }
+        // 1 - cos(h) cos(2m) = (1 - cos h) + 2 cos(h) sin^2 m
+        const Scalar versine = sine_half * sine_half / (1 + cosine_half);
+        mean[i] =
+            (half_minus_sine + sine_half * (versine + 2 * cosine_half * sine_mean * sine_mean)) / mesh.widths()[i];
+    }
+    return mean;
+}
+
+template <class Scalar>
+ArrayX<Scalar> HertzLine<Scalar>::mean_pressure(const Mesh<Scalar>& mesh) const {
+    return peak_pressure() * mean_hertz_pressure(mesh);
+}
+
+}  // namespace rollbem

@@ -1,0 +1,73 @@
+// A normal pressure given at points of the contact, and its mean over elements.
+// For a friction problem under a pressure that is not Hertz's.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "../detail/require.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// Pressure that is linear between given points, zero before the first and after the last. Two points at one place make
+/// a jump. Invariant: -1 <= x/a <= 1, ascending; pressures finite, not negative, with a positive integral.
+template <class Scalar_ = double>
+class PressureTable {
+public:
+    using Scalar = Scalar_;
+
+    /// Places x/a [-] and the pressures there [Pa, or any unit]. Throws std::invalid_argument where the invariant does
+    /// not hold or the lengths differ.
+    PressureTable(ArrayX<Scalar> x_over_a, ArrayX<Scalar> pressure)
+        : x_(std::move(x_over_a)), pressure_(std::move(pressure)) {
+        detail::require(x_.size() == pressure_.size(), "PressureTable", "number of pressures", pressure_.size(),
+                        "equal that of places");
+        for (Eigen::Index i = 0; i < x_.size(); ++i) {
+            detail::require(x_[i] >= -1 && x_[i] <= 1, "PressureTable", "x/a", x_[i], "lie in [-1, 1]");
+            detail::require(i == 0 || x_[i] >= x_[i - 1], "PressureTable", "x/a", x_[i],
+                            "not lie behind the place before");
+            detail::require(pressure_[i] >= 0 && std::isfinite(pressure_[i]), "PressureTable", "pressure", pressure_[i],
+                            "be finite and not negative");
+        }
+        const Scalar load = integral();
+        detail::require(load > 0 && std::isfinite(load), "PressureTable", "load", load, "be positive and finite");
+    }
+
+    /// Integral of the pressure over x/a: the load per width over a.
+    Scalar integral() const {
+        Scalar sum = 0;
+        for (Eigen::Index k = 1; k < x_.size(); ++k) sum += (x_[k] - x_[k - 1]) * (pressure_[k - 1] + pressure_[k]) / 2;
+        return sum;
+    }
+
+    /// The mean over each element of a mesh, in the unit of the pressures.
+    ArrayX<Scalar> operator()(const Mesh<Scalar>& mesh) const {
+        ArrayX<Scalar> mean = ArrayX<Scalar>::Zero(mesh.size());
+        Eigen::Index k = 1;
+        for (Eigen::Index i = 0; i < mesh.size(); ++i) {
+            const Scalar low = mesh.edges_from_trailing()[i] - 1, high = mesh.edges_from_trailing()[i + 1] - 1;
+            while (k < x_.size() && x_[k] <= low) ++k;
+            for (Eigen::Index j = k; j < x_.size() && x_[j - 1] < high; ++j) {
+                const Scalar from = std::max(low, x_[j - 1]), to = std::min(high, x_[j]);
+                // an element within a segment has its own width, which is more exact than a difference of edges
+                const Scalar share = from == low && to == high ? Scalar(1) : (to - from) / mesh.widths()[i];
+                if (to > from) mean[i] += share * at((from + to) / 2, j);
+            }
+        }
+        return mean;
+    }
+
+private:
+    // on the segment that ends at point j
+    Scalar at(Scalar x, Eigen::Index j) const {
+        const Scalar part = (x - x_[j - 1]) / (x_[j] - x_[j - 1]);
+        return (1 - part) * pressure_[j - 1] + part * pressure_[j];
+    }
+
+    ArrayX<Scalar> x_, pressure_;
+};
+
+}  // namespace rollbem

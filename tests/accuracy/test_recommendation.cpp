@@ -1,0 +1,103 @@
+// rollbem/accuracy/recommendation.hpp and rollbem/accuracy/richardson.hpp
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "../support/catch.hpp"
+#include "rollbem/accuracy/recommendation.hpp"
+#include "rollbem/accuracy/richardson.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// --- Richardson's extrapolation
+
+TEST_CASE("Extrapolation cancels exactly the power it is told", "[richardson]") {
+    for (const double order : {0.5, 1.0, 2.0, 3.0}) {
+        const auto value = [&](double n) { return 2 + 3 * std::pow(n, -order) + std::pow(n, -order - 1); };
+        CAPTURE(order);
+        // what is left is (2^-1 - 1)/(2^order - 1) n^-(order+1), no more and no less
+        const double left = richardson(value(8), value(16), order) - 2;
+        CHECK(std::abs(left / (-0.5 / (std::exp2(order) - 1) * std::pow(8.0, -order - 1)) - 1) < 1e-9);
+        const auto result = extrapolate([&](std::ptrdiff_t n) { return value(static_cast<double>(n)); }, 8, order);
+        CHECK(result.status == ExtrapolationStatus::ok);
+        CHECK(result.value == richardson(value(16), value(32), order));
+        CHECK(std::abs(result.observed_order - order) < 0.1);
+        CHECK(std::abs(result.value - 2) < result.error_estimate);
+    }
+    const Complex coarse(1, 2), fine(2, 4);
+    CHECK(std::abs(richardson(coarse, fine, 1.0) - Complex(3, 6)) < 1e-15);
+    CHECK(std::abs(richardson(1.0F, 2.0F, 1) - 3.0F) < 1e-6F);
+}
+
+TEST_CASE("Extrapolation is refused where the order does not fit", "[richardson]") {
+    const auto run = [](const std::function<double(double)>& value, double order, double band = 0.25) {
+        return extrapolate([&](std::ptrdiff_t n) { return value(static_cast<double>(n)); }, 4, order, band);
+    };
+    const auto first = [](double n) { return 1 + 1 / n; };
+    CHECK(run(first, 1).status == ExtrapolationStatus::ok);
+    const auto refused = run(first, 2);
+    CHECK(refused.status == ExtrapolationStatus::order_differs);
+    CHECK(refused.value == first(16));  // not extrapolated
+    CHECK(std::abs(refused.observed_order - 1) < 1e-12);
+    CHECK(run(first, 1.24).status == ExtrapolationStatus::ok);
+    CHECK(run(first, 1.26).status == ExtrapolationStatus::order_differs);
+    CHECK(run(first, 1.26, 0.3).status == ExtrapolationStatus::ok);
+    CHECK(run([](double n) { return n; }, 1).status == ExtrapolationStatus::order_differs);  // diverges
+    CHECK(run([](double n) { return 1 / n - 8 / (n * n); }, 1).status == ExtrapolationStatus::order_differs);
+    CHECK(run([](double) { return 0.1; }, 2).status == ExtrapolationStatus::ok);
+    CHECK(run([](double) { return 0.1; }, 2).value == 0.1);
+    CHECK(run([](double n) { return n > 10 ? nan : 1; }, 2).status == ExtrapolationStatus::not_finite);
+    CHECK(run([](double n) { return n < 5 ? nan : 1; }, 2).status == ExtrapolationStatus::not_finite);
+    CHECK_THROWS_WITH(run(first, 0), "extrapolate: order = 0 must be positive and finite");
+    CHECK_THROWS_WITH(run(first, 1, nan), "extrapolate: band = nan must be positive and finite");
+    CHECK_THROWS_WITH(extrapolate([](std::ptrdiff_t) { return 1.0; }, 0, 1), "extrapolate: n = 0 must be at least 1");
+    CHECK_THROWS_WITH(richardson(1.0, 1.0, -1), "richardson: order = -1 must be positive and finite");
+}
+
+// --- Recommended schemes: that they keep their promise is tested with the problems they are for
+
+using Topology = RecommendedScheme::Topology;
+
+TEST_CASE("The measured table, and tolerances that are refused", "[recommendation]") {
+    const auto elements = [](double tolerance, Purpose purpose) { return recommended_scheme(tolerance, purpose).n; };
+    CHECK(elements(1e-3, Purpose::steady) == 8);
+    CHECK(elements(1e-4, Purpose::steady) == 16);
+    CHECK(elements(1e-5, Purpose::steady) == 34);
+    CHECK(elements(1e-6, Purpose::steady) == 58);
+    CHECK(elements(1e-8, Purpose::steady) == 220);
+    CHECK(recommended_scheme(1e-5, Purpose::steady).topology == Topology::uniform);
+    CHECK(recommended_scheme(1e-6, Purpose::steady).topology == Topology::cosine);
+    CHECK(elements(1e-2, Purpose::frequency) == 16);
+    CHECK(elements(1e-4, Purpose::frequency) == 70);
+    CHECK(elements(1e-6, Purpose::frequency) == 322);
+    CHECK(elements(1e-2, Purpose::time_loop) == 5);
+    CHECK(elements(1e-4, Purpose::time_loop) == 43);
+    CHECK(elements(1e-6, Purpose::time_loop) == 425);
+    CHECK(elements(1e-2, Purpose::friction) == 15);
+    CHECK(elements(1e-3, Purpose::friction) == 51);
+    CHECK(elements(1e-4, Purpose::friction) == 175);
+    for (const Purpose purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop, Purpose::friction}) {
+        for (const double bad : {1.0, 0.0, -1e-3, nan, 1e-12})
+            CHECK_THROWS_AS(elements(bad, purpose), std::invalid_argument);
+        double smallest = 0.5;  // that is not refused, within 3 %
+        Eigen::Index largest = 0;
+        try {
+            while (true) largest = elements(smallest *= 0.97, purpose);
+        } catch (const std::invalid_argument&) {
+            CHECK(largest > 600);
+            CHECK(largest <= 640);
+        }
+    }
+    CHECK_THROWS_WITH(elements(1e-9, Purpose::time_loop),
+                      "recommended_scheme: tolerance = 1e-09 must lie in [4.39453125e-07, 1): no more was measured");
+}
+
+}  // namespace

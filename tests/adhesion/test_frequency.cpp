@@ -1,0 +1,216 @@
+// rollbem/adhesion/frequency.hpp
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <gsl/gsl_sf_bessel.h>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/closed_form/carter.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+
+constexpr double nu = 0.25;
+
+PlaneKernel<double> plane(double aspect) {
+    return PlaneKernel<double>::longitudinal(Contact<double>::dimensionless(aspect, nu));
+}
+
+/// c11(z) of the plane model in closed form.
+Complex exact_c11(double z, double aspect) {
+    const Complex wave(gsl_sf_bessel_J0(z), gsl_sf_bessel_J1(z));
+    const Complex i(0, 1);
+    return steady_c11(nu) * wave / (gsl_sf_bessel_J0(z) + i * z * plane_lambda(nu, aspect) * wave);
+}
+
+std::vector<double> logarithmic(double first, double last, int count) {
+    std::vector<double> values;
+    for (int k = 0; k < count; ++k) values.push_back(first * std::pow(last / first, k / (count - 1.0)));
+    return values;
+}
+
+double largest_error(const FrequencySweep<double>& sweep, double aspect, double first, double last) {
+    double error = 0;
+    for (const double z : logarithmic(first, last, 60)) {
+        const SweepPoint<double> point = sweep(z);
+        CHECK(point.status == Status::ok);
+        error = std::max(error, std::abs(point.c11 / exact_c11(z, aspect) - 1.0));
+    }
+    return error;
+}
+
+TEST_CASE("The recommended uniform scheme stays close to the closed form", "[frequency]") {
+    const FrequencySweep<double> sweep(uniform_mesh(60), Collocation{.alpha_L = 0, .alpha_T = 0.63}, plane(1000));
+    const double error = largest_error(sweep, 1000, 1e-3, 5);
+    CAPTURE(error);
+    CHECK(error < 2.2e-4);
+    CHECK(error > 2e-5);  // first order: much less would mean that something else was measured
+}
+
+TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]") {
+    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    CHECK(largest_error(FrequencySweep<double>(cosine_mesh(60), scheme, plane(1000)), 1000, 1e-3, 5) < 3e-4);
+    double sum_xx = 0, sum_xy = 0, sum_x = 0, sum_y = 0;
+    const std::vector<int> sizes{80, 120, 160, 240, 320};
+    for (const int n : sizes) {
+        const double x = std::log(n);
+        const double y =
+            std::log(largest_error(FrequencySweep<double>(cosine_mesh(n), scheme, plane(1000)), 1000, 1e-3, 5));
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+    }
+    const double count = static_cast<double>(sizes.size());
+    const double order = -(count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
+    CAPTURE(order);
+    CHECK(order > 1.85);
+    CHECK(order < 2.15);
+}
+
+TEST_CASE("A sweep tells of a scheme that converges to something else than full adhesion", "[frequency]") {
+    for (const double alpha : {-0.5, 0.0, 1.5}) {
+        for (const Eigen::Index n : {20, 21}) {  // G' is singular for alpha = 0 and n = 21
+            const FrequencySweep<double> sweep(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000));
+            CAPTURE(alpha, n);
+            for (const double z : {1e-3, 1.0}) {
+                CHECK(sweep(z).status == Status::inconsistent);
+                CHECK(solve_harmonic(uniform_mesh(n), Collocation{alpha, alpha}, plane(1000), z).status ==
+                      Status::inconsistent);
+            }
+        }
+    }
+}
+
+TEST_CASE("Both routes agree, on frequencies of either sign and on complex growth", "[frequency]") {
+    const auto check = [](const auto& mesh, const auto& scheme, const auto& kernel) {
+        const InfluenceMatrices<double> matrices = assemble(mesh, scheme, kernel);
+        const ArrayX<double> widths = unknown_widths(mesh, scheme);
+        const FrequencySweep<double> sweep(matrices, widths);
+        REQUIRE(sweep.reduced());
+        for (const Complex s :
+             {Complex(0, 0), Complex(0, 1e-3), Complex(0, 1), Complex(0, -1), Complex(0, 7.3), Complex(0, 60),
+              Complex(0, 1e5), Complex(0, 1e300), Complex(0.3, 2), Complex(2, 0), Complex(-0.5, 1)}) {
+            const HarmonicSolution<double> full = solve_exponential(matrices, widths, s);
+            const SweepPoint<double> point = sweep.at(s);
+            CAPTURE(mesh.size(), s, std::abs(point.c11 / full.c11 - 1.0), point.residual, full.residual);
+            CHECK(full.status == Status::ok);
+            CHECK(point.status == Status::ok);
+            // beyond what the mesh resolves the matrix tends to G, which is nearly singular for both routes alike
+            const double rounding = std::abs(s) > 100 ? 10 * std::numeric_limits<double>::epsilon() / full.rcond : 0;
+            CHECK(std::abs(point.c11 / full.c11 - 1.0) < std::max(1e-12, rounding));
+            // both conditions, of different matrices, bound the difference and stay together
+            CHECK(std::abs(point.c11 / full.c11 - 1.0) < 100 * std::numeric_limits<double>::epsilon() / point.rcond);
+            CHECK(point.rcond < 300 * full.rcond);
+            CHECK(point.rcond > full.rcond / 300);
+            // the residual of Eq. (16), taken here without anything of the header
+            const VectorX<Complex> left = matrices.G_prime * full.traction - s * (matrices.G * full.traction).eval();
+            const double size = (matrices.G_prime.cwiseAbs() * full.traction.cwiseAbs() +
+                                 std::abs(s) * (matrices.G.cwiseAbs() * full.traction.cwiseAbs()))
+                                    .maxCoeff();
+            CHECK((left.array() - 1.0).abs().maxCoeff() < 1e-13 * (size + 1));
+        }
+    };
+    for (const int n : {2, 3, 20, 60, 200}) check(uniform_mesh(n), Collocation{}, plane(1000));
+    check(uniform_mesh(1), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, plane(1000));
+    check(cosine_mesh(60), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, plane(1000));
+    check(geometric_mesh(40, 2.0), Galerkin{}, StripKernel<double>(1, 1 - nu, nu));
+    check(uniform_mesh(40), KnotheBoundary{}, plane(100));
+}
+
+TEST_CASE("A frequency that tends to zero gives the steady solution", "[frequency]") {
+    const auto mesh = uniform_mesh(40);
+    const auto kernel = plane(100);
+    const UnitSteadySolution<double> steady = solve_steady(mesh, Collocation{}, kernel);
+    const HarmonicSolution<double> still = solve_harmonic(mesh, Collocation{}, kernel, 0.0);
+    CHECK(std::abs(still.c11 / steady.c11 - 1.0) < 1e-13);
+    CHECK((still.traction - steady.traction).cwiseAbs().maxCoeff() < 1e-12);
+    // c11(z) = c11(0) (1 - i z m + ...): the distance shrinks like z
+    const FrequencySweep<double> sweep(mesh, Collocation{}, kernel);
+    const double ratio = std::abs(sweep(1e-4).c11 - steady.c11) / std::abs(sweep(1e-5).c11 - steady.c11);
+    CAPTURE(ratio);
+    CHECK(ratio == Approx(10).epsilon(1e-3));
+    CHECK(sweep(1e-4).c11.imag() < 0);  // the force lags behind the creepage
+}
+
+TEST_CASE("The response at -omega is the conjugate", "[frequency]") {
+    const auto mesh = cosine_mesh(30);
+    const auto kernel = plane(1000);
+    const FrequencySweep<double> sweep(mesh, Collocation{}, kernel);
+    for (const double z : {1e-3, 0.7, 12.0}) {
+        CHECK(std::abs(sweep(-z).c11 / std::conj(sweep(z).c11) - 1.0) < 1e-14);
+        const HarmonicSolution<double> plus = solve_harmonic(mesh, Collocation{}, kernel, z);
+        const HarmonicSolution<double> minus = solve_harmonic(mesh, Collocation{}, kernel, -z);
+        CHECK((minus.traction - plus.traction.conjugate()).cwiseAbs().maxCoeff() <
+              1e-13 * plus.traction.cwiseAbs().maxCoeff());
+    }
+}
+
+TEST_CASE("At high frequency the contact is a spring", "[frequency]") {
+    // |c11| -> pi/(2(1-nu)) / (z Lambda) for 1 << z << n
+    const double z = 30, aspect = 1000;
+    const FrequencySweep<double> sweep(cosine_mesh(320), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, plane(aspect));
+    const double limit = steady_c11(nu) / (z * plane_lambda(nu, aspect));
+    const Complex c11 = sweep(z).c11;
+    CAPTURE(std::abs(c11) / limit);
+    CHECK(std::abs(std::abs(c11) / limit - 1) < 1e-2);
+    CHECK(std::abs(std::arg(c11) + std::numbers::pi / 2) < 0.02);
+    CHECK(std::abs(c11 / exact_c11(z, aspect) - 1.0) < 2e-3);
+}
+
+TEST_CASE("Where G' is nearly singular a sweep takes the LU", "[frequency]") {
+    const auto mesh = uniform_mesh(40);
+    const Collocation scheme{.alpha_L = 0, .alpha_T = 1.35};
+    const InfluenceMatrices<double> matrices = assemble(mesh, scheme, plane(1000));
+    const FrequencySweep<double> sweep(matrices, mesh.widths());
+    CHECK_FALSE(sweep.reduced());
+    CHECK(sweep(1.0).c11 == solve_harmonic<double>(matrices, mesh.widths(), 1.0).c11);
+    InfluenceMatrices<double> broken = matrices;
+    broken.G(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    CHECK(FrequencySweep<double>(broken, mesh.widths())(1.0).status == Status::not_finite);
+    InfluenceMatrices<double> singular = matrices;
+    singular.G_prime.row(1) = singular.G_prime.row(0);
+    CHECK(FrequencySweep<double>(singular, mesh.widths())(0.0).status != Status::ok);
+}
+
+TEST_CASE("Frequency problems refuse bad input by name", "[frequency]") {
+    const auto mesh = uniform_mesh(10);
+    const InfluenceMatrices<double> matrices = assemble(mesh, Collocation{}, plane(100));
+    const FrequencySweep<double> sweep(matrices, mesh.widths());
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(sweep(infinity), "FrequencySweep: omega a/V = inf must be finite");
+    CHECK_THROWS_WITH(
+        solve_harmonic<double>(matrices, mesh.widths(), std::nan("")),
+        Catch::Matchers::ContainsSubstring("omega a/V = ") && Catch::Matchers::ContainsSubstring("must be finite"));
+    CHECK_THROWS_AS(sweep.at(Complex(infinity, 0)), std::invalid_argument);
+    CHECK_THROWS_AS(FrequencySweep<double>(matrices, mesh.widths().head(9)), std::invalid_argument);
+    CHECK_THROWS_AS(
+        solve_harmonic<double>(InfluenceMatrices<double>{matrices.G, matrices.G_prime.leftCols(9)}, mesh.widths(), 1.0),
+        std::invalid_argument);
+    CHECK_THROWS_AS(solve_harmonic(mesh, Collocation{}, plane(infinity), 1.0), std::invalid_argument);
+}
+
+TEST_CASE("The plane kernel is refused where the plane model is unstable", "[frequency]") {
+    // Lambda = ln(4b/a) + nu/(1-nu) changes sign at b/a = exp(-1/3)/4
+    const double edge = std::exp(-1.0 / 3) / 4;
+    CHECK(std::abs(plane_compliance(plane(1000)) - plane_lambda(nu, 1000.0)) < 1e-13);
+    CHECK_NOTHROW(require_stable_plane(Contact<double>::dimensionless(edge * 1.01, nu)));
+    CHECK_THROWS_WITH(
+        require_stable_plane(Contact<double>::dimensionless(edge * 0.99, nu)),
+        Catch::Matchers::ContainsSubstring("Lambda") && Catch::Matchers::ContainsSubstring("use the strip kernel"));
+    const auto mesh = uniform_mesh(10);
+    CHECK_THROWS_AS(solve_harmonic(mesh, Collocation{}, plane(0.1), 1.0), std::invalid_argument);
+    CHECK_THROWS_AS(FrequencySweep<double>(mesh, Collocation{}, plane(0.1)), std::invalid_argument);
+    CHECK(solve_harmonic(mesh, Collocation{}, StripKernel<double>(0.1, 1 - nu, nu), 1.0).status == Status::ok);
+    CHECK(solve_steady(mesh, Collocation{}, plane(0.1)).status == Status::ok);
+}
+
+}  // namespace

@@ -1,0 +1,246 @@
+// rollbem/adhesion/stability.hpp
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include <Eigen/QR>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/stability.hpp"
+#include "rollbem/adhesion/stability_count.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+using Matrix = MatrixX<double>;
+
+constexpr double nu = 0.25;
+
+StripKernel<double> strip(double aspect = 1000) { return {aspect, 1 - nu, nu}; }
+PlaneKernel<double> plane(double aspect) { return {aspect, 1 - nu, nu}; }
+
+/// A random matrix, the same at every run.
+Matrix random_matrix(Eigen::Index n, unsigned seed) {
+    Matrix A(n, n);
+    for (Eigen::Index k = 0; k < n * n; ++k) {
+        seed = seed * 1664525u + 1013904223u;
+        A(k) = static_cast<double>(seed >> 8) / (1 << 23) - 1;
+    }
+    return A;
+}
+
+TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]") {
+    const Eigen::Index n = 6;
+    Matrix S = Matrix::Zero(n, n), T = Matrix::Identity(n, n);
+    S.diagonal() << -1, -2, -2, 3, 1, -0.5;
+    S(1, 2) = 5;  // -2 +- 5i
+    S(2, 1) = -5;
+    T(4, 4) = 0;   // infinite
+    T(3, 3) = -2;  // -1.5
+    S(0, 5) = T(0, 4) = 2;
+    const Matrix Q = random_matrix(n, 1), Z = random_matrix(n, 2);
+    const StabilityResult<double> result =
+        solve_stability<double>({.G = Q * T * Z, .G_prime = Q * S * Z}, {.settle_signs = true, .condition = true});
+    REQUIRE(result.status == Status::ok);
+    VectorX<Complex> found = result.eigenvalues();
+    int infinite = 0;
+    for (const Complex expected : {Complex(-1), Complex(-2, 5), Complex(-2, -5), Complex(-1.5), Complex(-0.5)}) {
+        double nearest = 1;
+        for (const Complex& value : found) nearest = std::min(nearest, std::abs(value - expected));
+        CAPTURE(expected, nearest);
+        CHECK(nearest < 1e-12);
+    }
+    for (Eigen::Index k = 0; k < n; ++k) infinite += std::abs(found[k]) > 1e12;
+    CHECK(infinite == 1);
+    CHECK((result.beta.array() >= 0).all());
+    CHECK(*result.uncertain_count == 1);
+    CHECK(*result.settled_unstable_count == 0);
+    CHECK(*result.cond_G > 1e14);
+    CHECK_FALSE(verdict(result).stable());
+
+    // exactly singular: no division by a zero beta
+    const StabilityResult<double> singular = solve_stability<double>(
+        {.G = Eigen::Vector3d(1, 0, 2).asDiagonal().toDenseMatrix(), .G_prime = -Matrix::Identity(3, 3)},
+        {.settle_signs = true, .condition = true});
+    CHECK(singular.unstable_count == 0);
+    CHECK(*singular.uncertain_count == 1);
+    CHECK(singular.spectral_abscissa == Approx(-0.5));
+    CHECK(singular.spectral_radius == std::numeric_limits<double>::infinity());
+    CHECK(*singular.cond_G == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("The numbers that describe a spectrum", "[stability]") {
+    // eigenvalues -4, 2, -1 +- 3i in a basis that is far from orthogonal
+    Matrix D = Matrix::Zero(4, 4);
+    D.diagonal() << -4, 2, -1, -1;
+    D(2, 3) = 3;
+    D(3, 2) = -3;
+    const Matrix G = random_matrix(4, 7) + 2 * Matrix::Identity(4, 4), X = random_matrix(4, 9);
+    const StabilityResult<double> result = solve_stability<double>({.G = G, .G_prime = G * X * D * X.inverse()});
+    CHECK(result.unstable_count == 1);
+    CHECK(result.unstable_fraction() == 0.25);
+    CHECK(result.spectral_abscissa == Approx(2));
+    CHECK(result.spectral_radius == Approx(4));
+    CHECK(result.stiffness_ratio == Approx(4));
+    CHECK(result.uncertainty.size() == 0);
+    CHECK_FALSE(result.uncertain_count.has_value());
+    CHECK_FALSE(result.cond_G.has_value());
+    CHECK_THROWS_WITH(verdict(result), Catch::Matchers::ContainsSubstring("settle_signs"));
+
+    const Eigen::HouseholderQR<Matrix> left(random_matrix(4, 3)), right(random_matrix(4, 4));
+    const Matrix U = left.householderQ(), V = right.householderQ();
+    const Matrix scaled = U * Eigen::Vector4d(3, 1, 1e-3, 3e-9).asDiagonal() * V;
+    const auto condition = solve_stability<double>({.G = scaled, .G_prime = D}, {.condition = true}).cond_G;
+    CHECK(*condition == Approx(1e9).epsilon(1e-5));
+}
+
+TEST_CASE("Uncertainty follows its definition, from vectors found in another way", "[stability]") {
+    // right vectors from the standard problem, left ones as rows of (G X)^-1: fit while the vectors are well-conditioned
+    for (const unsigned seed : {11u, 12u, 13u}) {
+        const Eigen::Index n = 12;
+        const Matrix G = random_matrix(n, seed) + 3 * Matrix::Identity(n, n);
+        const Matrix G_prime = random_matrix(n, seed + 100);
+        const Eigen::EigenSolver<Matrix> solver(G.partialPivLu().solve(G_prime).eval(), true);
+        const MatrixX<Complex> X = solver.eigenvectors();
+        const MatrixX<Complex> Y = (G.cast<Complex>() * X).inverse();
+        const double norm_G = G.jacobiSvd().singularValues()[0];
+        const double norm_G_prime = G_prime.jacobiSvd().singularValues()[0];
+        const StabilityResult<double> result =
+            solve_stability<double>({.G = G, .G_prime = G_prime}, {.settle_signs = true});
+        const VectorX<Complex> found = result.eigenvalues();
+        CHECK(*result.uncertain_count == 0);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            const Complex value = solver.eigenvalues()[k];
+            const double product = 1 / (Y.row(k).norm() * X.col(k).norm());
+            const double expected = static_cast<double>(n) * std::numeric_limits<double>::epsilon() *
+                                    (norm_G_prime + std::abs(value) * norm_G) / product;
+            Eigen::Index nearest = 0;
+            (found.array() - value).abs().minCoeff(&nearest);
+            CAPTURE(seed, value, found[nearest], result.uncertainty[nearest] / expected);
+            CHECK(std::abs(result.uncertainty[nearest] / expected - 1) < 1e-6);
+
+            // moved to the imaginary axis and a little beyond, the sign is open; three bounds away it is settled
+            if (value.imag() < 0) continue;
+            const double bound = result.uncertainty[nearest];
+            const auto uncertain_at = [&](double distance) {
+                return *solve_stability<double>({.G = G, .G_prime = G_prime - (value.real() - distance) * G},
+                                                {.settle_signs = true})
+                            .uncertain_count;
+            };
+            const Eigen::Index expected_count = value.imag() == 0 ? 1 : 2;
+            CHECK(uncertain_at(0.3 * bound) == expected_count);
+            CHECK(uncertain_at(-0.3 * bound) == expected_count);
+            CHECK(uncertain_at(4 * bound) == 0);
+            CHECK(uncertain_at(-4 * bound) == 0);
+        }
+    }
+}
+
+TEST_CASE("The fast count and QZ give the same answers", "[stability]") {
+    int settled = 0, unstable = 0;
+    const auto check = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
+        const InfluenceMatrices<double> matrices = assemble(mesh, scheme, kernel);
+        const UnstableCount<double> count = count_unstable(matrices);
+        const StabilityResult<double> result = solve_stability(matrices, {.settle_signs = true});
+        CAPTURE(mesh.size(), scheme.alpha_L, scheme.alpha_T, count.rcond, *result.uncertain_count);
+        CHECK(count.n == mesh.size());
+        CHECK(result.status == Status::ok);
+        CHECK((count.status == Status::ok || scheme.alpha_T == 1));  // G' may be singular there
+        if (count.status != Status::ok) return;
+        // open signs may come out either way
+        CHECK(std::abs(count.unstable_count - result.unstable_count) <= *result.uncertain_count);
+        if (*result.uncertain_count == 0) ++settled;
+        if (*result.settled_unstable_count > 0) ++unstable;
+    };
+    for (const int n : {1, 2, 5, 20, 40, 80}) {
+        for (const double alpha_T : {0.3, 0.5, 0.63, 0.7, 0.77, 0.8, 0.9, 1.0}) {
+            const bool one = n == 1;
+            check(uniform_mesh(n), Collocation{one ? alpha_T : 0, alpha_T}, strip());
+            check(cosine_mesh(n), Collocation{alpha_T, alpha_T}, plane(100));
+            check(cosine_mesh(n), Galerkin{one ? alpha_T : 0, alpha_T}, strip(3));
+            if (n > 2) check(knothe_mesh(n, 0.4), Collocation{0, alpha_T, Derivative::analytic, 0.3}, strip());
+        }
+    }
+    CAPTURE(settled, unstable);
+    CHECK(settled > 120);  // of 176: there the counts were equal
+    CHECK(unstable > 30);
+}
+
+TEST_CASE("The fast count says so when it cannot be trusted", "[stability]") {
+    const UnstableCount<double> count = count_unstable(uniform_mesh(40), Collocation{0, 1.35}, strip());
+    CHECK(count.status == Status::ill_conditioned);
+    CHECK(count.rcond < 1e-4);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const InfluenceMatrices<double> broken{.G = Matrix::Constant(2, 2, nan), .G_prime = Matrix::Identity(2, 2)};
+    CHECK(count_unstable(broken).status == Status::not_finite);
+    CHECK(solve_stability(broken).status == Status::not_finite);
+    CHECK_FALSE(verdict(broken).stable());
+    CHECK_FALSE(StabilityVerdict{}.stable());
+}
+
+TEST_CASE("What is stable and what is not", "[stability]") {
+    const auto count = [](const auto& mesh, const auto& scheme) {
+        return count_unstable(mesh, scheme, strip()).unstable_count;
+    };
+    for (const int n : {20, 40, 60, 80}) {
+        CAPTURE(n);
+        CHECK(count(uniform_mesh(n), Collocation{0, 0.63}) == 0);
+        CHECK(count(uniform_mesh(n), Collocation{0.5, 0.5}) == 0);
+        CHECK(count(uniform_mesh(n), Collocation{0.55, 0.55}) > 0);
+        CHECK(count(uniform_mesh(n), Galerkin{0, 0.63}) == 0);
+    }
+    for (const int n : {1, 2, 3, 7, 14, 20, 40, 80, 160}) {
+        CAPTURE(n);
+        CHECK(count(cosine_mesh(n), Collocation{0.5, 0.5}) == 0);
+        CHECK(count_unstable(cosine_mesh(n), Collocation{0.5, 0.5}, plane(1000)).unstable_count == 0);
+    }
+    // the paper's recommendation is lost as n grows, but not for good
+    CHECK(count(uniform_mesh(160), Collocation{0, 0.63}) == 2);
+    CHECK(count(uniform_mesh(166), Collocation{0, 0.63}) == 0);
+    // an island
+    CHECK(count(uniform_mesh(40), Collocation{0, 0.7680}) == 0);
+    CHECK(count(uniform_mesh(40), Collocation{0, 0.7700}) == 1);
+    CHECK(count(uniform_mesh(40), Collocation{0, 0.7760}) == 1);
+    CHECK(count(uniform_mesh(40), Collocation{0, 0.7770}) == 0);
+    CHECK(count(uniform_mesh(40), Collocation{0, 0.7830}) == 0);
+    CHECK(count(uniform_mesh(40), Collocation{0, 0.7850}) == 2);
+}
+
+TEST_CASE("lambda below one half removes the instability of finite differences", "[stability]") {
+    const auto count = [](const auto& mesh, const auto& scheme) {
+        return count_unstable(mesh, scheme, strip()).unstable_count;
+    };
+    for (const int n : {20, 60}) {
+        for (const double alpha : {0.7, 0.85, 1.0}) {
+            CAPTURE(n, alpha);
+            const auto fd = [alpha](double lambda) {
+                return Collocation{0, alpha, Derivative::finite_difference, lambda};
+            };
+            CHECK(count(uniform_mesh(n), fd(0.45)) == 0);
+            CHECK(count(uniform_mesh(n), Collocation{alpha, alpha, Derivative::finite_difference, 0.45}) == 0);
+            CHECK(count(geometric_mesh(n, 2.0), fd(0.45)) == 0);
+            CHECK(count(knothe_mesh(n, 0.4), fd(0.45)) == 0);
+            CHECK(count(modified_knothe_mesh(n, 0.4), fd(0.45)) == 0);
+            CHECK(count(cosine_mesh(n), fd(0.45)) == 0);
+            CHECK(count(uniform_mesh(n), Collocation{0, alpha, Derivative::analytic, 0.45}) == 0);
+            CHECK(count(uniform_mesh(n), Galerkin{0, alpha, Derivative::analytic, 0.45}) == 0);
+        }
+    }
+    CHECK(count(uniform_mesh(60), Collocation{0, 0.85}) > 0);
+    CHECK(count(cosine_mesh(60), Collocation{0, 0.85, Derivative::analytic, 0.45}) > 0);
+    CHECK(count(knothe_mesh(60, 0.1), Collocation{0, 0.63, Derivative::analytic, 0.45}) > 0);
+}
+
+TEST_CASE("Stability refuses bad input by name", "[stability]") {
+    const InfluenceMatrices<double> narrow{.G = Matrix::Identity(3, 3), .G_prime = Matrix::Identity(3, 2)};
+    const InfluenceMatrices<double> other{.G = Matrix::Identity(2, 2), .G_prime = Matrix::Identity(3, 3)};
+    CHECK_THROWS_WITH(solve_stability(narrow), Catch::Matchers::ContainsSubstring("columns of G_prime = 2"));
+    CHECK_THROWS_WITH(count_unstable(other), Catch::Matchers::ContainsSubstring("rows of G = 2"));
+    CHECK_THROWS_WITH(count_unstable(uniform_mesh(5), Collocation{}, plane(0.1)),
+                      Catch::Matchers::ContainsSubstring("Lambda"));
+    CHECK_THROWS_AS(solve_stability(uniform_mesh(5), Collocation{}, plane(0.1)), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,133 @@
+// rollbem/adhesion/critical_alpha.hpp
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <utility>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/critical_alpha.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+StripKernel<double> strip() { return {1000, 0.75, 0.25}; }
+PlaneKernel<double> plane(double aspect) { return {aspect, 0.75, 0.25}; }
+
+const auto collocation = [](double alpha_T) { return Collocation{.alpha_L = 0, .alpha_T = alpha_T}; };
+const auto equal = [](double alpha) { return Collocation{.alpha_L = alpha, .alpha_T = alpha}; };
+const auto galerkin = [](double alpha_T) { return Galerkin{.alpha_L = 0, .alpha_T = alpha_T}; };
+
+template <Derivative derivative>
+Galerkin seven_points(double alpha_T) {
+    return {.alpha_L = 0, .alpha_T = alpha_T, .derivative = derivative, .quadrature = 7};
+}
+
+TEST_CASE("The smallest unstable alpha_T falls with n", "[stability]") {
+    struct Case {
+        int n;
+        double first, expected, tolerance;
+    };
+    // from a later start where a whole scan takes long
+    for (const Case& c : {Case{20, 0.3, 0.8974, 6e-5}, Case{40, 0.3, 0.7687, 6e-5}, Case{60, 0.3, 0.7230, 6e-5},
+                          Case{80, 0.3, 0.6860, 6e-5}, Case{120, 0.6, 0.6496, 6e-5}, Case{160, 0.622, 0.6282, 6e-5},
+                          Case{240, 0.600, 0.604, 6e-4}, Case{320, 0.587, 0.589, 6e-4}}) {
+        const std::optional<double> found =
+            critical_alpha_T(uniform_mesh(c.n), collocation, strip(), {.first = c.first});
+        CAPTURE(c.n, found.value_or(-1));
+        REQUIRE(found.has_value());
+        CHECK(std::abs(*found - c.expected) < c.tolerance);
+    }
+}
+
+TEST_CASE("The second unstable set at n = 40 starts at 0.784", "[stability]") {
+    const std::optional<double> found = critical_alpha_T(uniform_mesh(40), collocation, strip(), {.first = 0.777});
+    CHECK(std::abs(found.value_or(-1) - 0.784) < 6e-4);
+}
+
+TEST_CASE("Strides do not change what every step finds", "[stability]") {
+    const auto check = [](const auto& mesh, const auto& scheme_of) {
+        const std::optional<double> strided = critical_alpha_T(mesh, scheme_of, strip());
+        CHECK(strided == critical_alpha_T(mesh, scheme_of, strip(), {.largest_stride = 1}));
+        CAPTURE(mesh.size(), strided.value_or(-1));
+        if (!strided) return;
+        CHECK(verdict(assemble(mesh, scheme_of(*strided), strip())).certainly_unstable());
+        CHECK_FALSE(verdict(assemble(mesh, scheme_of(*strided - 1e-5), strip())).certainly_unstable());
+    };
+    for (const int n : {4, 9, 16, 25, 40}) {
+        check(uniform_mesh(n), collocation);
+        check(uniform_mesh(n), equal);
+        check(uniform_mesh(n), galerkin);
+        check(cosine_mesh(n), collocation);
+        check(cosine_mesh(n), equal);
+        check(knothe_mesh(n, 0.4), collocation);
+    }
+}
+
+TEST_CASE("Equal alphas turn unstable just above one half", "[stability]") {
+    double before = 1;
+    for (const int n : {10, 20, 40, 80}) {
+        const double found = critical_alpha_T(uniform_mesh(n), equal, strip()).value_or(-1);
+        CAPTURE(n, found);
+        CHECK(found > 0.5);
+        CHECK(found < before);
+        before = found;
+    }
+    CHECK(before < 0.51);
+}
+
+TEST_CASE("Galerkin's method turns unstable later", "[stability]") {
+    const auto fd = seven_points<Derivative::finite_difference>;
+    const auto analytic = seven_points<Derivative::analytic>;
+    CHECK(std::abs(critical_alpha_T(uniform_mesh(60), fd, strip(), {.first = 0.82}).value_or(-1) - 0.875) < 6e-3);
+    CHECK(std::abs(critical_alpha_T(uniform_mesh(60), analytic, strip(), {.first = 0.79}).value_or(-1) - 0.835) < 6e-3);
+    CHECK_FALSE(critical_alpha_T(uniform_mesh(20), fd, strip(), {.last = 1}).has_value());
+    CHECK_FALSE(critical_alpha_T(uniform_mesh(20), analytic, strip(), {.last = 1}).has_value());
+    // in closed form, plane kernel
+    const PlaneKernel<double> kernel = plane(1000);
+    // from n = 80 on, the first eigenvalues seem to cross where G is singular to rounding: their signs are open
+    for (const auto& [n, alpha_T] : {std::pair{80, 0.99}, std::pair{160, 0.82}}) {
+        const StabilityResult<double> open =
+            solve_stability(uniform_mesh(n), galerkin(alpha_T), kernel, {.settle_signs = true, .condition = true});
+        CAPTURE(n, *open.cond_G, *open.uncertain_count);
+        CHECK(*open.cond_G > 1e16);
+        CHECK(*open.uncertain_count > n / 5);
+        CHECK(*open.settled_unstable_count == 0);
+        CHECK_FALSE(verdict(open).stable());
+    }
+    CHECK(critical_alpha_T(uniform_mesh(80), galerkin, kernel, {.first = 1.05}).value_or(-1) > 1.05);
+    CHECK(count_unstable(uniform_mesh(320), galerkin(0.63), kernel).unstable_count == 0);
+}
+
+TEST_CASE("Critical alpha_T: ends of the range and bad input", "[stability]") {
+    const auto mesh = uniform_mesh(20);
+    CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95}) == 0.95);
+    CHECK_FALSE(critical_alpha_T(mesh, collocation, strip(), {.last = 0.89}).has_value());
+    CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.first = 1, .last = 0.5}), std::invalid_argument);
+    CHECK_THROWS_WITH(critical_alpha_T(mesh, collocation, strip(), {.step = 0}),
+                      "critical_alpha_T: step = 0 must be positive");
+    CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.tolerance = 0}), std::invalid_argument);
+    CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.largest_stride = 0}), std::invalid_argument);
+    CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, plane(0.1)), std::invalid_argument);
+}
+
+TEST_CASE("The spectrum of a good scheme converges to the exact one", "[stability]") {
+    // zeros of I0(s) + s Lambda (I0(s) + I1(s)), b/a = 100, nu = 0.25
+    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const auto error = [&](int n, std::complex<double> exact) {
+        const StabilityResult<double> result = solve_stability(cosine_mesh(n), scheme, plane(100));
+        return (result.eigenvalues().array() - exact).abs().minCoeff() / std::abs(exact);
+    };
+    for (const std::complex<double> exact :
+         {std::complex<double>(-0.17302005735, 0), {-1.46935559502, 2.98100869072}, {-1.80867424789, 6.17549758306}}) {
+        const double coarse = error(100, exact), fine = error(400, exact);
+        CAPTURE(exact, coarse, fine);
+        CHECK(fine < 1e-4);
+        CHECK(fine > 1e-7);
+        // second order: 16 times smaller
+        CHECK(coarse / fine > 12);
+        CHECK(coarse / fine < 20);
+    }
+}
+
+}  // namespace

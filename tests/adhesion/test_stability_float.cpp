@@ -1,0 +1,28 @@
+// rollbem/adhesion/stability.hpp
+#include "stability_of_scalars.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+TEST_CASE("Signs settled in float are those of double", "[stability]") {
+    for (const int n : {5, 10, 20, 40}) {
+        for (const double alpha_T : {0.5, 0.63, 0.95}) {
+            const StabilityResult<float> working =
+                solve_stability(recommended<float>(n, alpha_T), {.settle_signs = true});
+            const StabilityResult<double> wide = solve_stability(recommended<double>(n, alpha_T));
+            CAPTURE(n, alpha_T);
+            CHECK(compare_settled(working, wide) >= n / 4);
+        }
+    }
+}
+
+TEST_CASE("Both routes count alike in float", "[stability]") {
+    for (const double alpha_T : {0.5, 0.63, 1.0}) {
+        const InfluenceMatrices<float> matrices = recommended<float>(20, alpha_T);
+        CHECK(count_unstable(matrices).status == Status::ok);
+        CHECK(count_unstable(matrices).unstable_count == solve_stability(matrices).unstable_count);
+    }
+}
+
+}  // namespace

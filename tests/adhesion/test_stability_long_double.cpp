@@ -1,0 +1,30 @@
+// rollbem/adhesion/stability.hpp
+#include "stability_of_scalars.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+TEST_CASE("Signs settled in double are those of long double", "[stability]") {
+    for (const int n : {20, 40, 80, 160}) {
+        const StabilityResult<double> working = solve_stability(recommended<double>(n), {.settle_signs = true});
+        const StabilityResult<long double> wide = solve_stability(recommended<long double>(n), {.settle_signs = true});
+        CAPTURE(n, *working.uncertain_count, *wide.uncertain_count);
+        const Eigen::Index settled = compare_settled(working, wide);
+        CHECK(settled >= n / 2);
+        CHECK(*wide.uncertain_count <= *working.uncertain_count);
+        CHECK(working.unstable_count == wide.unstable_count);
+        CHECK(*working.settled_unstable_count == (n == 160 ? 2 : 0));
+        if (n <= 40) CHECK(settled == n);
+    }
+}
+
+TEST_CASE("Both routes count alike in long double", "[stability]") {
+    for (const double alpha_T : {0.5, 0.63, 1.0}) {
+        const InfluenceMatrices<long double> matrices = recommended<long double>(20, alpha_T);
+        CHECK(count_unstable(matrices).status == Status::ok);
+        CHECK(count_unstable(matrices).unstable_count == solve_stability(matrices).unstable_count);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,334 @@
+// rollbem/adhesion/steady.hpp
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "../support/reference.hpp"
+#include "../support/scalars.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/closed_form/carter.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+constexpr auto fd = Derivative::finite_difference;
+constexpr auto analytic = Derivative::analytic;
+
+// c11 over its exact value, minus 1, for a wide strip
+template <class Scheme>
+double error(const Mesh<double>& mesh, const Scheme& scheme, double nu = 0.25) {
+    return solve_steady(mesh, scheme, StripKernel<double>(1000, 1 - nu, nu)).c11 / steady_c11(nu) - 1;
+}
+
+template <class Scheme>
+double plane_error(const Mesh<double>& mesh, const Scheme& scheme) {
+    return solve_steady(mesh, scheme, PlaneKernel<double>(1000, 0.75, 0.25)).c11 / steady_c11(0.25) - 1;
+}
+
+// whether `value` rounds to what is printed with `digits` significant digits
+bool rounds_to(double value, double printed, int digits) {
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(printed))) - digits + 1);
+    return std::abs(value - printed) <= 0.5000001 * unit;
+}
+
+template <class Function>
+double minimiser(Function f, double lower, double upper) {
+    for (int i = 0; i < 60; ++i) {
+        const double left = lower + (upper - lower) / 3, right = upper - (upper - lower) / 3;
+        (f(left) < f(right) ? upper : lower) = f(left) < f(right) ? right : left;
+    }
+    return (lower + upper) / 2;
+}
+
+template <class Function>
+double zero(Function f, double lower, double upper) {
+    const double start = f(lower);
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (lower + upper) / 2;
+        (f(middle) * start > 0 ? lower : upper) = middle;
+    }
+    return (lower + upper) / 2;
+}
+
+TEST_CASE("Uniform elements and finite differences reproduce the errors of CONTACT", "[steady]") {
+    const std::pair<int, double> published[] = {{10, 1.513e-2},  {20, 7.543e-3},  {40, 3.769e-3}, {80, 1.884e-3},
+                                                {160, 9.420e-4}, {320, 4.710e-4}, {640, 2.356e-4}};
+    for (const auto& [n, value] : published) {
+        const double found = error(uniform_mesh(n), Collocation{0.5, 0.5}, 0.28);
+        CAPTURE(n, found, value);
+        CHECK(rounds_to(found, value, 4));
+    }
+}
+
+TEST_CASE("Errors of the paper's schemes", "[steady]") {
+    const auto at = [](int n, double alpha_T) { return error(uniform_mesh(n), Collocation{0, alpha_T}); };
+    CHECK(rounds_to(error(uniform_mesh(40), Collocation{0.5, 0.5}), 3.77e-3, 3));
+    CHECK(rounds_to(at(40, 0.5), 1.32e-3, 3));
+    CHECK(rounds_to(at(40, 0.6), 1.8e-4, 2));
+    CHECK(rounds_to(at(40, 0.7), -7.8e-4, 2));
+    CHECK(rounds_to(at(20, 0.63), -3.1e-5, 2));
+    CHECK(rounds_to(at(40, 0.63), -1.26e-4, 3));
+    CHECK(rounds_to(at(60, 0.63), -1.12e-4, 3));
+    CHECK(rounds_to(at(80, 0.63), -9.5e-5, 2));
+    CHECK(rounds_to(at(160, 0.63), -5.6e-5, 2));
+    const auto vanishing = [&](int n) { return zero([&](double alpha) { return at(n, alpha); }, 0.55, 0.68); };
+    CHECK(rounds_to(vanishing(20), 0.628, 3));
+    CHECK(rounds_to(vanishing(40), 0.6175, 4));
+    CHECK(rounds_to(vanishing(160), 0.6084, 4));
+    const auto exact_slope = [](double alpha) { return error(uniform_mesh(40), Collocation{0, alpha, analytic}); };
+    CHECK(std::abs(zero(exact_slope, 0.45, 0.498) - 0.49) < 0.005);
+    CHECK(std::abs(zero(exact_slope, 0.55, 0.65) - 0.60) < 0.005);
+}
+
+TEST_CASE("Best parameters of the graded meshes", "[steady]") {
+    const Collocation best{0, 0.63}, equal{0.5, 0.5};
+    const auto on_grid = [](const std::vector<double>& grid, const auto& f) {
+        double least = 1e300, at = 0;
+        for (const double value : grid) {
+            if (std::abs(f(value)) < least) least = std::abs(f(value)), at = value;
+        }
+        return at;
+    };
+    const auto geometric = [](const Collocation& s) {
+        return [s](double r) { return std::abs(error(geometric_mesh(40, r), s)); };
+    };
+    const auto knothe = [](const Collocation& s) {
+        return [s](double e) { return std::abs(error(knothe_mesh(40, e), s)); };
+    };
+    const auto modified = [](const Collocation& s) {
+        return [s](double e) { return std::abs(error(modified_knothe_mesh(40, e), s)); };
+    };
+    const std::vector<double> ratios{1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
+        epsilons{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
+    CHECK(on_grid(ratios, geometric(best)) == 1);
+    CHECK(on_grid(ratios, geometric(equal)) == 2);
+    CHECK(std::abs(minimiser(geometric(equal), 1.2, 3) - 1.89) < 0.01);
+    CHECK(on_grid(epsilons, knothe(best)) == 1);
+    CHECK(on_grid(epsilons, knothe(equal)) == 0.4);
+    CHECK(std::abs(minimiser(knothe(equal), 0.2, 0.6) - 0.37) < 0.01);
+    CHECK(on_grid(epsilons, modified(best)) == 1);
+    CHECK(on_grid(epsilons, modified(equal)) == 1);
+}
+
+TEST_CASE("Best alphas", "[steady]") {
+    const auto galerkin = [](double alpha_T) {
+        return std::abs(error(uniform_mesh(40), Galerkin{0, alpha_T, fd, 1, 7}));
+    };
+    for (double alpha = 0.1; alpha < 0.99; alpha += 0.1) {
+        CAPTURE(alpha);
+        CHECK(galerkin(1) < galerkin(alpha));
+    }
+    const auto equal = [](double alpha) { return error(uniform_mesh(40), Collocation{alpha, alpha}); };
+    const double optimum = minimiser(equal, 0.4, 0.6);
+    CAPTURE(optimum, equal(optimum) / equal(0.5));
+    CHECK(std::abs(optimum - 0.515) < 0.003);
+    CHECK(std::abs(1 - equal(optimum) / equal(0.5) - 0.001) < 0.0005);
+    // finite differences are better than the analytic derivative at 0.5, not everywhere
+    const auto exact_slope = [](double alpha) {
+        return std::abs(error(uniform_mesh(40), Collocation{alpha, alpha, analytic}));
+    };
+    CHECK(equal(0.5) < exact_slope(0.5));
+    CHECK(equal(0.33) > exact_slope(0.33));
+    CHECK(equal(0.66) > exact_slope(0.66));
+}
+
+TEST_CASE("Order of convergence of c11: one on uniform, two on cosine meshes", "[steady][convergence]") {
+    const std::pair<int, double> published[] = {{20, 4.3e-4},   {40, 1.06e-4},  {80, 2.63e-5},
+                                                {160, 6.54e-6}, {320, 1.63e-6}, {640, 4.08e-7}};
+    std::vector<double> sizes, uniform, cosine;
+    for (const auto& [n, value] : published) {
+        sizes.push_back(n);
+        uniform.push_back(plane_error(uniform_mesh(n), Collocation{0.5, 0.5}));
+        cosine.push_back(plane_error(cosine_mesh(n), Collocation{0.5, 0.5}));
+        CAPTURE(n, cosine.back());
+        CHECK(rounds_to(cosine.back(), value, value > 4.2e-4 ? 2 : 3));
+    }
+    const double first = reference::observed_order(sizes, uniform), second = reference::observed_order(sizes, cosine);
+    CAPTURE(first, second);
+    CHECK(std::abs(first - 1) < 0.02);
+    CHECK(std::abs(second - 2) < 0.02);
+    // smooth enough for Richardson's extrapolation
+    const double coarse = plane_error(cosine_mesh(7), Collocation{0.5, 0.5}),
+                 fine = plane_error(cosine_mesh(14), Collocation{0.5, 0.5});
+    CHECK(rounds_to((4 * fine - coarse) / 3, 6.6e-5, 2));
+}
+
+TEST_CASE("The strip's c11 tends to the plane's as (a/b)^2", "[steady][convergence]") {
+    std::vector<double> sizes, errors;
+    const double plane = solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, PlaneKernel<double>(1, 0.75, 0.25)).c11;
+    for (const double b : {10.0, 20.0, 40.0, 80.0}) {
+        sizes.push_back(b);
+        errors.push_back(
+            solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, StripKernel<double>(b, 0.75, 0.25)).c11 / plane - 1);
+    }
+    const double order = reference::observed_order(sizes, errors);
+    CAPTURE(order, errors[0]);
+    CHECK(std::abs(order - 2) < 0.03);
+}
+
+TEST_CASE("Tractions tend to Carter's away from the edges", "[steady][convergence]") {
+    for (const bool graded : {false, true}) {
+        std::vector<double> sizes, errors;
+        for (const int n : {20, 40, 80, 160}) {
+            const Mesh<double> mesh = graded ? cosine_mesh(n) : uniform_mesh(n);
+            const auto solution = solve_steady(mesh, Collocation{0.5, 0.5}, PlaneKernel<double>(1000, 0.75, 0.25));
+            CHECK(solution.status == Status::ok);
+            CHECK((solution.traction.array() < 0).all());
+            double largest = 0;
+            for (Eigen::Index l = 0; l < n; ++l) {
+                if (std::abs(mesh.centres()[l]) > 0.5) continue;
+                largest =
+                    std::max(largest, std::abs(solution.traction[l] / carter_traction(mesh.centres()[l], 0.25) - 1));
+            }
+            sizes.push_back(n);
+            errors.push_back(largest);
+        }
+        const double order = reference::observed_order(sizes, errors);
+        CAPTURE(graded, order, errors[0], errors[3]);
+        CHECK(order > 0.8);
+        CHECK(errors[3] < 1e-2);
+    }
+}
+
+TEMPLATE_TEST_CASE("A solution satisfies its equations and carries its force", "[steady]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+    for (const auto& [name, mesh] : reference::every_mesh<Scalar>(30)) {
+        for (const Collocation& scheme :
+             {Collocation{0, 0.63}, Collocation{0.5, 0.5}, Collocation{0.5, 0.5, analytic}}) {
+            for (const Scalar b : {Scalar(0.5), Scalar(4), Scalar(1000)}) {
+                const StripKernel<Scalar> kernel(b, Scalar(0.75), Scalar(0.25));
+                const auto solution = solve_steady(mesh, scheme, kernel);
+                CAPTURE(name, scheme.alpha_T, b, static_cast<double>(solution.residual),
+                        static_cast<double>(solution.rcond));
+                CHECK(solution.status == Status::ok);
+                CHECK(solution.residual < 30 * eps);
+                CHECK(solution.rcond > Scalar(1e-4));
+                CHECK(solution.rcond <= 1);
+                const MatrixX<Scalar> G_prime = assemble_G_prime(mesh, scheme, kernel);
+                const VectorX<Scalar> slope = G_prime * solution.traction;
+                CHECK((slope.array() - 1).abs().maxCoeff() < 3000 * eps);
+                CHECK(std::abs(solution.c11 + (mesh.widths() * solution.traction.array()).sum()) <=
+                      30 * eps * solution.c11);
+            }
+        }
+    }
+}
+
+TEST_CASE("Units scale out", "[steady]") {
+    const Contact<double> steel(
+        {.half_length = 0.006, .half_width = 0.03, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+    const Contact<double> unit = Contact<double>::dimensionless(5, 0.28);
+    for (const auto& [name, mesh] : reference::every_mesh<double>(15)) {
+        const auto with_units = solve_steady(steel, mesh, Collocation{}, 1e-4),
+                   without = solve_steady(unit, mesh, Collocation{}, 1.0);
+        CAPTURE(name);
+        CHECK(std::abs(with_units.c11 / without.c11 - 1) < 1e-13);
+        CHECK((with_units.traction / (8.2e10 * 1e-4) - without.traction).norm() < 1e-12 * without.traction.norm());
+        CHECK(std::abs(with_units.force_per_width / (-0.006 * 8.2e10 * 1e-4 * without.c11) - 1) < 1e-13);
+        const double sum = 0.006 * (mesh.widths() * with_units.traction.array()).sum();
+        CHECK(std::abs(with_units.force_per_width / sum - 1) < 1e-13);
+        CHECK(with_units.force_per_width < 0);
+        CHECK(with_units.status == Status::ok);
+        const auto knothe = solve_steady(steel, mesh, KnotheBoundary{}, 1e-4);
+        REQUIRE(knothe.traction.size() == mesh.size());
+        CHECK(knothe.traction[mesh.size() - 1] == 0);
+        CHECK(std::abs(knothe.force_per_width / (0.006 * (mesh.widths() * knothe.traction.array()).sum()) - 1) < 1e-13);
+        const auto reverse = solve_steady(steel, mesh, Collocation{}, -1e-4);
+        CHECK(reverse.traction == -with_units.traction);
+        CHECK(reverse.c11 == with_units.c11);
+    }
+    // an infinite width is the plane
+    const Contact<double> wide({.half_length = 1,
+                                .half_width = std::numeric_limits<double>::infinity(),
+                                .shear_modulus = 1,
+                                .poisson_ratio = 0.25});
+    CHECK(std::abs(solve_steady(wide, cosine_mesh(20), Collocation{0.5, 0.5}, 1.0).c11 / steady_c11(0.25) - 1 -
+                   plane_error(cosine_mesh(20), Collocation{0.5, 0.5})) < 1e-14);
+}
+
+TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force for an even one; the status says so",
+                   "[steady]", float, double, long double) {
+    using Scalar = TestType;
+    const PlaneKernel<Scalar> kernel(Scalar(1000), Scalar(0.75), Scalar(0.25));
+    for (Eigen::Index n = 1; n < 60; ++n) {
+        const auto solution = solve_steady(uniform_mesh<Scalar>(n), Collocation{0, 0}, kernel);
+        CAPTURE(n, static_cast<double>(solution.rcond), static_cast<double>(solution.c11));
+        if (n % 2 == 1) {
+            CHECK(solution.status != Status::ok);  // antisymmetric of odd size
+        } else {
+            CHECK(solution.status == Status::inconsistent);
+            CHECK(std::abs(solution.c11) < 1000 * std::numeric_limits<Scalar>::epsilon() / solution.rcond);  // no force
+        }
+    }
+}
+
+TEST_CASE("A scheme that converges to something else than full adhesion is told", "[steady]") {
+    const PlaneKernel<double> kernel(1000, 0.75, 0.25);
+    struct Case {
+        Collocation scheme;
+        double ratio;  // c11 over the exact one
+    };
+    for (const Case& wrong : {Case{{-0.5, -0.5}, -1}, Case{{0, -0.5}, -1}, Case{{1.5, 1.5}, 3}}) {
+        for (const Eigen::Index n : {20, 21, 80, 160}) {
+            const auto solution = solve_steady(uniform_mesh(n), wrong.scheme, kernel);
+            CAPTURE(n, wrong.scheme.alpha_L, wrong.scheme.alpha_T, solution.c11);
+            // residual and condition alone say nothing
+            CHECK(solution.residual < 1e-15);
+            CHECK(solution.rcond > 1e-6);
+            CHECK(std::abs(solution.c11 / steady_c11(0.25) - wrong.ratio) < 0.05);
+            CHECK(solution.status == Status::inconsistent);
+        }
+    }
+    for (const double alpha : {0.1, 0.2, 0.5, 0.63, 1.0}) {
+        for (const double alpha_L : {0.0, alpha}) {
+            for (const Eigen::Index n : {20, 21, 80}) {
+                const auto solution = solve_steady(uniform_mesh(n), Collocation{alpha_L, alpha}, kernel);
+                CAPTURE(n, alpha, alpha_L, solution.c11);
+                CHECK(std::abs(solution.c11 / steady_c11(0.25) - 1) < 0.5 / static_cast<double>(n));
+                CHECK(solution.status == Status::ok);
+            }
+        }
+    }
+}
+
+TEST_CASE("What is not finite or not square is told", "[steady]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
+    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, nan).status == Status::not_finite);
+    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, infinity).status == Status::not_finite);
+    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, 0.0).status == Status::ok);
+    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, 0.0).traction.isZero(0));
+    MatrixX<double> broken = MatrixX<double>::Identity(3, 3);
+    broken(1, 2) = nan;
+    const ArrayX<double> three = ArrayX<double>::Ones(3);
+    CHECK(solve_steady<double>(broken, three).status == Status::not_finite);
+    CHECK(solve_steady<double>(-2 * MatrixX<double>::Identity(3, 3), three).c11 == 1.5);
+    CHECK(solve_steady<double>(MatrixX<double>::Ones(3, 3), three).status != Status::ok);
+    CHECK_THROWS_WITH(solve_steady<double>(MatrixX<double>::Ones(3, 2), three),
+                      "solve_steady: number of columns of G_prime = 2 must be positive and equal the number of rows");
+    CHECK_THROWS_WITH(solve_steady<double>(MatrixX<double>(0, 0), three),
+                      "solve_steady: number of columns of G_prime = 0 must be positive and equal the number of rows");
+    CHECK_THROWS_WITH(solve_steady<double>(MatrixX<double>::Identity(2, 2), three),
+                      "solve_steady: number of widths = 3 must equal the number of columns of G_prime");
+    CHECK_THROWS_AS(solve_steady(uniform_mesh(1), Collocation{}, PlaneKernel<double>(1, 0.75, 0.25)),
+                    std::invalid_argument);
+}
+
+TEST_CASE("Two points in one place leave G' singular; the status says so", "[steady]") {
+    ArrayX<double> edges(6);
+    edges << -1, -0.17594030825560192, 0.005631806488683111, 0.079234900637084937, 0.0825571296575629, 1;
+    const double alpha = 0.55507984072057392;
+    const UnitSteadySolution<double> solution =
+        solve_steady(mesh_from_edges<double>(edges),
+                     Collocation{.alpha_L = alpha, .alpha_T = alpha, .derivative = Derivative::analytic},
+                     StripKernel<double>(18713779409.996429, 1 - 0.33151985305346909, 0.33151985305346909));
+    CAPTURE(solution.rcond, solution.c11);
+    CHECK(solution.status == Status::ill_conditioned);
+}
+
+}  // namespace

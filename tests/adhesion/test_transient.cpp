@@ -1,0 +1,459 @@
+// rollbem/adhesion/transient.hpp
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/closed_form/carter.hpp"
+#include "rollbem/reference/step_response.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Model = TransientModel<double>;
+using Motion = RigidMotion<double>;
+
+constexpr std::array all_integrators{Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential};
+const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+
+Contact<double> plane_contact() { return Contact<double>::dimensionless(100, 0.25); }
+
+Model plane_model(Eigen::Index n, Integrator integrator) {
+    const Contact<double> contact = plane_contact();
+    return {contact, cosine_mesh<double>(n), halves, PlaneKernel<double>::longitudinal(contact), unchecked, integrator};
+}
+
+/// -F_bar / (a G) in the units of plane_contact.
+double response(const TransientStep<double>& step) {
+    REQUIRE(step.status == StepStatus::ok);
+    return -step.force_per_width;
+}
+
+/// Steps of one size through a history: motion(k) is that of step k = 0, 1, ...
+template <class MotionOf>
+TransientStep<double> run(const Model& model, double dq, int steps, const MotionOf& motion, Model::State state) {
+    const Model::Prepared prepared = model.prepare(dq);
+    Model::State next = state;
+    TransientStep<double> step;
+    for (int k = 0; k < steps; ++k) {
+        step = model.advance(state, prepared, motion(k), next);
+        REQUIRE(step.status == StepStatus::ok);
+        std::swap(state, next);
+    }
+    return step;
+}
+
+/// Slope of the least-squares line through (log dq, log error).
+double observed_order(const std::vector<double>& sizes, const std::vector<double>& errors) {
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    const double count = static_cast<double>(sizes.size());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        mean_x += std::log(sizes[i]) / count;
+        mean_y += std::log(errors[i]) / count;
+    }
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const double x = std::log(sizes[i]) - mean_x;
+        xx += x * x;
+        xy += x * (std::log(errors[i]) - mean_y);
+    }
+    return xy / xx;
+}
+
+TEST_CASE("The exact map follows the exact step response from q/a = 1e-3 to 40", "[transient]") {
+    const reference::StepResponse exact(0.25, 100);
+    const Model model = plane_model(40, Integrator::matrix_exponential);
+    double largest = 0;
+    for (const auto& [dq, steps] : {std::pair(1e-3, 1000), std::pair(0.05, 800)}) {
+        const Model::Prepared prepared = model.prepare(dq);
+        Model::State state = model.at_rest(), next = state;
+        for (int k = 1; k <= steps; ++k) {
+            const double force = response(model.advance(state, prepared, 1.0, next));
+            largest = std::max(largest, std::abs(force / exact.step(k * dq) - 1));
+            std::swap(state, next);
+        }
+    }
+    CAPTURE(largest);
+    CHECK(largest < 1.5e-4);
+    CHECK(largest > 5e-5);  // of the mesh: it is there whatever dq
+}
+
+TEST_CASE("The exact map does not depend on how the way is divided", "[transient]") {
+    // cosine: G well conditioned; uniform 0/0.63: nearly singular
+    const Contact<double> contact = plane_contact();
+    const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
+    const Model cosine = plane_model(40, Integrator::matrix_exponential);
+    const Model uniform(contact, uniform_mesh<double>(60), Collocation{}, kernel, unchecked,
+                        Integrator::matrix_exponential);
+    for (const Model* model : {&cosine, &uniform}) {
+        for (const double way : {1e-6, 1e-3, 1.0, 30.0}) {
+            const auto constant = [](int) { return Motion(1.0); };
+            const double once = response(run(*model, way, 1, constant, model->at_rest()));
+            const double often = response(run(*model, way / 1000, 1000, constant, model->at_rest()));
+            const auto rise = [](int k) { return Motion::linear(1 + k / 1000.0, 1 + (k + 1) / 1000.0); };
+            const double rise_once = response(run(
+                *model, way, 1, [](int) { return Motion::linear(1.0, 2.0); }, model->at_rest()));
+            const double rise_often = response(run(*model, way / 1000, 1000, rise, model->at_rest()));
+            CAPTURE(model->size(), way, once, often / once - 1, rise_often / rise_once - 1);
+            CHECK(std::abs(often / once - 1) < 1e-10);
+            CHECK(std::abs(rise_often / rise_once - 1) < 1e-10);
+        }
+    }
+}
+
+TEST_CASE("Order of convergence in dq", "[transient]") {
+    const double way = 4;
+    const Model exact = plane_model(30, Integrator::matrix_exponential);
+    const auto sine = [](double dq) {
+        return [dq](int k) { return Motion::linear(std::sin(k * dq), std::sin((k + 1) * dq)); };
+    };
+    const auto ramp = [](double dq) { return [dq](int k) { return Motion::linear(k * dq, (k + 1) * dq); }; };
+    const auto rectangles = [](double dq) { return [dq](int k) { return Motion(std::sin((k + 1) * dq)); }; };
+    const double ramp_end = response(run(
+        exact, way, 1, [&](int) { return Motion::linear(0.0, way); }, exact.at_rest()));
+    // the history itself replaced by chords is of second order: taken at two step sizes and extrapolated
+    const double fine = way / 4096;
+    const double sine_end = (4 * response(run(exact, fine, 4096, sine(fine), exact.at_rest())) -
+                             response(run(exact, 2 * fine, 2048, sine(2 * fine), exact.at_rest()))) /
+                            3;
+
+    for (const Integrator integrator : all_integrators) {
+        const Model model = plane_model(30, integrator);
+        std::vector<double> sizes, sine_errors, ramp_errors, rectangle_errors;
+        for (int steps = 40; steps <= 640; steps *= 2) {
+            const double dq = way / steps;
+            sizes.push_back(dq);
+            sine_errors.push_back(std::abs(response(run(model, dq, steps, sine(dq), model.at_rest())) - sine_end));
+            ramp_errors.push_back(std::abs(response(run(model, dq, steps, ramp(dq), model.at_rest())) - ramp_end));
+            rectangle_errors.push_back(
+                std::abs(response(run(model, dq, steps, rectangles(dq), model.at_rest())) - sine_end));
+        }
+        const double expected = integrator == Integrator::implicit_euler ? 1 : 2;
+        CAPTURE(static_cast<int>(integrator), sine_errors, ramp_errors, rectangle_errors);
+        CHECK(std::abs(observed_order(sizes, sine_errors) - expected) < 0.1);
+        CHECK(std::abs(observed_order(sizes, rectangle_errors) - 1) < 0.1);
+        if (integrator == Integrator::matrix_exponential) {
+            CHECK(*std::max_element(ramp_errors.begin(), ramp_errors.end()) < 1e-11);
+        } else {
+            CHECK(std::abs(observed_order(sizes, ramp_errors) - expected) < 0.1);
+        }
+    }
+}
+
+TEST_CASE("A step is the rational function that its integrator's name says", "[transient]") {
+    // one element: a scalar equation with the eigenvalue w of dq G^-1 G'
+    const Contact<double> contact = plane_contact();
+    const InfluenceMatrices<double> matrices{Eigen::MatrixXd::Constant(1, 1, 1.0),
+                                             Eigen::MatrixXd::Constant(1, 1, -2.0)};
+    const ArrayX<double> widths = ArrayX<double>::Constant(1, 2.0);
+    const double gamma = 1 - 1 / std::sqrt(2.0);
+    for (const double w : {-1e-7, -0.1, -1.0, -7.0, -1e3, -1e9}) {
+        for (const Integrator integrator : all_integrators) {
+            const Model model(contact, matrices, widths, unchecked, integrator);
+            const double expected = integrator == Integrator::implicit_euler ? 1 / (1 - w)
+                                    : integrator == Integrator::sdirk2
+                                        ? (1 + (1 - 2 * gamma) * w) / ((1 - gamma * w) * (1 - gamma * w))
+                                        : std::exp(w);
+            Model::State from = model.at_rest(), to = from;
+            from.traction[0] = 1;
+            REQUIRE(model.advance(from, model.prepare(-w / 2), 0.0, to).status == StepStatus::ok);
+            CAPTURE(static_cast<int>(integrator), w);
+            CHECK(std::abs(to.traction[0] - expected) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("From dq = 1e-9 to 1e6 steps stay bounded and right in both limits", "[transient]") {
+    const Contact<double> contact = plane_contact();
+    const InfluenceMatrices<double> matrices =
+        assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
+    const double steady = solve_steady(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact)).c11;
+    const VectorX<double> shifted = matrices.G.fullPivLu().solve(VectorX<double>::Ones(40));
+    const double shift_force = shifted.dot(cosine_mesh<double>(40).widths().matrix());
+    CHECK(std::abs(steady / steady_c11(0.25) - 1) < 2e-4);
+
+    for (const Integrator integrator : all_integrators) {
+        const Model model = plane_model(40, integrator);
+        for (int exponent = -9; exponent <= 6; ++exponent) {
+            const double dq = std::pow(10.0, exponent);
+            const Model::Prepared prepared = model.prepare(dq);
+            Model::State state = model.at_rest(), next = state;
+            double largest = 0;
+            for (int k = 0; k < 300; ++k) {
+                const double force = response(model.advance(state, prepared, 1.0, next));
+                if (k == 0 && exponent <= -7) CHECK(std::abs(force / (dq * shift_force) - 1) < 20 * dq);
+                largest = std::max(largest, std::abs(force));
+                std::swap(state, next);
+            }
+            CAPTURE(static_cast<int>(integrator), dq, largest);
+            CHECK(largest < 1.3 * steady);  // L-stable steps may overshoot once
+            if (dq > 0.5) CHECK(std::abs(-model.force(state) / 200 / steady - 1) < 1e-12);
+            // steady rolling stays steady
+            state = model.steady(1.0);
+            CHECK(std::abs(response(model.advance(state, prepared, 1.0, next)) / steady - 1) < 1e-12);
+            CHECK((next.traction - state.traction).norm() < 1e-10 * state.traction.norm());
+        }
+    }
+}
+
+TEST_CASE("Prepared and unprepared steps agree", "[transient]") {
+    const Contact<double> contact(
+        {.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const Eigen::Index n : {1, 2, 7, 128}) {
+            const Model model(contact, uniform_mesh<double>(n), halves, kernel, unchecked, integrator);
+            const Model::State from = model.steady(1e-3);
+            for (const double dq : {1e-10, 1e-4, 5e-3, 1e3}) {
+                for (const Motion& motion : {Motion(2e-3), Motion::linear(1e-3, -4e-3), Motion::shift(1e-6)}) {
+                    Model::State left = from, right = from;
+                    const TransientStep<double> a = model.advance(from, model.prepare(dq), motion, left);
+                    const TransientStep<double> b = model.advance(from, dq, motion, right);
+                    CAPTURE(static_cast<int>(integrator), n, dq, a.force, b.force, a.tangent, b.tangent);
+                    REQUIRE(a.status == StepStatus::ok);
+                    REQUIRE(b.status == StepStatus::ok);
+                    const double size = std::max(from.traction.norm(), left.traction.norm());
+                    CHECK((left.traction - right.traction).norm() < 1e-11 * size);
+                    CHECK(std::abs(a.tangent / b.tangent - 1) < 1e-10);
+                    CHECK(std::abs(a.force - model.force(left)) <= 1e-15 * std::abs(a.force));
+                    CHECK(std::abs(a.force_per_width * 8e-3 / a.force - 1) < 1e-15);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("The tangent is the derivative of the force", "[transient]") {
+    for (const Integrator integrator : all_integrators) {
+        const Model model = plane_model(20, integrator);
+        const Model::State from = model.steady(0.3);
+        const Model::Prepared prepared = model.prepare(0.7);
+        Model::State to = from;
+        // the problem is linear: a difference over any distance is the derivative
+        const auto slope = [&](const Motion& low, const Motion& high, double distance) {
+            const double below = model.advance(from, prepared, low, to).force;
+            const TransientStep<double> above = model.advance(from, prepared, high, to);
+            return (above.force - below) / distance / above.tangent;
+        };
+        CHECK(slope(1.0, 3.0, 2) == Approx(1).epsilon(1e-12));
+        CHECK(slope(Motion::linear(0.5, 1.0), Motion::linear(0.5, 3.0), 2) == Approx(1).epsilon(1e-12));
+        CHECK(slope(Motion::shift(1.0), Motion::shift(3.0), 2) == Approx(1).epsilon(1e-12));
+        CHECK(model.advance(from, prepared, 1.0, to).tangent < 0);
+    }
+}
+
+TEST_CASE("A rigid shift is creepage times distance, and needs no distance", "[transient]") {
+    const Contact<double> contact = plane_contact();
+    const InfluenceMatrices<double> matrices =
+        assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
+    for (const Integrator integrator : all_integrators) {
+        const Model model = plane_model(40, integrator);
+        const Model::State from = model.steady(0.2);
+        Model::State by_creepage = from, by_shift = from;
+        const Model::Prepared prepared = model.prepare(0.25);
+        REQUIRE(model.advance(from, prepared, 3.0, by_creepage).status == StepStatus::ok);
+        REQUIRE(model.advance(from, prepared, Motion::shift(0.75), by_shift).status == StepStatus::ok);
+        CHECK(by_creepage.traction == by_shift.traction);
+
+        // G (p - p_old) = -W
+        REQUIRE(model.advance(from, model.prepare(0), Motion::shift(0.5), by_shift).status == StepStatus::ok);
+        const VectorX<double> jump = -matrices.G.fullPivLu().solve(VectorX<double>::Constant(40, 0.5));
+        CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
+        if (integrator == Integrator::matrix_exponential) continue;
+        REQUIRE(model.advance(from, 0.0, Motion::shift(0.5), by_shift).status == StepStatus::ok);
+        CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
+    }
+}
+
+TEST_CASE("Sizes, modulus and width only set the scale", "[transient]") {
+    const Contact<double> unit = Contact<double>::dimensionless(1.5, 0.28);
+    const Contact<double> real({.half_length = 6e-3, .half_width = 9e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const auto force = [](const Contact<double>& contact) {
+        const Model model(contact, cosine_mesh<double>(16), halves, StripKernel<double>::longitudinal(contact),
+                          unchecked);
+        const double a = contact.half_length();
+        return run(
+            model, 0.1 * a, 30, [](int k) { return Motion::linear(k * 1e-5, (k + 1) * 1e-5); }, model.at_rest());
+    };
+    const double a = 6e-3, G = 8e10;
+    CHECK(force(real).force == Approx(force(unit).force * G * a * a).epsilon(1e-12));
+    CHECK(force(real).force_per_width == Approx(force(unit).force_per_width * G * a).epsilon(1e-12));
+    CHECK(force(real).tangent == Approx(force(unit).tangent * G * a * a).epsilon(1e-12));
+    CHECK(force(real).force == Approx(force(real).force_per_width * 2 * 9e-3).epsilon(1e-14));
+}
+
+TEST_CASE("Every scheme keeps its own unknowns", "[transient]") {
+    const Contact<double> contact = plane_contact();
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    const Mesh<double> mesh = uniform_mesh<double>(12);
+    const auto check = [&](const auto& scheme, Eigen::Index size) {
+        const Model model(contact, mesh, scheme, kernel, unchecked);
+        REQUIRE(model.size() == size);
+        const double steady = solve_steady(mesh, scheme, kernel).c11;
+        CHECK(response(run(
+                  model, 1e5, 9, [](int) { return Motion(1.0); }, model.at_rest())) == Approx(steady).epsilon(1e-11));
+    };
+    check(Collocation{}, 12);
+    check(Galerkin{}, 12);
+    check(KnotheBoundary{}, 11);
+}
+
+TEMPLATE_TEST_CASE("The stepper in every scalar type", "[transient]", float, double, long double) {
+    using Scalar = TestType;
+    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
+    const reference::StepResponse exact(0.25, 100);
+    for (const Integrator integrator : all_integrators) {
+        const TransientModel<Scalar> model(contact, cosine_mesh<Scalar>(20), halves,
+                                           PlaneKernel<Scalar>::longitudinal(contact), unchecked, integrator);
+        const PreparedStep<Scalar> prepared = model.prepare(Scalar(0.0625));
+        TransientState<Scalar> state = model.at_rest(), next = state;
+        TransientStep<Scalar> step;
+        for (int k = 0; k < 32; ++k) {
+            step = model.advance(state, prepared, Scalar(1), next);
+            REQUIRE(step.status == StepStatus::ok);
+            if (integrator != Integrator::matrix_exponential) {
+                TransientState<Scalar> other = state;
+                const Scalar unprepared = model.advance(state, Scalar(0.0625), Scalar(1), other).force;
+                CHECK(std::abs(unprepared / step.force - 1) < 1000 * std::numeric_limits<Scalar>::epsilon());
+            }
+            std::swap(state, next);
+        }
+        const double tolerance = integrator == Integrator::implicit_euler ? 6e-3 : 4e-4;
+        CHECK(std::abs(static_cast<double>(-step.force_per_width) / exact.step(2) - 1) < tolerance);
+    }
+}
+
+TEST_CASE("Double meets long double", "[transient]") {
+    const auto force = []<class Scalar>(Scalar) {
+        const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
+        const TransientModel<Scalar> model(contact, uniform_mesh<Scalar>(60), Collocation{},
+                                           StripKernel<Scalar>::longitudinal(contact), unchecked,
+                                           Integrator::matrix_exponential);
+        const PreparedStep<Scalar> prepared = model.prepare(Scalar(0.125));
+        TransientState<Scalar> state = model.at_rest(), next = state;
+        Scalar last = 0;
+        for (int k = 0; k < 40; ++k) {
+            last = model.advance(state, prepared, Scalar(1), next).force;
+            std::swap(state, next);
+        }
+        return static_cast<double>(last);
+    };
+    const double rough = force(1.0), fine = force(1.0L);
+    CAPTURE(rough / fine - 1);
+    CHECK(std::abs(rough / fine - 1) < 1e-11);
+}
+
+TEST_CASE("In the loop bad input is a status and touches nothing", "[transient]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Model model = plane_model(10, Integrator::sdirk2);
+    const Model::State from = model.steady(1.0), before = from;
+    const Model::State mark{VectorX<double>::Constant(10, 7.0)};
+    const Model::Prepared prepared = model.prepare(0.1);
+    Model::State to = mark;
+    const auto refused = [&](const TransientStep<double>& step, StepStatus status) {
+        CHECK(step.status == status);
+        CHECK(std::isnan(step.force));
+        CHECK(std::isnan(step.tangent));
+        CHECK(to.traction == mark.traction);
+        CHECK(from.traction == before.traction);
+    };
+    for (const double bad : {nan, infinity, -infinity}) {
+        refused(model.advance(from, 0.1, bad, to), StepStatus::not_finite);
+        refused(model.advance(from, prepared, bad, to), StepStatus::not_finite);
+        refused(model.advance(from, prepared, Motion::linear(1.0, bad), to), StepStatus::not_finite);
+        refused(model.advance(from, prepared, Motion::linear(bad, 1.0), to), StepStatus::not_finite);
+        refused(model.advance(from, prepared, Motion::shift(bad), to), StepStatus::not_finite);
+        refused(model.advance(from, bad, 1.0, to), StepStatus::invalid_step);
+    }
+    refused(model.advance(from, 0.0, 1.0, to), StepStatus::invalid_step);
+    refused(model.advance(from, -1.0, 1.0, to), StepStatus::invalid_step);
+    refused(model.advance(from, -1.0, Motion::shift(1.0), to), StepStatus::invalid_step);
+    refused(model.advance(from, model.prepare(0), 1.0, to), StepStatus::invalid_step);
+    refused(model.advance(from, Model::Prepared(), Motion::shift(1.0), to), StepStatus::wrong_state);
+    refused(model.advance(from, plane_model(11, Integrator::sdirk2).prepare(0.1), 1.0, to), StepStatus::wrong_state);
+    refused(model.advance(Model::State(), prepared, 1.0, to), StepStatus::wrong_state);
+    refused(model.advance(to, prepared, 1.0, to), StepStatus::wrong_state);
+    refused(plane_model(10, Integrator::matrix_exponential).advance(from, 0.1, 1.0, to), StepStatus::needs_prepare);
+    Model::State none;
+    CHECK(model.advance(from, prepared, 1.0, none).status == StepStatus::wrong_state);
+
+    const Model large = plane_model(Model::largest_unprepared + 1, Integrator::sdirk2);
+    Model::State there = large.at_rest();
+    CHECK(large.advance(large.at_rest(), 0.1, 1.0, there).status == StepStatus::needs_prepare);
+    CHECK(large.advance(large.at_rest(), large.prepare(0.1), 1.0, there).status == StepStatus::ok);
+
+    // a result that overflows: `to` is then a copy of `from`
+    const Model::State huge{VectorX<double>::Constant(10, 1.7e308)};
+    CHECK(model.advance(huge, prepared, 1.0, to).status == StepStatus::not_finite);
+    CHECK(to.traction == huge.traction);
+}
+
+TEST_CASE("Construction refuses bad input by name", "[transient]") {
+    const Contact<double> contact = plane_contact();
+    const Mesh<double> mesh = uniform_mesh<double>(8);
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    const auto build = [&](const StabilityVerdict& verdict) { Model(contact, mesh, halves, kernel, verdict); };
+    const StabilityVerdict good{.n = 8, .status = Status::ok};
+    CHECK_NOTHROW(build(good));
+    using Catch::Matchers::ContainsSubstring;
+    StabilityVerdict bad = good;
+    bad.unstable_count = 2;
+    CHECK_THROWS_WITH(build(bad), ContainsSubstring("TransientModel: unstable_count = 2 must be 0"));
+    bad = good;
+    bad.uncertain_count = 1;
+    CHECK_THROWS_WITH(build(bad), ContainsSubstring("TransientModel: uncertain_count = 1 must be 0"));
+    bad = good;
+    bad.n = 9;
+    CHECK_THROWS_WITH(build(bad), ContainsSubstring("n of the verdict = 9 must equal"));
+    CHECK_THROWS_AS(build(StabilityVerdict{.n = 8}), std::invalid_argument);  // eigenvalues not found
+    // all modes decay at alpha = 1.5, to three times the force
+    CHECK_THROWS_WITH(Model(contact, mesh, Collocation{1.5, 1.5}, kernel, good),
+                      ContainsSubstring("does not converge to full adhesion"));
+    CHECK_NOTHROW(Model(contact, mesh, Collocation{1.5, 1.5}, kernel, unchecked));
+
+    const Contact<double> infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
+    CHECK_THROWS_WITH(Model(infinite, mesh, halves, StripKernel<double>::longitudinal(infinite), unchecked),
+                      ContainsSubstring("half_width = inf must be finite"));
+    const Contact<double> narrow = Contact<double>::dimensionless(0.1, 0.25);
+    CHECK_THROWS_WITH(Model(narrow, mesh, halves, PlaneKernel<double>::longitudinal(narrow), unchecked),
+                      ContainsSubstring("Lambda"));
+
+    InfluenceMatrices<double> matrices = assemble(mesh, halves, kernel);
+    CHECK_NOTHROW(Model(contact, matrices, mesh.widths(), good));
+    CHECK_THROWS_AS(Model(contact, matrices, uniform_mesh<double>(9).widths(), unchecked), std::invalid_argument);
+    matrices.G(3, 4) = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(Model(contact, matrices, mesh.widths(), unchecked), std::invalid_argument);
+
+    const Model model(contact, mesh, halves, kernel, good);
+    CHECK_THROWS_WITH(model.prepare(-1), "TransientModel: dq = -1 must be finite and not negative");
+    CHECK_THROWS_AS(model.prepare(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+    CHECK_THROWS_AS(model.steady(std::numeric_limits<double>::infinity()), std::invalid_argument);
+}
+
+TEST_CASE("Threads may share a model", "[transient]") {
+    const Model model = plane_model(40, Integrator::sdirk2);
+    const Model::Prepared prepared = model.prepare(0.05);
+    std::array<double, 4> forces{};
+    std::vector<std::thread> threads;
+    for (double& force : forces) {
+        threads.emplace_back([&] {
+            Model::State state = model.at_rest(), next = state;
+            for (int k = 0; k < 50; ++k) {
+                model.advance(state, prepared, 1.0, next);
+                force = model.advance(next, 0.07, 0.5, state).force;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const double force : forces) CHECK(force == forces[0]);
+}
+
+}  // namespace

@@ -1,0 +1,191 @@
+// rollbem/adhesion/transient.hpp, friction.hpp: no step touches the heap.
+// A program of its own, because it replaces operator new and, where it can, malloc.
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/friction/friction.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+
+// Eigen takes its memory from malloc, not from operator new.
+extern "C" {
+void* __libc_malloc(std::size_t size);                     // NOLINT: glibc's own names
+void* __libc_calloc(std::size_t count, std::size_t size);  // NOLINT
+void* __libc_realloc(void* memory, std::size_t size);      // NOLINT
+
+void* malloc(std::size_t size) {
+    ++allocations;
+    return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+    ++allocations;
+    return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+    ++allocations;
+    return __libc_realloc(memory, size);
+}
+}
+
+#endif
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace rollbem;
+
+TransientModel<double> make_model(Eigen::Index n, Integrator integrator) {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    return {contact,
+            cosine_mesh<double>(n),
+            Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+            PlaneKernel<double>::longitudinal(contact),
+            unchecked,
+            integrator};
+}
+
+/// Heap requests made by 20 steps with all kinds of motion; -1 where a step failed.
+template <class Dq>
+long count(const TransientModel<double>& model, const Dq& dq) {
+    TransientState<double> state = model.at_rest(), next = state;
+    bool ok = true;
+    const long before = allocations;
+    for (int k = 0; k < 20; ++k) {
+        const auto step = [&](const RigidMotion<double>& motion) {
+            ok = model.advance(state, dq, motion, next).status == StepStatus::ok && ok;
+            std::swap(state, next);
+        };
+        step(1.0);
+        step(RigidMotion<double>::linear(1.0, 2.0));
+        step(RigidMotion<double>::shift(0.1));
+    }
+    return ok ? allocations - before : -1;
+}
+
+TEST_CASE("The counters count", "[transient]") {
+    long before = allocations;
+    int* volatile number = new int(1);  // volatile: the compiler may leave out a pair of new and delete
+    delete number;
+    CHECK(allocations > before);
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+    before = allocations;
+    const VectorX<double> vector = VectorX<double>::Ones(100);
+    CHECK(allocations > before);
+    CHECK(vector.sum() == 100);
+#endif
+}
+
+TEST_CASE("A prepared step does not allocate at any size", "[transient]") {
+    for (const Integrator integrator :
+         {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
+        for (const Eigen::Index n : {1, 2, 40, 129, 400}) {
+            if (n == 400 && integrator == Integrator::matrix_exponential) continue;  // the same step, slow to prepare
+            const TransientModel<double> model = make_model(n, integrator);
+            CAPTURE(n, static_cast<int>(integrator));
+            CHECK(count(model, model.prepare(0.01)) == 0);
+        }
+    }
+}
+
+TEST_CASE("A new dq does not allocate up to 128 elements", "[transient]") {
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const Eigen::Index n : {1, 2, 40, 128}) {
+            CAPTURE(n, static_cast<int>(integrator));
+            CHECK(count(make_model(n, integrator), 0.01) == 0);
+        }
+        // refusals and copies of a state into one of the same size are free, too
+        const TransientModel<double> large = make_model(129, integrator);
+        const TransientState<double> state = large.at_rest();
+        TransientState<double> next = state;
+        const long before = allocations;
+        const bool refused = large.advance(state, 0.01, 1.0, next).status == StepStatus::needs_prepare;
+        next = state;
+        const long after = allocations;
+        CHECK(refused);
+        CHECK(after == before);
+    }
+}
+
+FrictionModel<double> make_friction_model(Eigen::Index n, double alpha_L, Integrator integrator) {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Mesh<double> mesh = cosine_mesh<double>(n);
+    return {contact,
+            mesh,
+            Collocation{.alpha_L = alpha_L, .alpha_T = 0.5},
+            PlaneKernel<double>::longitudinal(contact),
+            {0.3, mean_hertz_pressure(mesh)},
+            integrator};
+}
+
+TEST_CASE("A step with friction does not allocate", "[friction]") {
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const Eigen::Index n : {1, 40, 100}) {
+            const FrictionModel<double> model = make_friction_model(n, 0.5, integrator);
+            FrictionState<double> now = model.at_rest(), next = now;
+            bool ok = model.advance(now, 0.1, 0.1, next).status == FrictionStatus::ok;
+            int changes = 0;
+            const long before = allocations;
+            for (int k = 0; k < 200; ++k) {  // zones and dq change
+                const FrictionStep<double> step =
+                    k % 50 == 49 ? model.shift(now, 0.2, next)
+                                 : model.advance(now, k % 20 < 15 ? 0.1 : 0.3, (k % 13 - 6) * 0.15, next);
+                ok = ok && step.status == FrictionStatus::ok;
+                changes += step.rounds > 2 ? 1 : 0;
+                std::swap(now, next);
+            }
+            const long after = allocations;
+            CAPTURE(n, static_cast<int>(integrator), changes);
+            CHECK(ok);
+            CHECK((changes >= 30 || n == 1));
+            CHECK(after == before);
+        }
+    }
+    // nor at any size while no element changes
+    const FrictionModel<double> large = make_friction_model(300, 0.5, Integrator::sdirk2);
+    FrictionState<double> now = large.at_rest(), next = now;
+    for (int k = 0; k < 2; ++k) {
+        large.advance(now, 0.1, 1e-9, next);
+        std::swap(now, next);
+    }
+    const long before = allocations;
+    const FrictionStep<double> step = large.advance(now, 0.1, 1e-9, next);
+    const long after = allocations;
+    CHECK(step.rounds == 2);
+    CHECK(after == before);
+}
+
+TEST_CASE("A steady solution with friction does not allocate, its fallback included", "[friction]") {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const Mesh<double> mesh = cosine_mesh<double>(20);
+    const SteadyFrictionModel<double> model(contact, mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5},
+                                            PlaneKernel<double>::longitudinal(contact), {1, mean_hertz_pressure(mesh)});
+    const FrictionState<double> rest = model.at_rest();
+    FrictionState<double> state = rest;
+    model.solve(rest, 0.1, state);
+    const long before = allocations;
+    const FrictionStep<double> point = model.solve(rest, 1.5 * 0.95, state);
+    const long after = allocations;
+    CHECK(point.status == FrictionStatus::ok);
+    CHECK(point.pivots > 0);
+    CHECK(after == before);
+}
+
+}  // namespace
