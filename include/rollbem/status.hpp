@@ -1,5 +1,5 @@
-// Status: the verdict that every numerical result carries.
-// A broken precondition throws; a computation that went wrong says so here.
+// What became of a computation, with names for messages and tables: Status of a solution, StepStatus of a state that
+// follows from another. A broken precondition throws; a computation that went wrong says so here.
 #pragma once
 
 namespace rollbem {
@@ -10,7 +10,46 @@ enum class Status {
     ill_conditioned,  ///< the matrix is singular to working precision, or the residual is far above rounding
     inconsistent,     ///< solved well, but tractions of steady rolling that push with the creepage show that the scheme
                       ///< does not converge to full adhesion: alpha <= 0, or alpha > 1
+    not_converged,    ///< the order of a polynomial is too low, or monomials have broken down by cancellation
+    order_differs,    ///< values to be extrapolated do not converge with the order that was given
     not_finite,       ///< an input or a result is not a number or infinite
 };
+
+/// What became of a step, or of a solution with friction that was sought from a state.
+enum class StepStatus {
+    ok,
+    /// Friction: no solution was found to rounding, and the complementarity residual tells how far off this one is. With
+    /// finite bounds a solution always exists, so only matrices that are singular to rounding lead here.
+    no_solution,
+    not_finite,     ///< the motion or the result is not a number or infinite
+    invalid_step,   ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
+    needs_prepare,  ///< the distance rolled has to be prepared: too many elements, or Integrator::matrix_exponential
+    wrong_state,    ///< a state, prepared step or workspace of another system, or one object both `from` and `to`
+};
+
+/// The name of a status as it stands in this header.
+constexpr const char* name(Status status) {
+    switch (status) {
+        case Status::ok: return "ok";
+        case Status::ill_conditioned: return "ill_conditioned";
+        case Status::inconsistent: return "inconsistent";
+        case Status::not_converged: return "not_converged";
+        case Status::order_differs: return "order_differs";
+        case Status::not_finite: break;
+    }
+    return "not_finite";
+}
+
+constexpr const char* name(StepStatus status) {
+    switch (status) {
+        case StepStatus::ok: return "ok";
+        case StepStatus::no_solution: return "no_solution";
+        case StepStatus::invalid_step: return "invalid_step";
+        case StepStatus::needs_prepare: return "needs_prepare";
+        case StepStatus::wrong_state: return "wrong_state";
+        case StepStatus::not_finite: break;
+    }
+    return "not_finite";
+}
 
 }  // namespace rollbem

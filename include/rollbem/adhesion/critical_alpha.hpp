@@ -39,13 +39,13 @@ public:
     };
 
     Look look(double alpha_T) const {
-        const InfluenceMatrices<Scalar> matrices = assemble(mesh_, scheme_of_(alpha_T), kernel_);
-        const UnstableCount<Scalar> count = count_unstable(matrices);
+        const ElementSystem<Scalar> system = rolling_system(mesh_, scheme_of_(alpha_T), kernel_);
+        const UnstableCount<Scalar> count = count_unstable<Scalar>(system);
         if (count.status == Status::ok && count.unstable_count == 0) {
-            const Scalar rcond = Eigen::PartialPivLU<MatrixX<Scalar>>(matrices.G).rcond();
+            const Scalar rcond = Eigen::PartialPivLU<MatrixX<Scalar>>(system.G()).rcond();
             return {false, count.flattest_cosine, rcond > Scalar(1e-6)};
         }
-        return {verdict(matrices).certainly_unstable(), 0, false};
+        return {verdict<Scalar>(system).certainly_unstable(), 0, false};
     }
 
 private:
@@ -57,7 +57,7 @@ private:
 }  // namespace detail
 
 /// The smallest alpha_T in [first, last] at which an eigenvalue grows and its sign is settled, to within `tolerance`
-/// from above; nothing where there is none. `scheme_of(alpha_T)` makes the scheme. Throws as solve_stability does, and
+/// from above; nothing where there is none. `scheme_of(alpha_T)` makes the scheme. Throws as rolling_system does, and
 /// std::invalid_argument for a range or a step that is not positive.
 template <class Scalar, class SchemeOf, LineKernel Kernel>
 std::optional<double> critical_alpha_T(const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
@@ -67,7 +67,6 @@ std::optional<double> critical_alpha_T(const Mesh<Scalar>& mesh, const SchemeOf&
     detail::require(options.tolerance > 0, "critical_alpha_T", "tolerance", options.tolerance, "be positive");
     detail::require(options.largest_stride >= 1, "critical_alpha_T", "largest_stride", options.largest_stride,
                     "be at least 1");
-    require_stable_model(kernel);
     const detail::CriticalAlphaSearch<Scalar, Kernel, SchemeOf> search(mesh, scheme_of, kernel);
     const auto grid = [&options](long k) { return options.first + static_cast<double>(k) * options.step; };
     const long count = std::lround(std::floor((options.last - options.first) / options.step * (1 + 1e-12)));

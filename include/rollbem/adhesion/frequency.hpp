@@ -7,13 +7,13 @@
 #include <complex>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "../assembly/influence.hpp"
-#include "../elasticity/plane_model.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../status.hpp"
 #include "detail/consistency.hpp"
 #include "detail/pencil.hpp"
@@ -43,13 +43,6 @@ struct SweepPoint {
 namespace detail {
 
 template <class Scalar>
-void require_response(const char* who, const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths) {
-    require_pencil(who, matrices);
-    require(widths.size() == matrices.G.cols(), who, "number of widths", widths.size(),
-            "equal the number of columns of G");
-}
-
-template <class Scalar>
 void require_growth(const char* who, const std::complex<Scalar>& s) {
     require(std::isfinite(s.real()), who, "Re(s)", s.real(), "be finite");
     require(std::isfinite(s.imag()), who, "Im(s)", s.imag(), "be finite");
@@ -64,26 +57,23 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
 }  // namespace detail
 
 /// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme converges
-/// (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not
-/// finite, matrices that are not square and of one size, or another number of widths.
+/// (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not finite.
 template <class Scalar>
-HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
-                                           std::complex<Scalar> s) {
+HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system, std::complex<Scalar> s) {
     using Complex = std::complex<Scalar>;
-    detail::require_response("solve_exponential", matrices, widths);
     detail::require_growth("solve_exponential", s);
-    const Eigen::Index n = widths.size();
+    const Eigen::Index n = system.size();
     const Scalar scale = detail::equation_scale(s);
     const Complex ratio(s.real() / scale, s.imag() / scale);
     HarmonicSolution<Scalar> solution;
     MatrixX<Complex> A(n, n);
-    A.real() = matrices.G_prime / scale - ratio.real() * matrices.G;
-    A.imag() = -ratio.imag() * matrices.G;
+    A.real() = system.G_prime() / scale - ratio.real() * system.G();
+    A.imag() = -ratio.imag() * system.G();
     const Scalar norm = A.cwiseAbs().rowwise().sum().maxCoeff();
     const VectorX<Complex> xi = VectorX<Complex>::Constant(n, 1 / scale);
     const Eigen::PartialPivLU<MatrixX<Complex>> lu(A);
     solution.traction = lu.solve(xi);
-    solution.c11 = -(widths * solution.traction.array()).sum();
+    solution.c11 = -(system.weights() * solution.traction.array()).sum();
     if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
     solution.residual = (A * solution.traction - xi).cwiseAbs().maxCoeff() /
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1 / scale);
@@ -94,29 +84,11 @@ HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matr
     return solution;
 }
 
-/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign. Throws std::invalid_argument
-/// for a z that is not finite, matrices that are not square and of one size, or another number of widths.
+/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign. Otherwise as above.
 template <class Scalar>
-HarmonicSolution<Scalar> solve_harmonic(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
-                                        Scalar z) {
+HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
     detail::require(std::isfinite(z), "solve_harmonic", "omega a/V", z, "be finite");
-    return solve_exponential(matrices, widths, std::complex<Scalar>(0, z));
-}
-
-/// Assembles G and G' and solves for one frequency; Status::inconsistent where the steady solution does not oppose the
-/// creepage. Throws as assemble and require_stable_model do, too.
-template <class Scalar, class Scheme, LineKernel Kernel>
-HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
-                                        Scalar z) {
-    require_stable_model(kernel);
-    const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
-    const ArrayX<Scalar> widths = unknown_widths(mesh, scheme);
-    HarmonicSolution<Scalar> solution = solve_harmonic<Scalar>(matrices, widths, z);
-    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices.G_prime);
-    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths.size()));
-    const bool consistent = detail::opposes_creepage<Scalar>(steady, widths);
-    if (solution.status == Status::ok && !consistent) solution.status = Status::inconsistent;
-    return solution;
+    return solve_exponential(system, std::complex<Scalar>(0, z));
 }
 
 /// c11 at many frequencies. With M = G'^-1 G = U H U^T, H of Hessenberg form, (G' - s G) p = xi turns into
@@ -128,14 +100,7 @@ public:
     using Scalar = Scalar_;
     using Complex = std::complex<Scalar>;
 
-    /// Throws std::invalid_argument for matrices that are not square and of one size or another number of widths.
-    FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths);
-
-    /// Assembles G and G'. Throws as assemble and require_stable_model do.
-    template <class Scheme, LineKernel Kernel>
-    FrequencySweep(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel)
-        : FrequencySweep((require_stable_model(kernel), assemble(mesh, scheme, kernel)), unknown_widths(mesh, scheme)) {
-    }
+    explicit FrequencySweep(RollingSystem<Scalar> system);
 
     /// Whether the reduction is in use.
     bool reduced() const { return reduced_.has_value(); }
@@ -188,28 +153,24 @@ private:
 
     SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const;
 
-    InfluenceMatrices<Scalar> matrices_;
-    ArrayX<Scalar> widths_;
+    RollingSystem<Scalar> system_;
     std::optional<Reduced> reduced_;
-    bool consistent_ = false;  // the steady solution opposes the creepage
+    bool consistent_ = true;  // the steady tractions oppose the creepage
 };
 
 template <class Scalar_>
-FrequencySweep<Scalar_>::FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths)
-    : matrices_(std::move(matrices)), widths_(std::move(widths)) {
-    detail::require_response("FrequencySweep", matrices_, widths_);
-    if (!matrices_.G.allFinite() || !matrices_.G_prime.allFinite()) return;
-    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices_.G_prime);
-    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
-    consistent_ = detail::opposes_creepage<Scalar>(steady, widths_);
+FrequencySweep<Scalar_>::FrequencySweep(RollingSystem<Scalar> system) : system_(std::move(system)) {
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system_.G_prime());
+    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(system_.size()));
+    consistent_ = !system_.unknowns_are_tractions() || detail::opposes_creepage<Scalar>(steady, system_.weights());
     if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
-    const MatrixX<Scalar> M = lu.solve(matrices_.G);
+    const MatrixX<Scalar> M = lu.solve(system_.G());
     const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
     Reduced reduced;
     reduced.H = hessenberg.matrixH();
     const MatrixX<Scalar> U = hessenberg.matrixQ();
     reduced.steady = U.transpose() * steady;
-    reduced.weights = U.transpose() * widths_.matrix();
+    reduced.weights = U.transpose() * system_.weights().matrix();
     reduced.norm = reduced.H.cwiseAbs().rowwise().sum().maxCoeff();
     reduced_ = std::move(reduced);
 }
@@ -221,7 +182,7 @@ auto FrequencySweep<Scalar_>::at(Complex s) const -> SweepPoint<Scalar> {
     if (reduced_) {
         point = solve_reduced(s);
     } else {
-        const HarmonicSolution<Scalar> full = solve_exponential(matrices_, widths_, s);
+        const HarmonicSolution<Scalar> full = solve_exponential(system_, s);
         point = {full.c11, full.residual, full.rcond, full.status};
     }
     if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
@@ -296,11 +257,5 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     point.status = trusted ? Status::ok : Status::ill_conditioned;
     return point;
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template HarmonicSolution<double> solve_exponential<double>(const InfluenceMatrices<double>&,
-                                                                   const ArrayX<double>&, std::complex<double>);
-extern template class FrequencySweep<double>;
-#endif
 
 }  // namespace rollbem

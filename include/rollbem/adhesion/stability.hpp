@@ -12,9 +12,7 @@
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
 
-#include "../assembly/influence.hpp"
-#include "../elasticity/plane_model.hpp"
-#include "detail/pencil.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "stability_verdict.hpp"
 
 namespace rollbem {
@@ -176,17 +174,14 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
 }  // namespace detail
 
 /// All eigenvalues of G' p = nu G p by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose triangular pair is
-/// needed here). Without options no vectors are computed. Throws std::invalid_argument unless G and G' are square and
-/// of one size; matrices that are not finite give Status::not_finite, no convergence Status::ill_conditioned.
+/// needed here). Without options no vectors are computed. No convergence gives Status::ill_conditioned.
 template <class Scalar>
-StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrices, StabilityOptions options = {}) {
-    detail::require_pencil("solve_stability", matrices);
-    const Eigen::Index n = matrices.G.rows();
+StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, StabilityOptions options = {}) {
+    const Eigen::Index n = system.size();
     StabilityResult<Scalar> result;
-    if (!matrices.G.allFinite() || !matrices.G_prime.allFinite()) return result;
     detail::QuasiTriangularPair<Scalar> pair;
     {
-        const Eigen::RealQZ<MatrixX<Scalar>> qz(matrices.G_prime, matrices.G, false);
+        const Eigen::RealQZ<MatrixX<Scalar>> qz(system.G_prime(), system.G(), false);
         result.status = qz.info() == Eigen::Success ? Status::ok : Status::ill_conditioned;
         if (result.status != Status::ok) return result;
         pair = {qz.matrixS(), qz.matrixT()};
@@ -218,7 +213,7 @@ StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrice
 
     if (options.settle_signs) {
         result.uncertainty =
-            detail::uncertainty_of_eigenvalues(pair, detail::two_norm(matrices.G_prime), detail::two_norm(matrices.G));
+            detail::uncertainty_of_eigenvalues(pair, detail::two_norm(system.G_prime()), detail::two_norm(system.G()));
         Eigen::Index settled = 0, settled_unstable = 0;
         for (Eigen::Index k = 0; k < n; ++k) {
             if (!(result.beta[k] > 0)) continue;
@@ -229,16 +224,8 @@ StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrice
         result.uncertain_count = n - settled;
         result.settled_unstable_count = settled_unstable;
     }
-    if (options.condition) result.cond_G = detail::two_norm_condition(matrices.G);
+    if (options.condition) result.cond_G = detail::two_norm_condition(system.G());
     return result;
-}
-
-/// Assembles G and G' and finds the eigenvalues. Throws as assemble and require_stable_model do.
-template <class Scalar, class Scheme, LineKernel Kernel>
-StabilityResult<Scalar> solve_stability(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
-                                        StabilityOptions options = {}) {
-    require_stable_model(kernel);
-    return solve_stability(assemble(mesh, scheme, kernel), options);
 }
 
 /// The verdict of a result that has its signs settled. Throws std::invalid_argument for any other result.
@@ -254,14 +241,10 @@ StabilityVerdict verdict(const StabilityResult<Scalar>& result) {
             .status = result.status};
 }
 
-/// The verdict on given matrices. Throws as solve_stability does.
+/// The verdict on a system.
 template <class Scalar>
-StabilityVerdict verdict(const InfluenceMatrices<Scalar>& matrices) {
-    return verdict(solve_stability(matrices, {.settle_signs = true}));
+StabilityVerdict verdict(const RollingSystem<Scalar>& system) {
+    return verdict(solve_stability(system, {.settle_signs = true}));
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template StabilityResult<double> solve_stability<double>(const InfluenceMatrices<double>&, StabilityOptions);
-#endif
 
 }  // namespace rollbem

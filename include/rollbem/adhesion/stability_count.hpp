@@ -8,8 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "../assembly/influence.hpp"
-#include "../elasticity/plane_model.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../status.hpp"
 #include "detail/pencil.hpp"
 
@@ -26,18 +25,16 @@ struct UnstableCount {
 };
 
 /// Counts the eigenvalues nu = 1/mu in the right half-plane, mu those of M = G'^-1 G: Re(nu) and Re(mu) have the same
-/// sign. Throws std::invalid_argument unless G and G' are square and of one size.
+/// sign.
 template <class Scalar>
-UnstableCount<Scalar> count_unstable(const InfluenceMatrices<Scalar>& matrices) {
-    detail::require_pencil("count_unstable", matrices);
+UnstableCount<Scalar> count_unstable(const RollingSystem<Scalar>& system) {
     UnstableCount<Scalar> result;
-    result.n = matrices.G.rows();
-    if (!matrices.G.allFinite() || !matrices.G_prime.allFinite()) return result;
-    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices.G_prime);
+    result.n = system.size();
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
     result.rcond = lu.rcond();
     result.status = Status::ill_conditioned;
     if (!(result.rcond > Scalar(detail::least_rcond_of_G_prime))) return result;
-    const MatrixX<Scalar> M = lu.solve(matrices.G);
+    const MatrixX<Scalar> M = lu.solve(system.G());
     const Eigen::EigenSolver<MatrixX<Scalar>> solver(M, false);
     if (solver.info() != Eigen::Success) return result;
     for (const std::complex<Scalar>& mu : solver.eigenvalues()) {
@@ -48,16 +45,5 @@ UnstableCount<Scalar> count_unstable(const InfluenceMatrices<Scalar>& matrices) 
     result.status = Status::ok;
     return result;
 }
-
-/// Assembles G and G' and counts. Throws as assemble and require_stable_model do.
-template <class Scalar, class Scheme, LineKernel Kernel>
-UnstableCount<Scalar> count_unstable(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    require_stable_model(kernel);
-    return count_unstable(assemble(mesh, scheme, kernel));
-}
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template UnstableCount<double> count_unstable<double>(const InfluenceMatrices<double>&);
-#endif
 
 }  // namespace rollbem

@@ -2,9 +2,18 @@
 // One model for a whole creep curve; each point starts from the one before.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
-#include "model.hpp"
+#include "../assembly/influence.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../elasticity/line_kernel.hpp"
+#include "../scene/contact.hpp"
+#include "detail/core.hpp"
+#include "law.hpp"
+#include "state.hpp"
+#include "workspace.hpp"
 
 namespace rollbem {
 
@@ -16,9 +25,10 @@ namespace rollbem {
 /// status must not be inconsistent. Steady rolling asks for no stability in time.
 ///
 ///     const SteadyFrictionModel<double> model(contact, mesh, scheme, kernel, friction);
-///     State now = model.at_rest(), next = now;
+///     FrictionWorkspace<double> workspace = model.workspace();
+///     FrictionState<double> now = model.at_rest(), next = now;
 ///     for (double creepage : curve) {
-///         const FrictionStep<double> point = model.solve(now, creepage, next);
+///         const FrictionStep<double> point = model.solve(now, creepage, next, workspace);
 ///         std::swap(now, next);
 ///     }
 template <class Scalar_ = double>
@@ -27,6 +37,7 @@ public:
     using Scalar = Scalar_;
     using State = FrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
+    using Workspace = FrictionWorkspace<Scalar>;
 
     /// Throws std::invalid_argument as assemble_G_prime does and where the law breaks what CoulombFriction asks for.
     template <class Scheme, LineKernel Kernel>
@@ -44,16 +55,17 @@ public:
                               detail::friction_bound("SteadyFrictionModel", friction, widths.size(), widths.size(),
                                                      contact.shear_modulus())) {}
 
-    Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
+    Eigen::Index size() const { return core_.size(); }                 ///< number of unknown elements
+    std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of G', widths and contact
 
     /// No traction anywhere, everything sticks: the start of a first solution.
     State at_rest() const { return core_.at_rest(); }
+    Workspace workspace() const { return Workspace(size()); }
 
-    /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of this model; it
-    /// is left alone where the status is wrong_state or the creepage is not finite. A `to` that was used before costs
-    /// no allocation up to a hundred elements.
-    Step solve(const State& from, Scalar creepage, State& to) const noexcept {
-        return core_.solve_steady(from, creepage, G_prime_, to);
+    /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of as many elements; it
+    /// is left alone where the status is wrong_state or the creepage is not finite. No allocation.
+    Step solve(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
+        return core_.solve_steady(from, creepage, G_prime_, to, workspace);
     }
 
 private:
@@ -63,16 +75,24 @@ private:
 
     SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         VectorX<Scalar> bound)
-        : core_(contact, widths, std::move(bound)), G_prime_(std::move(G_prime)) {
-        detail::check_influence("SteadyFrictionModel", G_prime_, size());
+        : core_(contact, widths, std::move(bound), fingerprint_of(G_prime, widths)), G_prime_(std::move(G_prime)) {
+        const Eigen::Index n = size();
+        detail::require(G_prime_.rows() == n, "SteadyFrictionModel", "number of rows of G_prime", G_prime_.rows(),
+                        "equal the number of widths");
+        detail::require(G_prime_.cols() == n, "SteadyFrictionModel", "number of columns of G_prime", G_prime_.cols(),
+                        "equal the number of widths");
+        detail::require_finite("SteadyFrictionModel: G_prime", G_prime_);
+    }
+
+    static std::uint64_t fingerprint_of(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& widths) {
+        detail::Fingerprint fingerprint;
+        fingerprint.add(G_prime);
+        fingerprint.add(widths);
+        return fingerprint.value();
     }
 
     Core core_;
     MatrixX<Scalar> G_prime_;
 };
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template class SteadyFrictionModel<double>;
-#endif
 
 }  // namespace rollbem

@@ -2,8 +2,8 @@
 // No user includes this by itself.
 #pragma once
 
-#include "../../elasticity/line_kernel.hpp"
 #include "../../status.hpp"
+#include "../../types.hpp"
 
 namespace rollbem::detail {
 

@@ -1,0 +1,70 @@
+// How steps in time are taken, and under which promise about the scheme's eigenvalues.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "../assembly/rolling_system.hpp"
+#include "../detail/in_place_lu.hpp"
+#include "../detail/require.hpp"
+#include "../types.hpp"
+#include "detail/consistency.hpp"
+#include "stability_verdict.hpp"
+
+namespace rollbem {
+
+/// How a step is taken. With w = dq G^-1 G', each replaces e^w by a rational function r(w) with one real pole that
+/// tends to 0 for w -> -inf (L-stable): stiff modes, which a nearly singular G has, die out instead of ringing.
+enum class Integrator {
+    implicit_euler,      ///< first order
+    sdirk2,              ///< second order, two stages, gamma = 1 - 1/sqrt(2) (Alexander 1977); the default
+    matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage (first-order
+                         ///< hold); for distances rolled that are prepared, in full adhesion
+};
+
+constexpr const char* name(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::implicit_euler: return "implicit_euler";
+        case Integrator::sdirk2: return "sdirk2";
+        case Integrator::matrix_exponential: break;
+    }
+    return "matrix_exponential";
+}
+
+/// Tag in place of a verdict: build the model whatever its eigenvalues, and whether the scheme converges or not.
+struct Unchecked {};
+inline constexpr Unchecked unchecked{};
+
+namespace detail {
+
+/// The unknowns of steady rolling at unit creepage, G' p = 1, by the LU that costs no header.
+template <class Scalar>
+VectorX<Scalar> steady_unknowns(const RollingSystem<Scalar>& system) {
+    MatrixX<Scalar> factors = system.G_prime();
+    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(system.size()));
+    VectorX<Scalar> p = VectorX<Scalar>::Ones(system.size());
+    factorise_in_place<Scalar>(factors, swaps.data());
+    solve_in_place<Scalar>(factors, swaps.data(), p);
+    return p;
+}
+
+/// What every model in time asks of a scheme: throws std::invalid_argument unless the verdict is one of this system's
+/// eigenvalues and settles that none grows, and where steady rolling shows that the scheme does not converge to full
+/// adhesion (Status::inconsistent).
+template <class Scalar>
+void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const StabilityVerdict& verdict) {
+    require(verdict.n == system.size(), who, "n of the verdict", verdict.n, "equal the number of unknowns");
+    require(verdict.status == Status::ok, who, "status of the verdict", name(verdict.status), "be ok");
+    require(verdict.unstable_count == 0, who, "unstable_count", verdict.unstable_count,
+            "be 0: a mode of the scheme grows without bound");
+    require(verdict.uncertain_count == 0, who, "uncertain_count", verdict.uncertain_count,
+            "be 0: rounding leaves open whether a mode grows");
+    if (!system.unknowns_are_tractions()) return;
+    const Scalar share = assisting_share<Scalar>(steady_unknowns(system).array(), system.weights());
+    require(share <= Scalar(largest_assisting_share), who, "share of steady traction that pushes with the creepage",
+            share, "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
+}
+
+}  // namespace detail
+
+}  // namespace rollbem

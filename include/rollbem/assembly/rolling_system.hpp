@@ -1,0 +1,149 @@
+// RollingSystem: the narrow waist. G' p - (1/V) G dp/dt = xi, Eq. (12), and the weights that turn its unknowns into the
+// force. Everything that is not steady takes it, and sees nothing of meshes, schemes and kernels.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "../detail/fingerprint.hpp"
+#include "../detail/require.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../elasticity/line_kernel.hpp"
+#include "../elasticity/plane_model.hpp"
+#include "../scene/contact.hpp"
+#include "../types.hpp"
+#include "influence.hpp"
+
+namespace rollbem {
+
+/// G' p - G dp/dq = xi with xi the same in every equation, q = V t/a; F_bar/(a G) = weights . p. Dimensionless: G in
+/// a/G, G' in 1/G. What the unknowns p mean is the business of the discretisation that made it.
+///
+/// Invariant: n >= 1; G and G' are n x n, there are n weights, and all of them are finite.
+template <class Scalar_>
+class RollingSystem {
+public:
+    using Scalar = Scalar_;
+
+    /// From ready matrices. Throws std::invalid_argument where the invariant is broken.
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> weights)
+        : G_(std::move(G)), G_prime_(std::move(G_prime)), weights_(std::move(weights)) {
+        const Eigen::Index n = weights_.size();
+        detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
+        require_entries("RollingSystem: G", G_, n);
+        require_entries("RollingSystem: G_prime", G_prime_, n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            detail::require(std::isfinite(weights_[i]), "RollingSystem", "weight", weights_[i], "be finite");
+        }
+    }
+
+    Eigen::Index size() const { return weights_.size(); }        ///< n, number of unknowns
+    const MatrixX<Scalar>& G() const { return G_; }              ///< [a/G]
+    const MatrixX<Scalar>& G_prime() const { return G_prime_; }  ///< [1/G]
+    const ArrayX<Scalar>& weights() const { return weights_; }   ///< widths in units of a where p are tractions
+
+    /// Whether p are the tractions of elements: only then can their signs tell that a scheme does not converge.
+    bool unknowns_are_tractions() const { return unknowns_are_tractions_; }
+
+    /// b/a of the kernel it was made with; empty for ready matrices, and for kernels that do not tell.
+    std::optional<Scalar> aspect() const { return aspect_; }
+
+    /// The same for equal matrices and weights, in any process; different, with near certainty, for others.
+    std::uint64_t fingerprint() const {
+        detail::Fingerprint fingerprint;
+        fingerprint.add(G_);
+        fingerprint.add(G_prime_);
+        fingerprint.add(weights_);
+        return fingerprint.value();
+    }
+
+protected:
+    bool unknowns_are_tractions_ = false;
+    std::optional<Scalar> aspect_;
+
+private:
+    static void require_entries(const char* who, const MatrixX<Scalar>& matrix, Eigen::Index n) {
+        detail::require(matrix.rows() == n, who, "number of rows", matrix.rows(), "equal the number of weights");
+        detail::require(matrix.cols() == n, who, "number of columns", matrix.cols(), "equal the number of weights");
+        detail::require_finite(who, matrix);
+    }
+
+    MatrixX<Scalar> G_, G_prime_;
+    ArrayX<Scalar> weights_;
+};
+
+/// A system whose unknowns are the tractions of elements, p/G: what friction, which bounds each of them, asks for.
+///
+/// Invariant: besides, all weights, which are the widths of the elements in units of a, are positive.
+template <class Scalar_>
+class ElementSystem : public RollingSystem<Scalar_> {
+public:
+    using Scalar = Scalar_;
+
+    /// From ready matrices and the widths of the elements. Throws std::invalid_argument where the invariant is broken, and
+    /// where the signs of both diagonals say that G and G' have changed places.
+    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> widths)
+        : RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(widths)), element_count_(this->size()) {
+        this->unknowns_are_tractions_ = true;
+        for (Eigen::Index i = 0; i < this->size(); ++i) {
+            detail::require(this->weights()[i] > 0, "ElementSystem", "width", this->weights()[i], "be positive");
+        }
+        // an element is pushed along by its own traction, and what lies ahead of it less than itself
+        const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
+        detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
+                        "be positive, and that of G_prime negative: have they changed places?");
+    }
+
+    /// Elements of the mesh; more than unknowns where a scheme leaves elements without traction at the leading edge.
+    Eigen::Index element_count() const { return element_count_; }
+
+    template <class S, class Scheme, LineKernel Kernel>
+    friend ElementSystem<S> rolling_system(const Mesh<S>& mesh, const Scheme& scheme, const Kernel& kernel);
+
+private:
+    Eigen::Index element_count_;
+};
+
+/// Assembles both matrices. Throws std::invalid_argument when the scheme does not fit the mesh, when G is not finite (an
+/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model grows in time.
+template <class Scalar, class Scheme, LineKernel Kernel>
+ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    require_stable_model(kernel);
+    InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
+    ElementSystem<Scalar> system(std::move(matrices.G), std::move(matrices.G_prime), unknown_widths(mesh, scheme));
+    system.element_count_ = mesh.size();
+    if constexpr (requires { kernel.half_width(); }) system.aspect_ = kernel.half_width();
+    return system;
+}
+
+namespace detail {
+
+/// The fingerprint of a model: of a contact and of the `system` that describes it.
+template <class Scalar>
+std::uint64_t fingerprint_of(const Contact<Scalar>& contact, std::uint64_t system) {
+    Fingerprint fingerprint;
+    fingerprint.add(contact.half_length());
+    fingerprint.add(contact.half_width());
+    fingerprint.add(contact.shear_modulus());
+    return fingerprint.value() ^ system;
+}
+
+/// Throws std::invalid_argument where a system was made for another b/a than the contact's, or the contact's is infinite.
+template <class Scalar>
+void require_same_aspect(const char* who, const Contact<Scalar>& contact, const RollingSystem<Scalar>& system) {
+    require(std::isfinite(contact.half_width()), who, "half_width", contact.half_width(),
+            "be finite: an infinite one is for steady problems only");
+    if (!system.aspect()) return;
+    const Scalar ratio = *system.aspect() / contact.aspect();
+    require(std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon(), who,
+            "b/a of the kernel over that of the contact", ratio, "be 1");
+}
+
+}  // namespace detail
+
+}  // namespace rollbem

@@ -1,0 +1,197 @@
+// What the steady and the non-steady friction model share: solutions for one or two stages, in the contact's units.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../assembly/rolling_system.hpp"
+#include "../../scene/contact.hpp"
+#include "../../types.hpp"
+#include "../state.hpp"
+#include "../workspace.hpp"
+
+namespace rollbem::detail {
+
+/// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
+/// in G, lengths in a.
+template <class Scalar>
+class FrictionCore {
+public:
+    using State = FrictionState<Scalar>;
+    using Step = FrictionStep<Scalar>;
+    using Workspace = FrictionWorkspace<Scalar>;
+
+    /// `widths` in a, `bound` = mu p_n / G, `system` the fingerprint of the equations.
+    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths, VectorX<Scalar> bound,
+                 std::uint64_t system)
+        : half_length_(contact.half_length()),
+          width_(2 * contact.half_width()),
+          shear_modulus_(contact.shear_modulus()),
+          widths_(widths.matrix()),
+          bound_(std::move(bound)),
+          ones_(VectorX<Scalar>::Ones(widths_.size())),
+          fingerprint_(fingerprint_of(contact, system)) {}
+
+    Eigen::Index size() const { return widths_.size(); }
+    Scalar half_length() const { return half_length_; }
+    std::uint64_t fingerprint() const { return fingerprint_; }
+    State at_rest() const {
+        return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
+                fingerprint_};
+    }
+    Scalar force(const State& state) const { return width_ * half_length_ * widths_.dot(state.traction); }
+
+    bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
+        const auto sized = [this](const State& state) {
+            return state.traction.size() == size() && state.zones.size() == static_cast<std::size_t>(size());
+        };
+        return &from != &to && from.system == fingerprint_ && sized(from) && sized(to) && workspace.size() == size();
+    }
+
+    static Step failed(StepStatus status) noexcept {
+        Step step;
+        step.status = status;
+        return step;
+    }
+
+    /// What the last stage of a step starts from: zones, and what the first stage has left.
+    struct Before {
+        const std::vector<Zone>& zones;
+        Scalar work = 0, residual = 0;
+        int rounds = 0, pivots = 0;
+        bool tangent_exists = true, solved = true;
+    };
+    /// dc of the first and of the last stage by what the tangent is taken by.
+    struct Gain {
+        Scalar first, last;
+    };
+
+    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`.
+    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, State& to,
+                      Workspace& workspace) const noexcept {
+        if (!fits(from, to, workspace)) return failed(StepStatus::wrong_state);
+        if (!std::isfinite(creepage)) return failed(StepStatus::not_finite);
+        if (MatrixX<Scalar>* matrix = claim(steadily, workspace)) *matrix = -G_prime;
+        workspace.solver_.constant().setConstant(creepage);
+        return solve_last(from, {.zones = from.zones}, {.first = 0, .last = 1}, 1, to, workspace);
+    }
+
+    /// The matrix to fill for a distance rolled, or nothing when the workspace has it already.
+    MatrixX<Scalar>* claim(Scalar distance, Workspace& workspace) const noexcept {
+        if (workspace.system_ == fingerprint_ && workspace.distance_ == distance) return nullptr;
+        workspace.system_ = fingerprint_;
+        workspace.distance_ = distance;
+        workspace.carried_.setZero();
+        return &workspace.solver_.new_matrix();
+    }
+
+    /// The tractions p/G that a step starts from.
+    void remember(const State& from, Workspace& workspace) const noexcept {
+        workspace.memory_ = from.traction / shear_modulus_;
+    }
+    /// Those that the last stage starts from: `ratio` times as far from them as the first stage has come.
+    void extrapolate_memory(Scalar ratio, Workspace& workspace) const noexcept {
+        workspace.memory_ += ratio * (workspace.solver_.traction() - workspace.memory_);
+    }
+    /// c = imposed - G p_memory.
+    void impose(Scalar imposed, const MatrixX<Scalar>& G, Workspace& workspace) const noexcept {
+        VectorX<Scalar>& constant = workspace.solver_.constant();
+        constant.noalias() = G * workspace.memory_;
+        constant = VectorX<Scalar>::Constant(size(), imposed) - constant;
+    }
+
+    /// The first of two stages, from the zones of `from`; its slip counts `weight` times.
+    Before solve_first(const State& from, Scalar weight, const MatrixX<Scalar>& G,
+                       Workspace& workspace) const noexcept {
+        ActiveSet<Scalar>& solver = workspace.solver_;
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, from.zones);
+        set_slip(workspace);
+        workspace.slip_ *= weight;
+        if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
+            solver.respond(ones_, workspace.response_);
+            workspace.carried_.noalias() = G * workspace.response_;
+            workspace.carried_ *= -weight;
+            workspace.carried_revision_ = solver.revision();
+            workspace.tangent_revision_ = Workspace::never;
+        }
+        return {.zones = solver.zones(),
+                .work = work(workspace),
+                .residual = outcome.residual,
+                .rounds = outcome.rounds,
+                .pivots = outcome.pivots,
+                .tangent_exists = outcome.tangent_exists,
+                .solved = outcome.status == StepStatus::ok};
+    }
+
+    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`.
+    Step solve_last(const State& from, const Before& before, const Gain& gain, Scalar slip_unit, State& to,
+                    Workspace& workspace) const noexcept {
+        ActiveSet<Scalar>& solver = workspace.solver_;
+        const bool only = &before.zones == &from.zones;
+        if (!only) workspace.response_ = workspace.slip_;
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, before.zones);
+        const Scalar force = widths_.dot(solver.traction());
+        set_slip(workspace);
+        const Scalar total_work = before.work + work(workspace);
+        to.system = fingerprint_;
+        if (!std::isfinite(force) || !std::isfinite(total_work)) {
+            workspace.slip_.setZero();
+            to.traction = from.traction;
+            to.zones = from.zones;
+            return failed(StepStatus::not_finite);
+        }
+        if (!only) workspace.slip_ += workspace.response_;
+        workspace.slip_ *= slip_unit;
+        to.zones = solver.zones();
+        to.traction = shear_modulus_ * solver.traction();
+        Step step;
+        step.stick_count = solver.stick_count();
+        step.force_per_width = half_length_ * shear_modulus_ * force;
+        step.force = width_ * step.force_per_width;
+        step.slip_work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        if (before.tangent_exists && outcome.tangent_exists) {
+            step.tangent_per_width = half_length_ * shear_modulus_ * tangent(gain, workspace);
+            step.tangent = width_ * step.tangent_per_width;
+        }
+        step.complementarity_residual = std::max(before.residual, outcome.residual);
+        step.rounds = before.rounds + outcome.rounds;
+        step.pivots = before.pivots + outcome.pivots;
+        step.status = before.solved ? outcome.status : StepStatus::no_solution;
+        return step;
+    }
+
+private:
+    static constexpr Scalar steadily = -1;  // in place of a distance rolled, which is 0 for a rigid shift
+
+    // stick leaves rounding behind, and so may the border of slip
+    static void set_slip(Workspace& workspace) {
+        const ActiveSet<Scalar>& solver = workspace.solver_;
+        workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
+    }
+    Scalar work(const Workspace& workspace) const {
+        return -widths_.cwiseProduct(workspace.solver_.traction()).dot(workspace.slip_);
+    }
+
+    Scalar tangent(const Gain& gain, Workspace& workspace) const {
+        ActiveSet<Scalar>& solver = workspace.solver_;
+        if (workspace.tangent_revision_ != solver.revision()) {
+            solver.respond(ones_, workspace.response_);
+            workspace.unit_tangent_ = widths_.dot(workspace.response_);
+            solver.respond(workspace.carried_, workspace.response_);
+            workspace.carried_tangent_ = widths_.dot(workspace.response_);
+            workspace.tangent_revision_ = solver.revision();
+        }
+        return gain.last * workspace.unit_tangent_ + gain.first * workspace.carried_tangent_;
+    }
+
+    Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]
+    VectorX<Scalar> widths_, bound_, ones_;
+    std::uint64_t fingerprint_;
+};
+
+}  // namespace rollbem::detail

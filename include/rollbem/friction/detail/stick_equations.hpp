@@ -1,0 +1,169 @@
+// The equations of the elements that stick: M(S, S) x = r for a set S that changes by few elements at a time.
+// What it computes depends on M and S alone, to the last bit, never on the sets that came before.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/in_place_lu.hpp"
+#include "../../types.hpp"
+
+namespace rollbem::detail {
+
+/// Factors of M(S, S), S listed from the leading edge to the trailing edge. The usual way is elimination without
+/// pivoting, an element at a time, with both triangles kept inverted: the factors of a list are the leading part of those
+/// of any longer list that begins with it, so that a border that moves at the end of the list costs O(n^2) an element,
+/// and gives what starting afresh would give. Where a pivot is small or a multiplier large, LU with pivoting takes over.
+/// Everything is allocated by the constructor.
+template <class Scalar>
+class StickEquations {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Matrix = MatrixX<Scalar>;
+
+    explicit StickEquations(Index n)
+        : matrix_(n, n),
+          lower_(Matrix::Zero(n, n)),
+          upper_(Matrix::Zero(n, n)),
+          pivoted_(n, n),
+          right_(n),
+          solution_(n),
+          row_(n),
+          swaps_(static_cast<std::size_t>(n)),
+          list_(static_cast<std::size_t>(n)),
+          nested_list_(static_cast<std::size_t>(n)),
+          pivoted_list_(static_cast<std::size_t>(n)) {}
+
+    Index size() const { return matrix_.rows(); }
+    const Matrix& matrix() const { return matrix_; }
+
+    /// M, to be filled anew: the factors are void.
+    Matrix& new_matrix() {
+        nested_count_ = 0;
+        pivoted_count_ = -1;
+        ++revision_;
+        return matrix_;
+    }
+
+    /// Factorises for the elements with stick = 1. False when M(S, S) is singular to working precision.
+    bool factorise(const Vector& stick) {
+        Index count = 0;
+        bool same = true;
+        for (Index i = size() - 1; i >= 0; --i) {
+            if (stick[i] == 0) continue;
+            same = same && count < count_ && list_[at(count)] == i;
+            list_[at(count++)] = i;
+        }
+        same = same && count == count_ && !uses_pivoted_;
+        count_ = count;
+        uses_pivoted_ = false;
+        if (!same || nested_count_ < count_) {
+            ++revision_;
+            if (!extend()) return pivot();
+        }
+        return true;
+    }
+
+    /// Turns to LU with pivoting for the present S, when what the other factors give is not good enough.
+    bool pivot() {
+        if (!std::exchange(uses_pivoted_, true)) ++revision_;
+        bool kept = pivoted_count_ == count_;
+        for (Index k = 0; kept && k < count_; ++k) kept = pivoted_list_[at(k)] == list_[at(k)];
+        if (kept) return pivoted_finite_;
+        for (Index k = 0; k < count_; ++k) {
+            pivoted_list_[at(k)] = list_[at(k)];
+            for (Index j = 0; j < count_; ++j) pivoted_(j, k) = matrix_(list_[at(j)], list_[at(k)]);
+        }
+        pivoted_count_ = count_;
+        factorise_in_place<Scalar>(pivoted_.topLeftCorner(count_, count_), swaps_.data());
+        Scalar smallest = std::numeric_limits<Scalar>::infinity(), sum = 0;
+        for (Index k = 0; k < count_; ++k) {
+            const Scalar size = std::abs(pivoted_(k, k));
+            smallest = size < smallest ? size : smallest;
+            sum += size;
+        }
+        return pivoted_finite_ = count_ == 0 || (smallest > 0 && sum < std::numeric_limits<Scalar>::infinity());
+    }
+    bool uses_pivoted() const { return uses_pivoted_; }
+
+    /// x with M(S, S) x_S = right_S and zeros outside S.
+    void solve(const Vector& right, Vector& x) {
+        for (Index k = 0; k < count_; ++k) right_[k] = right[list_[at(k)]];
+        if (uses_pivoted_) {
+            solve_in_place<Scalar>(pivoted_.topLeftCorner(count_, count_), swaps_.data(), right_.head(count_));
+            solution_.head(count_) = right_.head(count_);
+        } else {
+            multiply(lower_, count_, right_, solution_);
+            multiply(upper_, count_, solution_, right_);
+            solution_.head(count_) = right_.head(count_);
+        }
+        x.setZero();
+        for (Index k = 0; k < count_; ++k) x[list_[at(k)]] = solution_[k];
+    }
+
+    /// Changes whenever M, S or the kind of factors does.
+    unsigned long revision() const { return revision_; }
+
+private:
+    static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
+
+    static void multiply(const Matrix& A, Index count, const Vector& x, Vector& y) {
+        y.head(count).noalias() = A.topLeftCorner(count, count) * x.head(count);
+    }
+
+    // Brings the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
+    // d = a - z y; the inverse of L gains the row [-z L^-1, 1], that of U the column [-U^-1 y; 1] / d.
+    bool extend() {
+        Index k = 0;
+        while (k < count_ && k < nested_count_ && nested_list_[at(k)] == list_[at(k)]) ++k;
+        for (nested_count_ = k; k < count_; ++k) {
+            const Index own = list_[at(k)];
+            for (Index j = 0; j < k; ++j) right_[j] = matrix_(nested_list_[at(j)], own);
+            multiply(lower_, k, right_, solution_);  // y
+            for (Index j = 0; j < k; ++j) right_[j] = matrix_(own, nested_list_[at(j)]);
+            row_.head(k).noalias() = upper_.topLeftCorner(k, k).transpose() * right_.head(k);  // z
+            Scalar pivot = matrix_(own, own), scale = std::abs(pivot), multiplier = 0;
+            for (Index j = 0; j < k; ++j) {
+                pivot -= row_[j] * solution_[j];
+                scale = std::max(scale, std::abs(right_[j]));
+                multiplier = std::max(multiplier, std::abs(row_[j]));
+            }
+            if (!(std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier)) return false;
+            right_.head(k).noalias() = lower_.topLeftCorner(k, k).transpose() * row_.head(k);
+            multiply(upper_, k, solution_, row_);
+            for (Index j = 0; j < k; ++j) {
+                lower_(k, j) = -right_[j];
+                upper_(j, k) = row_[j] / -pivot;
+            }
+            lower_(k, k) = 1;
+            upper_(k, k) = 1 / pivot;
+            nested_list_[at(k)] = own;
+            nested_count_ = k + 1;
+        }
+        return true;
+    }
+
+    // Bounds on how much elimination without pivoting may lose; what it gives is verified against M besides.
+    static constexpr Scalar least_pivot = Scalar(1e-3);
+    static constexpr Scalar largest_multiplier = 10;
+
+    Matrix matrix_;
+    Matrix lower_, upper_;  // inverse triangles of the nested factors, zero beside them
+    Matrix pivoted_;
+    Vector right_, solution_, row_;
+    std::vector<Index> swaps_;
+    std::vector<Index> list_, nested_list_, pivoted_list_;
+    Index count_ = 0;           // elements of list_
+    Index nested_count_ = 0;    // elements that the nested factors hold
+    Index pivoted_count_ = -1;  // elements that the pivoted factors hold; -1: none
+    bool uses_pivoted_ = false, pivoted_finite_ = false;
+    unsigned long revision_ = 0;
+};
+
+}  // namespace rollbem::detail

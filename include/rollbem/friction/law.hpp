@@ -1,0 +1,42 @@
+// Coulomb's law of friction on the elements of a mesh.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "../detail/require.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// Coulomb's law |p| <= mu p_n on the elements of a mesh. Where they slip, p = -mu p_n sign(s).
+template <class Scalar>
+struct CoulombFriction {
+    Scalar friction_coefficient;     ///< mu [-], finite and not negative
+    ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], the mean of each of the mesh's n elements, trailing to leading;
+                                     ///< finite, not negative, not all zero
+};
+
+namespace detail {
+
+/// mu p_n / G of the unknown elements (the first `count` of the mesh), after all checks of the law.
+template <class Scalar>
+VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& friction, Eigen::Index mesh_size,
+                               Eigen::Index count, Scalar shear_modulus) {
+    require(friction.friction_coefficient >= 0 && std::isfinite(friction.friction_coefficient), who,
+            "friction_coefficient", friction.friction_coefficient, "be finite and not negative");
+    require(friction.normal_pressure.size() == mesh_size, who, "length of normal_pressure",
+            friction.normal_pressure.size(), "equal the number of elements");
+    for (Eigen::Index i = 0; i < mesh_size; ++i) {
+        require(friction.normal_pressure[i] >= 0 && std::isfinite(friction.normal_pressure[i]), who, "normal_pressure",
+                friction.normal_pressure[i], "be finite and not negative");
+    }
+    require(friction.normal_pressure.maxCoeff() > 0, who, "largest normal_pressure",
+            friction.normal_pressure.maxCoeff(), "be positive");
+    return friction.friction_coefficient / shear_modulus * friction.normal_pressure.head(count).matrix();
+}
+
+}  // namespace detail
+
+}  // namespace rollbem

@@ -1,0 +1,55 @@
+// The factors and the scratch memory of a friction problem: what makes steps fast and changes no result.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "../types.hpp"
+#include "detail/active_set.hpp"
+
+namespace rollbem {
+
+namespace detail {
+template <class Scalar>
+class FrictionCore;
+}
+
+/// Made by a model, and usable with any model of as many elements. Factors are kept for as long as the model and the
+/// distance rolled stay the same: contacts that take turns each want one of their own. Threads never share one at once.
+template <class Scalar_>
+class FrictionWorkspace {
+public:
+    using Scalar = Scalar_;
+
+    /// For n unknown elements.
+    explicit FrictionWorkspace(Eigen::Index n)
+        : solver_(n),
+          slip_(VectorX<Scalar>::Zero(n)),
+          memory_(VectorX<Scalar>::Zero(n)),
+          carried_(VectorX<Scalar>::Zero(n)),
+          response_(VectorX<Scalar>::Zero(n)) {}
+
+    Eigen::Index size() const { return slip_.size(); }
+
+    /// Slip of body 1 on body 2 of each element in what was solved last: in a step or a rigid shift the distance slid
+    /// meanwhile [m]; in a steady solution the slip velocity over the rolling velocity, s/V [-].
+    const VectorX<Scalar>& slip() const { return slip_; }
+
+private:
+    friend class detail::FrictionCore<Scalar>;
+
+    detail::ActiveSet<Scalar> solver_;
+    std::uint64_t system_ = 0;  // the solver's matrix is that of this model and distance rolled
+    Scalar distance_ = std::numeric_limits<Scalar>::quiet_NaN();
+    VectorX<Scalar> slip_;
+    VectorX<Scalar> memory_;   // tractions that the present stage of a step starts from
+    VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
+    VectorX<Scalar> response_;
+    Scalar unit_tangent_ = 0, carried_tangent_ = 0;  // sum of areas times dp, by dc of the last stage and of the first
+    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    unsigned long tangent_revision_ = never, carried_revision_ = never;
+};
+
+}  // namespace rollbem
