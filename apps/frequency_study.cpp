@@ -71,7 +71,7 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, st
                 const study::Emit& emit) {
     // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
     const auto sweep_of = [](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::FrequencySweep<double>(mesh, scheme, kernel);
+        return rollbem::FrequencySweep<double>(rollbem::rolling_system(mesh, scheme, kernel));
     };
     const rollbem::FrequencySweep<double> sweep = scene.visit(sweep_of);
 
@@ -103,7 +103,7 @@ PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double om
     }
     const rollbem::PolynomialSolution<double> solution =
         rollbem::solve_monomial<double>(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
-    if (solution.status != rollbem::PolynomialStatus::ok) {
+    if (solution.status != rollbem::Status::ok) {
         throw study::BadInput(name + " with --basis monomial must give a result that can be trusted; at omega = " +
                               study::Cell(omega).text(6) + " it does not: " + rollbem::advice(solution.status) +
                               " (--basis chebyshev)");
@@ -115,7 +115,7 @@ PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double om
 PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
     const rollbem::PolynomialC11<double> result =
         rollbem::polynomial_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
-    const bool trusted = result.status == rollbem::PolynomialStatus::ok;
+    const bool trusted = result.status == rollbem::Status::ok;
     return {trusted ? result.c11 : Complex(std::nan(""), std::nan("")), result.error_estimate};
 }
 

@@ -65,12 +65,8 @@ Pressure make_pressure(const study::Options& options) {
 }
 
 /// `consistent` is whether steady rolling of the same scheme in full adhesion is.
-const char* name_of(rollbem::FrictionStatus status, bool consistent = true) {
-    switch (status) {
-        case rollbem::FrictionStatus::ok: return consistent ? "ok" : "inconsistent";
-        case rollbem::FrictionStatus::no_solution: return "no_solution";
-        default: return "not_finite";
-    }
+const char* name_of(rollbem::StepStatus status, bool consistent) {
+    return status == rollbem::StepStatus::ok && !consistent ? name(rollbem::Status::inconsistent) : name(status);
 }
 
 double creepage(const study::Scene& scene, double ratio) { return 2 * (1 - scene.contact.poisson_ratio()) * ratio; }
@@ -131,17 +127,19 @@ void steady_rows(const study::Options& options, const study::Scene& scene, const
     const rollbem::SteadyFrictionModel<double> model(scene.contact, G_prime, widths, friction);
     const State rest = model.at_rest();
     State state = rest;
+    const rollbem::FrictionWorkspace<double> fresh = model.workspace();
+    rollbem::FrictionWorkspace<double> workspace = fresh;
     for (std::size_t i = range.first; i < range.last; ++i) {
         const double xi = creepage(scene, ratios[i]);
         const auto solve = [&] {
-            state = rest;  // forgets the last zones and factors
-            return model.solve(rest, xi, state);
+            workspace = fresh;  // without factors
+            return model.solve(rest, xi, state, workspace);
         };
         const Step step = solve();
         study::Cell time_us;
         if (timed) time_us = study::median_time_us([&] { return solve().force_per_width; });
 
-        const bool usable = consistent && step.status == rollbem::FrictionStatus::ok;
+        const bool usable = consistent && step.status == rollbem::StepStatus::ok;
         const auto if_usable = [&](double value) { return usable ? value : std::nan(""); };
         const double force_ratio = if_usable(-step.force_per_width / mu_N);
         const std::optional<double> exact =
@@ -155,9 +153,9 @@ void steady_rows(const study::Options& options, const study::Scene& scene, const
         Profile profile{&scene, scene.mesh_name, ratios[i], *scene.mesh, {}, means.matrix(), {}, {}};
         profile.traction.setZero(scene.n());
         profile.slip.setZero(scene.n());
-        profile.traction.head(unknown) = state.traction();
-        profile.slip.head(unknown) = state.slip();
-        for (const rollbem::Zone zone : state.zones()) profile.sticks.push_back(zone == rollbem::Zone::stick);
+        profile.traction.head(unknown) = state.traction;
+        profile.slip.head(unknown) = workspace.slip();
+        for (const rollbem::Zone zone : state.zones) profile.sticks.push_back(zone == rollbem::Zone::stick);
         profile.sticks.resize(std::size_t(scene.n()), false);
         profiles->keep(task, i, std::move(profile));
     }
@@ -193,7 +191,7 @@ void fitted_rows(const study::Options& options, const study::Scene& scene, const
                                                      : solution.slip[k] == 0);
         }
         const double force_ratio =
-            solution.status == rollbem::FrictionStatus::ok ? -solution.force_per_width / mu_N : std::nan("");
+            solution.status == rollbem::StepStatus::ok ? -solution.force_per_width / mu_N : std::nan("");
         const std::optional<double> exact =
             pressure.hertz ? std::optional(rollbem::carter_force_ratio(ratios[i])) : std::nullopt;
         emit({scene.method, scene.derivative, profile.mesh_name, scene.n(), solution.fitted ? 0 : 0.5, 0.5, ratios[i],
@@ -201,7 +199,7 @@ void fitted_rows(const study::Options& options, const study::Scene& scene, const
               std::count(profile.sticks.begin(), profile.sticks.end(), true), solution.evaluations,
               solution.complementarity_residual, time_us, study::Cell(),
               -solution.tangent_per_width * creepage(scene, 1) / mu_N, solution.slip_work_per_width / mu_N, 0,
-              name_of(solution.status)});
+              name(solution.status)});
         if (profiles != nullptr) profiles->keep(task, i, std::move(profile));
     }
 }
@@ -370,14 +368,14 @@ void run_history(const study::Scene& scene, const rollbem::FrictionModel<double>
                  const History& history, double dq, const std::string& integrator, study::RowRange range,
                  const study::Emit& emit) {
     State now = model.at_rest(), next = now;
+    rollbem::FrictionWorkspace<double> workspace = model.workspace();
     double slip_work = 0;
     std::size_t row = 0;
     const auto record = [&](double q, double ratio, double shift, const Step& step, std::optional<double> exact) {
         std::swap(now, next);
         slip_work += step.slip_work_per_width / mu_N;
         if (row++ < range.first) return;
-        const double force_ratio =
-            step.status == rollbem::FrictionStatus::ok ? -step.force_per_width / mu_N : std::nan("");
+        const double force_ratio = step.status == rollbem::StepStatus::ok ? -step.force_per_width / mu_N : std::nan("");
         emit({q,
               ratio,
               shift,
@@ -389,7 +387,7 @@ void run_history(const study::Scene& scene, const rollbem::FrictionModel<double>
               relative_error(force_ratio, exact),
               step.complementarity_residual,
               step.pivots,
-              name_of(step.status),
+              name(step.status),
               scene.method,
               scene.derivative,
               scene.mesh_name,
@@ -405,7 +403,7 @@ void run_history(const study::Scene& scene, const rollbem::FrictionModel<double>
             exact =
                 rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
         }
-        const Step step = model.shift(now, *history.shift, next);
+        const Step step = model.shift(now, *history.shift, next, workspace);
         record(0, 0, *history.shift, step, exact);
     }
     const std::size_t shifts = row;
@@ -413,7 +411,7 @@ void run_history(const study::Scene& scene, const rollbem::FrictionModel<double>
         const double from = double(row - shifts) * dq, to = double(row - shifts + 1) * dq;
         const auto motion =
             rollbem::RigidMotion<double>::linear(creepage(scene, history.at(from)), creepage(scene, history.at(to)));
-        const Step step = model.advance(now, dq, motion, next);
+        const Step step = model.advance(now, dq, motion, next, workspace);
         record(to, history.at(to), 0, step, std::nullopt);
     }
 }
@@ -433,16 +431,13 @@ int run_transient(const study::Options& given, const Pressure& pressure) {
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given);
     std::vector<rollbem::FrictionModel<double>> models;
     for (const study::Scene& scene : scenes) {
-        auto [matrices, widths] = scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
-            return std::pair<rollbem::InfluenceMatrices<double>, Eigen::ArrayXd>(
-                rollbem::assemble(mesh, scheme, kernel), rollbem::unknown_widths(mesh, scheme));
-        });
-        if (!given.flag("unchecked")) {
-            study::require_steppable(scene, rollbem::verdict(matrices),
-                                     rollbem::solve_steady<double>(matrices.G_prime, widths).status);
-        }
-        const rollbem::CoulombFriction<double> friction{1, pressure(*scene.mesh).head(widths.size())};
-        models.emplace_back(scene.contact, std::move(matrices), widths, friction, method);
+        rollbem::ElementSystem<double> system =
+            scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
+                return rollbem::rolling_system(mesh, scheme, kernel);
+            });
+        if (!given.flag("unchecked")) study::require_steppable(scene, rollbem::verdict<double>(system), system);
+        const rollbem::CoulombFriction<double> friction{1, pressure(*scene.mesh)};
+        models.emplace_back(scene.contact, std::move(system), rollbem::unchecked, friction, method);
     }
     study::Table table;
     table.columns = {"q_over_a", "creepage_ratio", "shift",   "force_ratio",    "stick_count",

@@ -50,8 +50,9 @@ public:
     }
 
 private:
-    static Model::State state(const Tractions& tractions) {
-        return {Eigen::VectorXd::Map(tractions.data(), static_cast<Eigen::Index>(tractions.size()))};
+    Model::State state(const Tractions& tractions) const {
+        return {Eigen::VectorXd::Map(tractions.data(), static_cast<Eigen::Index>(tractions.size())),
+                model_.fingerprint()};
     }
     static Tractions values(const Model::State& state) { return {state.traction.begin(), state.traction.end()}; }
 
@@ -156,9 +157,11 @@ int main(int argc, char** argv) {
         table.rows_of_task.assign(sizes.size(), 1);
         table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
             // 3. Steady rolling, where the rail carries the resistance, and a kick to the rotation.
-            const Model model(contact, rollbem::cosine_mesh(sizes[task]),
-                              rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
-                              rollbem::PlaneKernel<double>::longitudinal(contact), rollbem::unchecked);
+            const Model model(contact,
+                              rollbem::rolling_system(rollbem::cosine_mesh(sizes[task]),
+                                                      rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+                                                      rollbem::PlaneKernel<double>::longitudinal(contact)),
+                              rollbem::unchecked);
             const RolledContact rolled(model);
             const double creepage = wheel.resistance / model.force(model.steady(1.0));
             const double rotation = speed * (1 - creepage) / wheel.radius;

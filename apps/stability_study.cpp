@@ -28,9 +28,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-rollbem::InfluenceMatrices<double> assemble(const study::Scene& scene) {
+rollbem::ElementSystem<double> system_of(const study::Scene& scene) {
     return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::assemble(mesh, scheme, kernel);
+        return rollbem::rolling_system(mesh, scheme, kernel);
     });
 }
 
@@ -55,12 +55,13 @@ const std::vector<std::string> count_columns{"method",
 study::Row count_row(const study::Options& options, const study::Scene& scene) {
     // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
     const rollbem::StabilityResult<double> result =
-        rollbem::solve_stability(assemble(scene), {.settle_signs = true, .condition = true});
+        rollbem::solve_stability<double>(system_of(scene), {.settle_signs = true, .condition = true});
 
     // 4. Time what a bare count takes, unless other jobs would spoil it.
     study::Cell time_us;
     if (study::job_count(options) == 1) {
-        time_us = study::median_time_us([&] { return rollbem::solve_stability(assemble(scene)).spectral_abscissa; });
+        time_us =
+            study::median_time_us([&] { return rollbem::solve_stability<double>(system_of(scene)).spectral_abscissa; });
     }
 
     study::Row row{scene.method,  scene.derivative, scene.mesh_name, scene.n(),
@@ -190,7 +191,7 @@ private:
 
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
     // 3. The eigenvalues by ascending modulus; infinite ones come last.
-    const rollbem::StabilityResult<double> result = rollbem::solve_stability(assemble(scene));
+    const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(system_of(scene));
     std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
     if (result.status == rollbem::Status::ok) {
         const Eigen::VectorXcd computed = result.eigenvalues();

@@ -205,15 +205,11 @@ int main(int argc, char** argv) {
         std::vector<Model> models;
         for (const study::Scene& scene : scenes) {
             models.push_back(scene.visit([&](const auto& mesh, const auto& scheme, const auto& kernel) {
-                rollbem::InfluenceMatrices<double> matrices = rollbem::assemble(mesh, scheme, kernel);
-                const Eigen::ArrayXd widths = rollbem::unknown_widths(mesh, scheme);
-                if (given.flag("unchecked")) {
-                    return Model(scene.contact, std::move(matrices), widths, rollbem::unchecked, method);
+                rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
+                if (!given.flag("unchecked")) {
+                    study::require_steppable(scene, rollbem::verdict<double>(system), system);
                 }
-                const rollbem::StabilityVerdict verdict = rollbem::verdict(matrices);
-                study::require_steppable(scene, verdict,
-                                         rollbem::solve_steady<double>(matrices.G_prime, widths).status);
-                return Model(scene.contact, std::move(matrices), widths, verdict, method);
+                return Model(scene.contact, std::move(system), rollbem::unchecked, method);
             }));
         }
 

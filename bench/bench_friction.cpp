@@ -65,17 +65,18 @@ BENCHMARK(BM_LuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction,
-                                      integrator);
+    const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
+                                      scene.friction, integrator);
+    FrictionWorkspace<double> workspace = model.workspace();
     FrictionState<double> now = model.at_rest(), next = now;
-    FrictionStep<double> step = model.steady(next, creepage(0.5), now);
+    FrictionStep<double> step = model.steady(next, creepage(0.5), now, workspace);
     for (int i = 0; i < 400; ++i) {
-        step = model.advance(now, 0.05, creepage(0.5), next);
+        step = model.advance(now, 0.05, creepage(0.5), next, workspace);
         std::swap(now, next);
     }
     double rounds = 0;
     for (auto _ : state) {
-        step = model.advance(now, 0.05, creepage(0.5), next);
+        step = model.advance(now, 0.05, creepage(0.5), next, workspace);
         rounds += step.rounds;
         std::swap(now, next);
         benchmark::DoNotOptimize(step);
@@ -92,8 +93,9 @@ BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // A cycle of sinusoidal creepage. Counters: rounds a step, and the share of the steps in which elements change.
 void steps_changing(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction,
-                                      integrator);
+    const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
+                                      scene.friction, integrator);
+    FrictionWorkspace<double> workspace = model.workspace();
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
     FrictionState<double> now = model.at_rest(), next = now;
     double q = 0, rounds = 0, changing = 0;
@@ -101,7 +103,7 @@ void steps_changing(benchmark::State& state, Integrator integrator) {
         const double before = creepage(0.9 * std::sin(q));
         q += 0.05;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<double> step = model.advance(now, 0.05, motion, next);
+        const FrictionStep<double> step = model.advance(now, 0.05, motion, next, workspace);
         rounds += step.rounds;
         changing += step.rounds > solutions ? 1 : 0;
         std::swap(now, next);
@@ -120,12 +122,14 @@ void BM_FrictionSteady(benchmark::State& state) {
     const Scene scene(state.range(0));
     const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
     const FrictionState<double> rest = model.at_rest();
-    FrictionState<double> other = rest, next = rest;
+    FrictionState<double> next = rest;
+    const FrictionWorkspace<double> fresh = model.workspace();
+    FrictionWorkspace<double> workspace = fresh;
     double rounds = 0;
     FrictionStep<double> step;
     for (auto _ : state) {
-        next = rest;  // forgets the factors as well
-        step = model.solve(rest, creepage(0.5), next);
+        workspace = fresh;  // without factors
+        step = model.solve(rest, creepage(0.5), next, workspace);
         rounds += step.rounds;
         benchmark::DoNotOptimize(step);
     }
@@ -140,12 +144,13 @@ void BM_FrictionSteadyWarm(benchmark::State& state) {
     const Scene scene(state.range(0));
     const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
     FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
     int point = 0;
     double rounds = 0;
     for (auto _ : state) {
         const int phase = point++ % 200;
         const FrictionStep<double> step =
-            model.solve(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next);
+            model.solve(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next, workspace);
         rounds += step.rounds;
         std::swap(now, next);
     }

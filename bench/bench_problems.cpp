@@ -22,7 +22,7 @@ using namespace rollbem;
 const Contact<double> contact = Contact<double>::dimensionless(1000, 0.25);
 const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 
-InfluenceMatrices<double> recommended(Eigen::Index n) { return assemble(uniform_mesh(n), Collocation{}, kernel); }
+ElementSystem<double> recommended(Eigen::Index n) { return rolling_system(uniform_mesh(n), Collocation{}, kernel); }
 
 void finish(benchmark::State& state) { state.counters["n"] = static_cast<double>(state.range(0)); }
 
@@ -51,18 +51,18 @@ void steady(benchmark::State& state, MakeMesh make_mesh, const Scheme& scheme) {
 }
 
 void BM_StabilityQZ(benchmark::State& state) {
-    const InfluenceMatrices<double> matrices = recommended(state.range(0));
+    const RollingSystem<double> system = recommended(state.range(0));
     Eigen::Index count = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(count = solve_stability(matrices).unstable_count);
+    for (auto _ : state) benchmark::DoNotOptimize(count = solve_stability(system).unstable_count);
     state.counters["unstable_count"] = static_cast<double>(count);
     finish(state);
 }
 BENCHMARK(BM_StabilityQZ)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 void BM_StabilityCount(benchmark::State& state) {
-    const InfluenceMatrices<double> matrices = recommended(state.range(0));
+    const RollingSystem<double> system = recommended(state.range(0));
     Eigen::Index count = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(count = count_unstable(matrices).unstable_count);
+    for (auto _ : state) benchmark::DoNotOptimize(count = count_unstable(system).unstable_count);
     state.counters["unstable_count"] = static_cast<double>(count);
     finish(state);
 }
@@ -87,9 +87,8 @@ double sweep_error(const Response& c11) {
 }
 
 void BM_SweepLU(benchmark::State& state) {
-    const InfluenceMatrices<double> matrices = recommended(state.range(0));
-    const ArrayX<double> widths = uniform_mesh(state.range(0)).widths();
-    const auto c11 = [&](double z) { return solve_harmonic(matrices, widths, z).c11; };
+    const RollingSystem<double> system = recommended(state.range(0));
+    const auto c11 = [&](double z) { return solve_harmonic(system, z).c11; };
     for (auto _ : state) {
         std::complex<double> sum = 0;
         for (const double z : frequencies()) sum += c11(z);
@@ -102,15 +101,14 @@ BENCHMARK(BM_SweepLU)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200)
 
 // The reduction is part of it.
 void BM_SweepHessenberg(benchmark::State& state) {
-    const InfluenceMatrices<double> matrices = recommended(state.range(0));
-    const ArrayX<double> widths = uniform_mesh(state.range(0)).widths();
+    const RollingSystem<double> system = recommended(state.range(0));
     for (auto _ : state) {
-        const FrequencySweep<double> sweep(matrices, widths);
+        const FrequencySweep<double> sweep(system);
         std::complex<double> sum = 0;
         for (const double z : frequencies()) sum += sweep(z).c11;
         benchmark::DoNotOptimize(sum);
     }
-    const FrequencySweep<double> sweep(matrices, widths);
+    const FrequencySweep<double> sweep(system);
     state.counters["relative_error"] = sweep_error([&](double z) { return sweep(z).c11; });
     finish(state);
 }

@@ -13,11 +13,9 @@ using namespace rollbem;
 TransientModel<double> make_model(Eigen::Index n, Integrator integrator) {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     return {contact,
-            cosine_mesh<double>(n),
-            Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
-            PlaneKernel<double>::longitudinal(contact),
-            unchecked,
-            integrator};
+            rolling_system(cosine_mesh<double>(n), Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+                           PlaneKernel<double>::longitudinal(contact)),
+            unchecked, integrator};
 }
 
 /// Relative error of the force at q/a = 1 after a step of creepage, in the steps of dq that are measured.

@@ -49,7 +49,8 @@ void add_frequencies(std::vector<Case>& cases) {
         const std::string name = "z = " + shown(z);
         const Complex s(0, z);
         cases.push_back({name + ", cosine, n = 80", "|c11| against Bessel functions", [=] {
-                             const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(80), equal, plane(1000));
+                             const rollbem::FrequencySweep<double> sweep(
+                                 rollbem::rolling_system(rollbem::cosine_mesh(80), equal, plane(1000)));
                              return from_sweep(sweep, z, rollbem::reference::laplace_c11(s, steel, 1000), 2e-4);
                          }});
         cases.push_back({name + ", polynomials", "|c11| against Bessel functions", [=] {
@@ -60,16 +61,16 @@ void add_frequencies(std::vector<Case>& cases) {
         // G is nearly singular here, and beyond what the mesh resolves the equations tend to it: what rounding does to
         // both routes stays within what the condition says
         cases.push_back({name + ", uniform 0/0.63, n = 200, Hessenberg", "|c11| against long double", [=] {
-                             const rollbem::FrequencySweep<double> sweep(rollbem::uniform_mesh(200), recommended,
-                                                                         plane(1000));
+                             const rollbem::FrequencySweep<double> sweep(
+                                 rollbem::rolling_system(rollbem::uniform_mesh(200), recommended, plane(1000)));
                              const Complex reference(harmonic_c11({"uniform", 200}, recommended, 1000, steel, z));
                              Outcome outcome = from_sweep(sweep, z, reference, 0);
                              outcome.bound = 16 * rounding * outcome.condition;
                              return outcome;
                          }});
         cases.push_back({name + ", uniform 0/0.63, n = 200, LU", "|c11| against long double", [=] {
-                             const auto full =
-                                 rollbem::solve_harmonic(rollbem::uniform_mesh(200), recommended, plane(1000), z);
+                             const auto full = rollbem::solve_harmonic<double>(
+                                 rollbem::rolling_system(rollbem::uniform_mesh(200), recommended, plane(1000)), z);
                              const Complex reference(harmonic_c11({"uniform", 200}, recommended, 1000, steel, z));
                              Outcome outcome = compare(full.c11, reference, 16 * rounding / full.rcond);
                              outcome.residual = full.residual;
@@ -80,8 +81,8 @@ void add_frequencies(std::vector<Case>& cases) {
     }
     for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
         cases.push_back({"z = 1, strip, b/a = " + shown(aspect), "|c11| against the spectral solution", [=] {
-                             const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(80), equal,
-                                                                         strip(aspect));
+                             const rollbem::FrequencySweep<double> sweep(
+                                 rollbem::rolling_system(rollbem::cosine_mesh(80), equal, strip(aspect)));
                              const auto reference = rollbem::reference::strip_c11({0, 1}, steel, aspect);
                              Outcome outcome = from_sweep(sweep, 1, reference.c11, 0);
                              outcome.bound = 1e-4 + 4e-5 / aspect;
@@ -94,8 +95,8 @@ void add_frequencies(std::vector<Case>& cases) {
 void add_refusals(std::vector<Case>& cases) {
     const auto sweep_at = [](Eigen::Index n, double alpha, double z) {
         return [=] {
-            const rollbem::FrequencySweep<double> sweep(rollbem::uniform_mesh(n), Collocation{alpha, alpha},
-                                                        plane(1000));
+            const rollbem::FrequencySweep<double> sweep(
+                rollbem::rolling_system(rollbem::uniform_mesh(n), Collocation{alpha, alpha}, plane(1000)));
             return from_sweep(sweep, z, rollbem::reference::laplace_c11({0, z}, steel, 1000), 0);
         };
     };
@@ -107,20 +108,23 @@ void add_refusals(std::vector<Case>& cases) {
     }
     cases.push_back({"z = nan", "|c11|",
                      [] {
-                         const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(40), equal, plane(1000));
+                         const rollbem::FrequencySweep<double> sweep(
+                             rollbem::rolling_system(rollbem::cosine_mesh(40), equal, plane(1000)));
                          return from_sweep(sweep, nothing, 1, 0);
                      },
                      "FrequencySweep: omega a/V = nan must be finite"});
     cases.push_back({"z = 1, b/a = 0.1, plane", "|c11|",
                      [] {
-                         const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(40), equal, plane(0.1));
+                         const rollbem::FrequencySweep<double> sweep(
+                             rollbem::rolling_system(rollbem::cosine_mesh(40), equal, plane(0.1)));
                          return from_sweep(sweep, 1, 1, 0);
                      },
                      "the plane model itself is unstable"});
     cases.push_back({"z = 1, b/a = inf", "|c11|",
                      [] {
                          const double infinity = std::numeric_limits<double>::infinity();
-                         const rollbem::FrequencySweep<double> sweep(rollbem::cosine_mesh(40), equal, plane(infinity));
+                         const rollbem::FrequencySweep<double> sweep(
+                             rollbem::rolling_system(rollbem::cosine_mesh(40), equal, plane(infinity)));
                          return from_sweep(sweep, 1, 1, 0);
                      },
                      "infinite aspect is for steady problems only"});
@@ -129,7 +133,7 @@ void add_refusals(std::vector<Case>& cases) {
          [] {
              const auto result = rollbem::polynomial_c11<double>({0, 10}, steel, 1000, 5);
              Outcome outcome = compare(result.c11, rollbem::reference::laplace_c11({0, 10}, steel, 1000), 0);
-             if (result.status != rollbem::PolynomialStatus::ok) outcome.told = advice(result.status);
+             if (result.status != rollbem::Status::ok) outcome.told = advice(result.status);
              return outcome;
          },
          "changes with the order"});
@@ -139,7 +143,7 @@ void add_refusals(std::vector<Case>& cases) {
              const auto result = rollbem::solve_monomial<double>({0, 50}, steel, 1000, 60);
              Outcome outcome = compare(result.c11, rollbem::reference::laplace_c11({0, 50}, steel, 1000), 0);
              outcome.condition = result.condition;
-             if (result.status != rollbem::PolynomialStatus::ok) outcome.told = advice(result.status);
+             if (result.status != rollbem::Status::ok) outcome.told = advice(result.status);
              return outcome;
          },
          "use the Chebyshev basis"});

@@ -29,8 +29,7 @@ long double steady_c11(const MeshName& name, const rollbem::Collocation& scheme,
 std::complex<long double> harmonic_c11(const MeshName& name, const rollbem::Collocation& scheme, double aspect,
                                        double poisson_ratio, double z) {
     const rollbem::Mesh<Real> mesh = make_mesh<Real>(name);
-    const auto matrices = rollbem::assemble(mesh, scheme, plane(aspect, poisson_ratio));
-    return rollbem::solve_harmonic<Real>(matrices, rollbem::unknown_widths(mesh, scheme), z).c11;
+    return rollbem::solve_harmonic<Real>(rollbem::rolling_system(mesh, scheme, plane(aspect, poisson_ratio)), z).c11;
 }
 
 }  // namespace extremes

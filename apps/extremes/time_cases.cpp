@@ -31,12 +31,12 @@ rollbem::Contact<double> contact(double aspect) { return rollbem::Contact<double
 Model stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
     const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
-    const rollbem::InfluenceMatrices<double> matrices = rollbem::assemble(mesh, equal, kernel);
-    return {contact, matrices, rollbem::unknown_widths(mesh, equal), rollbem::verdict(matrices), integrator};
+    const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, equal, kernel);
+    return {contact, system, rollbem::verdict<double>(system), integrator};
 }
 
 std::string text(rollbem::StepStatus status) {
-    return status == rollbem::StepStatus::ok ? "" : "step status " + std::to_string(static_cast<int>(status));
+    return status == rollbem::StepStatus::ok ? "" : std::string("status ") + name(status);
 }
 
 /// Force per width after `count` steps of dq [m] at unit creepage, from rest.
@@ -118,8 +118,9 @@ void add_spectra(std::vector<Case>& cases) {
         cases.push_back(
             {"n = " + std::to_string(n) + ", cosine, b/a = 100", "spectral abscissa against the exact eigenvalue", [=] {
                  const rollbem::PlaneKernel<double> kernel(100, 1 - steel, steel);
-                 const auto result = rollbem::solve_stability(rollbem::cosine_mesh(n), equal, kernel,
-                                                              {.settle_signs = true, .condition = true});
+                 const auto result =
+                     rollbem::solve_stability<double>(rollbem::rolling_system(rollbem::cosine_mesh(n), equal, kernel),
+                                                      {.settle_signs = true, .condition = true});
                  Outcome outcome{.value = result.spectral_abscissa,
                                  .condition = *result.cond_G,
                                  .told = extremes::text(result.status)};
@@ -135,9 +136,8 @@ void add_refusals(std::vector<Case>& cases) {
         return [=] {
             const rollbem::Mesh<double> mesh = rollbem::uniform_mesh(n);
             const auto kernel = rollbem::StripKernel<double>::longitudinal(contact(aspect));
-            const rollbem::InfluenceMatrices<double> matrices = rollbem::assemble(mesh, scheme, kernel);
-            const Model model(contact(aspect), matrices, rollbem::unknown_widths(mesh, scheme),
-                              rollbem::verdict(matrices));
+            const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
+            const Model model(contact(aspect), system, rollbem::verdict<double>(system));
             return roll(model, 1, 1);
         };
     };

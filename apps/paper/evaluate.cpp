@@ -43,8 +43,8 @@ auto with_scheme(const Case& c, const Function& function) {
     return function(rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature});
 }
 
-rollbem::InfluenceMatrices<double> matrices(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble(make_mesh(c), scheme, strip()); });
+rollbem::ElementSystem<double> system_of(const Case& c) {
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::rolling_system(make_mesh(c), scheme, strip()); });
 }
 
 Eigen::MatrixXd G_prime(const Case& c) {
@@ -133,7 +133,7 @@ double G_prime_difference(const Case& first, const Case& second) {
 }
 
 double G_difference(const Case& first, const Case& second) {
-    return relative_difference(matrices(first).G, matrices(second).G);
+    return relative_difference(system_of(first).G(), system_of(second).G());
 }
 
 double gauss_galerkin_difference(int points) {
@@ -143,15 +143,15 @@ double gauss_galerkin_difference(int points) {
 }
 
 Eigen::Index unstable_count(const Case& c) {
-    const rollbem::InfluenceMatrices<double> pencil = matrices(c);
-    const rollbem::UnstableCount<double> fast = rollbem::count_unstable(pencil);
+    const rollbem::ElementSystem<double> system = system_of(c);
+    const rollbem::UnstableCount<double> fast = rollbem::count_unstable<double>(system);
     if (fast.status == rollbem::Status::ok) return fast.unstable_count;
-    const rollbem::StabilityResult<double> slow = rollbem::solve_stability(pencil);
+    const rollbem::StabilityResult<double> slow = rollbem::solve_stability<double>(system);
     if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");
     return slow.unstable_count;
 }
 
-bool certainly_unstable(const Case& c) { return rollbem::verdict(matrices(c)).certainly_unstable(); }
+bool certainly_unstable(const Case& c) { return rollbem::verdict<double>(system_of(c)).certainly_unstable(); }
 
 std::optional<double> critical_alpha_T(const Case& c) {
     const rollbem::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};
@@ -167,8 +167,7 @@ std::optional<double> critical_alpha_T(const Case& c) {
 }
 
 std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z) {
-    const rollbem::FrequencySweep<double> sweep = with_scheme(
-        c, [&](const auto& scheme) { return rollbem::FrequencySweep<double>(make_mesh(c), scheme, strip()); });
+    const rollbem::FrequencySweep<double> sweep(system_of(c));
     std::vector<std::complex<double>> result;
     for (const double frequency : z) {
         const rollbem::SweepPoint<double> point = sweep(frequency);

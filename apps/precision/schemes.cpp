@@ -95,9 +95,10 @@ MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<
     });
 }
 
-rollbem::InfluenceMatrices<double> both(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    return with_kernel(scene, elements,
-                       [&](const auto& scheme, const auto& kernel) { return rollbem::assemble(mesh, scheme, kernel); });
+rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    return with_kernel(scene, elements, [&](const auto& scheme, const auto& kernel) {
+        return rollbem::rolling_system(mesh, scheme, kernel);
+    });
 }
 
 rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
@@ -111,14 +112,14 @@ double steady_c11(const Scene& scene, const Elements& elements, const Mesh<doubl
 
 Complex harmonic_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh, double z) {
     const rollbem::HarmonicSolution<double> solution =
-        rollbem::solve_harmonic<double>(both(scene, elements, mesh), mesh.widths(), z);
+        rollbem::solve_harmonic<double>(system_of(scene, elements, mesh), z);
     return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
 }
 
 // -F/(a G xi) at q/a = 1, 2, ... after a step of creepage, exact in time
 Forces step_forces(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::TransientModel<double> model(scene.contact, both(scene, elements, mesh), mesh.widths(),
-                                                rollbem::unchecked, rollbem::Integrator::matrix_exponential);
+    const rollbem::TransientModel<double> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
+                                                rollbem::Integrator::matrix_exponential);
     const rollbem::PreparedStep<double> prepared = model.prepare(1);
     rollbem::TransientState<double> state = model.at_rest(), next = state;
     Forces forces{};
@@ -136,9 +137,10 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
                                                      friction);
     const rollbem::FrictionState<double> rest = model.at_rest();
     rollbem::FrictionState<double> state = rest;
+    rollbem::FrictionWorkspace<double> workspace = model.workspace();
     const rollbem::FrictionStep<double> point =
-        model.solve(rest, 2 * (1 - scene.contact.poisson_ratio()) * peak * creepage_ratio, state);
-    return point.status == rollbem::FrictionStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
+        model.solve(rest, 2 * (1 - scene.contact.poisson_ratio()) * peak * creepage_ratio, state, workspace);
+    return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
 }
 
 // value(mesh), extrapolated from two meshes where the scheme says so
@@ -376,7 +378,8 @@ std::optional<bool> Case::stable() const {
     if (!found) return plane_decays;  // of the model itself
     if (scene_.plane && !plane_decays) return std::nullopt;
     for (const long n : found->order > 0 ? std::vector{n_ / 2, n_} : std::vector{n_}) {
-        const auto count = rollbem::count_unstable(both(scene_, *found, make_mesh(scene_, found->topology, n)));
+        const auto count =
+            rollbem::count_unstable<double>(system_of(scene_, *found, make_mesh(scene_, found->topology, n)));
         if (count.status != rollbem::Status::ok) return std::nullopt;
         if (count.unstable_count > 0) return false;
     }

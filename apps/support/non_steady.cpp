@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
 
 #include "csv.hpp"
@@ -44,7 +45,8 @@ Sine read_sine(const Options& options, const Rule& rule) {
     return {*amplitude, *omega};
 }
 
-void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict, rollbem::Status steady) {
+void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict,
+                       const rollbem::ElementSystem<double>& system) {
     const std::string scheme = "n = " + std::to_string(scene.n()) + ": the scheme ";
     if (verdict.status != rollbem::Status::ok) {
         throw BadInput(scheme + "has eigenvalues that were not found; they must be, or --unchecked be given");
@@ -54,7 +56,7 @@ void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verd
                        std::to_string(verdict.uncertain_count) +
                        " uncertain eigenvalues; it must be stable, or --unchecked be given");
     }
-    if (steady == rollbem::Status::inconsistent) {
+    if (rollbem::solve_steady<double>(system.G_prime(), system.weights()).status == rollbem::Status::inconsistent) {
         throw BadInput(scheme +
                        "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions "
                        "must oppose the creepage, or --unchecked be given");

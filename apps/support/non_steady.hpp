@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <rollbem/adhesion/stability_verdict.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/scene/contact.hpp>
-#include <rollbem/status.hpp>
 
 #include "options.hpp"
 #include "scenes.hpp"
@@ -32,7 +32,8 @@ struct Sine {
 Sine read_sine(const Options& options, const Rule& amplitude);
 
 /// Throws BadInput unless steps of a scene's scheme tend to steady rolling: no eigenvalue is unstable or uncertain, and
-/// `steady`, the status of solve_steady for the same scheme, is not inconsistent.
-void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict, rollbem::Status steady);
+/// steady rolling of its system is not inconsistent.
+void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict,
+                       const rollbem::ElementSystem<double>& system);
 
 }  // namespace study

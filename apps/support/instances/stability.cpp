@@ -4,7 +4,7 @@
 
 namespace rollbem {
 
-template StabilityResult<double> solve_stability<double>(const InfluenceMatrices<double>&, StabilityOptions);
-template UnstableCount<double> count_unstable<double>(const InfluenceMatrices<double>&);
+template StabilityResult<double> solve_stability<double>(const RollingSystem<double>&, StabilityOptions);
+template UnstableCount<double> count_unstable<double>(const RollingSystem<double>&);
 
 }  // namespace rollbem

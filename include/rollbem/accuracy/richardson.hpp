@@ -9,15 +9,9 @@
 #include <type_traits>
 
 #include "../detail/require.hpp"
+#include "../status.hpp"
 
 namespace rollbem {
-
-/// Whether an extrapolated value can be used.
-enum class ExtrapolationStatus {
-    ok,
-    order_differs,  ///< the values do not converge with the order that was given; the finest of them is returned
-    not_finite,     ///< a value is not a number or infinite
-};
 
 /// Result of extrapolate().
 template <class Value>
@@ -29,7 +23,7 @@ struct Extrapolation {
     Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
     /// log2 |(coarse - middle) / (middle - fine)|; not a number where the values agree to rounding.
     Real observed_order = std::numeric_limits<Real>::quiet_NaN();
-    ExtrapolationStatus status = ExtrapolationStatus::not_finite;
+    Status status = Status::not_finite;  ///< order_differs: the finest value is returned as it is
 };
 
 /// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine) elements.
@@ -61,16 +55,16 @@ auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band
     const Real rounding = static_cast<Real>(64 * n) * std::numeric_limits<Real>::epsilon() * std::abs(fine);
     if (before <= rounding && last <= rounding) {
         result.error_estimate = rounding;
-        result.status = ExtrapolationStatus::ok;
+        result.status = Status::ok;
         return result;
     }
     result.observed_order = std::log2(before / last);
-    result.status = ExtrapolationStatus::order_differs;
+    result.status = Status::order_differs;
     const Value extrapolated = richardson(middle, fine, static_cast<Real>(order));
     result.error_estimate = std::abs(extrapolated - richardson(coarse, middle, static_cast<Real>(order)));
     if (!(std::abs(result.observed_order - static_cast<Real>(order)) <= static_cast<Real>(band))) return result;
     result.value = extrapolated;
-    result.status = ExtrapolationStatus::ok;
+    result.status = Status::ok;
     return result;
 }
 

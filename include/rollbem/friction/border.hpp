@@ -67,7 +67,7 @@ struct FittedFrictionSolution {
     /// |xi|): of the order of the discretisation error.
     Scalar complementarity_residual = std::numeric_limits<Scalar>::quiet_NaN();
     int evaluations = 0;  ///< fitted meshes assembled and solved, of either size
-    FrictionStatus status = FrictionStatus::not_finite;
+    StepStatus status = StepStatus::not_finite;
 };
 
 namespace detail {
@@ -244,7 +244,7 @@ FittedFrictionSolution<Scalar> solve_fitted_friction(const Contact<Scalar>& cont
     result.complementarity_residual = std::max({excess, wrong_slip, Scalar(0)});
     result.fitted =
         before.found && last.found && std::isfinite(force) && result.complementarity_residual <= Scalar(0.05);
-    result.status = FrictionStatus::ok;
+    result.status = StepStatus::ok;
     if (result.fitted) return result;
 
     result.mesh = cosine_mesh<Scalar>(n);
@@ -252,9 +252,10 @@ FittedFrictionSolution<Scalar> solve_fitted_friction(const Contact<Scalar>& cont
                                             {friction_coefficient, pressure(result.mesh)});
     const FrictionState<Scalar> rest = model.at_rest();
     FrictionState<Scalar> state = rest;
-    const FrictionStep<Scalar> plain = model.solve(rest, creepage, state);
-    result.traction = state.traction();
-    result.slip = state.slip();
+    FrictionWorkspace<Scalar> workspace = model.workspace();
+    const FrictionStep<Scalar> plain = model.solve(rest, creepage, state, workspace);
+    result.traction = state.traction;
+    result.slip = workspace.slip();
     result.border = result.force_error = std::numeric_limits<Scalar>::quiet_NaN();
     result.force_per_width = plain.force_per_width;
     result.tangent_per_width = plain.tangent_per_width;

@@ -14,28 +14,22 @@
 
 #include "../closed_form/carter.hpp"
 #include "../detail/require.hpp"
+#include "../status.hpp"
 
 namespace rollbem {
 
 enum class PolynomialBasis { monomial, chebyshev };
 
-/// Whether a polynomial solution can be used.
-enum class PolynomialStatus {
-    ok,
-    ill_conditioned,  ///< monomial: the matrix is close to singular
-    not_converged,    ///< the order is too low, or monomials have broken down by cancellation
-    not_finite,       ///< the result is not a number or infinite
-};
-
-/// What to do about a status, as one clause for a message.
-inline const char* advice(PolynomialStatus status) {
+/// What to do about the status of a polynomial solution, as one clause for a message: ill_conditioned is for monomials
+/// whose matrix is close to singular, not_converged for an order that is too low or monomials that have broken down.
+inline const char* advice(Status status) {
     switch (status) {
-        case PolynomialStatus::ok: return "nothing: the solution can be used";
-        case PolynomialStatus::ill_conditioned:
+        case Status::ok: return "nothing: the solution can be used";
+        case Status::ill_conditioned:
             return "the monomial basis has broken down at this order (ill-conditioned); use the Chebyshev basis";
-        case PolynomialStatus::not_converged:
+        case Status::not_converged:
             return "the result changes with the order; raise it, or use the Chebyshev basis at its default order";
-        case PolynomialStatus::not_finite: break;
+        default: break;
     }
     return "the result is not finite; use the Chebyshev basis at its default order";
 }
@@ -55,7 +49,7 @@ template <std::floating_point Scalar>
 struct PolynomialC11 {
     std::complex<Scalar> c11;  ///< Eq. (30): force per unit width over -a G xi
     Scalar error_estimate;     ///< relative, of truncation and rounding together; an upper estimate, not a bound
-    PolynomialStatus status;
+    Status status;
 };
 
 /// Traction and displacement under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case.
@@ -70,7 +64,7 @@ struct PolynomialSolution {
     Vector displacement_coefficients;  ///< u/(a xi), of x^l (Eq. 22) or of T_l
     Scalar error_estimate;             ///< of c11, relative
     Scalar condition;                  ///< monomial: estimated 1-norm condition; Chebyshev: 1, no matrix is inverted
-    PolynomialStatus status;
+    Status status;
 
     /// p/(G xi), Eq. (17). Throws std::invalid_argument for distances that are negative or do not add up to 2.
     Complex traction(const EdgeDistances<Scalar>& position) const {
@@ -170,11 +164,11 @@ std::complex<Scalar> chebyshev_sum(std::complex<Scalar> s, Eigen::Index order, s
 }
 
 template <std::floating_point Scalar>
-PolynomialStatus polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar tolerance) {
+Status polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar tolerance) {
     if (!std::isfinite(c11.real()) || !std::isfinite(c11.imag())) {
-        return PolynomialStatus::not_finite;
+        return Status::not_finite;
     }
-    return error_estimate <= tolerance ? PolynomialStatus::ok : PolynomialStatus::not_converged;
+    return error_estimate <= tolerance ? Status::ok : Status::not_converged;
 }
 
 /// Chebyshev: at a sufficient order only rounding is left, so half the digits tell it from truncation.
@@ -384,8 +378,8 @@ PolynomialSolution<Scalar> solve_monomial(
         detail::solve_monomial_once<Scalar>(s, displacement_matrix(order + 10, poisson_ratio, aspect));
     solution.error_estimate = std::abs(solution.c11 - higher.c11) / std::abs(solution.c11);
     solution.status = detail::polynomial_status(solution.c11, solution.error_estimate, options.tolerance);
-    if (solution.status != PolynomialStatus::not_finite && !(solution.condition <= options.largest_condition)) {
-        solution.status = PolynomialStatus::ill_conditioned;
+    if (solution.status != Status::not_finite && !(solution.condition <= options.largest_condition)) {
+        solution.status = Status::ill_conditioned;
     }
     return solution;
 }
