@@ -169,7 +169,7 @@ TEST_CASE("The fast count and QZ give the same answers", "[stability]") {
 }
 
 TEST_CASE("The fast count says so when it cannot be trusted", "[stability]") {
-    const UnstableCount<double> count = count_unstable(uniform_mesh(40), Collocation{0, 1.35}, strip());
+    const UnstableCount<double> count = count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
     CHECK(count.status == Status::ill_conditioned);
     CHECK(count.rcond < 1e-4);
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -182,7 +182,7 @@ TEST_CASE("The fast count says so when it cannot be trusted", "[stability]") {
 
 TEST_CASE("What is stable and what is not", "[stability]") {
     const auto count = [](const auto& mesh, const auto& scheme) {
-        return count_unstable(mesh, scheme, strip()).unstable_count;
+        return count_unstable(rolling_system(mesh, scheme, strip())).unstable_count;
     };
     for (const int n : {20, 40, 60, 80}) {
         CAPTURE(n);
@@ -194,7 +194,7 @@ TEST_CASE("What is stable and what is not", "[stability]") {
     for (const int n : {1, 2, 3, 7, 14, 20, 40, 80, 160}) {
         CAPTURE(n);
         CHECK(count(cosine_mesh(n), Collocation{0.5, 0.5}) == 0);
-        CHECK(count_unstable(cosine_mesh(n), Collocation{0.5, 0.5}, plane(1000)).unstable_count == 0);
+        CHECK(count_unstable(rolling_system(cosine_mesh(n), Collocation{0.5, 0.5}, plane(1000))).unstable_count == 0);
     }
     // the paper's recommendation is lost as n grows, but not for good
     CHECK(count(uniform_mesh(160), Collocation{0, 0.63}) == 2);
@@ -210,7 +210,7 @@ TEST_CASE("What is stable and what is not", "[stability]") {
 
 TEST_CASE("lambda below one half removes the instability of finite differences", "[stability]") {
     const auto count = [](const auto& mesh, const auto& scheme) {
-        return count_unstable(mesh, scheme, strip()).unstable_count;
+        return count_unstable(rolling_system(mesh, scheme, strip())).unstable_count;
     };
     for (const int n : {20, 60}) {
         for (const double alpha : {0.7, 0.85, 1.0}) {
@@ -238,9 +238,9 @@ TEST_CASE("Stability refuses bad input by name", "[stability]") {
     const InfluenceMatrices<double> other{.G = Matrix::Identity(2, 2), .G_prime = Matrix::Identity(3, 3)};
     CHECK_THROWS_WITH(solve_stability(narrow), Catch::Matchers::ContainsSubstring("columns of G_prime = 2"));
     CHECK_THROWS_WITH(count_unstable(other), Catch::Matchers::ContainsSubstring("rows of G = 2"));
-    CHECK_THROWS_WITH(count_unstable(uniform_mesh(5), Collocation{}, plane(0.1)),
+    CHECK_THROWS_WITH(count_unstable(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))),
                       Catch::Matchers::ContainsSubstring("Lambda"));
-    CHECK_THROWS_AS(solve_stability(uniform_mesh(5), Collocation{}, plane(0.1)), std::invalid_argument);
+    CHECK_THROWS_AS(solve_stability(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))), std::invalid_argument);
 }
 
 }  // namespace

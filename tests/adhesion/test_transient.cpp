@@ -310,8 +310,9 @@ TEMPLATE_TEST_CASE("The stepper in every scalar type", "[transient]", float, dou
     const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
     const reference::StepResponse exact(0.25, 100);
     for (const Integrator integrator : all_integrators) {
-        const TransientModel<Scalar> model(contact, cosine_mesh<Scalar>(20), halves,
-                                           PlaneKernel<Scalar>::longitudinal(contact), unchecked, integrator);
+        const TransientModel<Scalar> model(
+            contact, rolling_system(cosine_mesh<Scalar>(20), halves, PlaneKernel<Scalar>::longitudinal(contact)),
+            unchecked, integrator);
         const PreparedStep<Scalar> prepared = model.prepare(Scalar(0.0625));
         TransientState<Scalar> state = model.at_rest(), next = state;
         TransientStep<Scalar> step;
@@ -333,9 +334,10 @@ TEMPLATE_TEST_CASE("The stepper in every scalar type", "[transient]", float, dou
 TEST_CASE("Double meets long double", "[transient]") {
     const auto force = []<class Scalar>(Scalar) {
         const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
-        const TransientModel<Scalar> model(contact, uniform_mesh<Scalar>(60), Collocation{},
-                                           StripKernel<Scalar>::longitudinal(contact), unchecked,
-                                           Integrator::matrix_exponential);
+        const TransientModel<Scalar> model(
+            contact,
+            rolling_system(uniform_mesh<Scalar>(60), Collocation{}, StripKernel<Scalar>::longitudinal(contact)),
+            unchecked, Integrator::matrix_exponential);
         const PreparedStep<Scalar> prepared = model.prepare(Scalar(0.125));
         TransientState<Scalar> state = model.at_rest(), next = state;
         Scalar last = 0;

@@ -140,14 +140,14 @@ TEST_CASE("A step with friction does not allocate", "[friction]") {
         for (const Eigen::Index n : {1, 40, 100}) {
             const FrictionModel<double> model = make_friction_model(n, 0.5, integrator);
             FrictionState<double> now = model.at_rest(), next = now;
-            bool ok = model.advance(now, 0.1, 0.1, next).status == FrictionStatus::ok;
+            bool ok = model.advance(now, 0.1, 0.1, next).status == StepStatus::ok;
             int changes = 0;
             const long before = allocations;
             for (int k = 0; k < 200; ++k) {  // zones and dq change
                 const FrictionStep<double> step =
                     k % 50 == 49 ? model.shift(now, 0.2, next)
                                  : model.advance(now, k % 20 < 15 ? 0.1 : 0.3, (k % 13 - 6) * 0.15, next);
-                ok = ok && step.status == FrictionStatus::ok;
+                ok = ok && step.status == StepStatus::ok;
                 changes += step.rounds > 2 ? 1 : 0;
                 std::swap(now, next);
             }
@@ -183,7 +183,7 @@ TEST_CASE("A steady solution with friction does not allocate, its fallback inclu
     const long before = allocations;
     const FrictionStep<double> point = model.solve(rest, 1.5 * 0.95, state);
     const long after = allocations;
-    CHECK(point.status == FrictionStatus::ok);
+    CHECK(point.status == StepStatus::ok);
     CHECK(point.pivots > 0);
     CHECK(after == before);
 }

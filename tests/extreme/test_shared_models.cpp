@@ -54,8 +54,8 @@ TEST_CASE("Assembly and steady rolling", "[threads]") {
 
 TEST_CASE("A time step, prepared or not", "[threads]") {
     const Contact<double> contact = Contact<double>::dimensionless(10, nu);
-    const TransientModel<double> model(contact, cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact),
-                                       unchecked);
+    const TransientModel<double> model(
+        contact, rolling_system(cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact)), unchecked);
     const PreparedStep<double> prepared = model.prepare(0.1);
     check_shared([&] {
         TransientModel<double>::State now = model.at_rest(), next = model.steady(1e-3);
@@ -76,7 +76,7 @@ TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
     const auto plane = PlaneKernel<double>::longitudinal(contact);
     const CoulombFriction<double> friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
     const SteadyFrictionModel<double> steady(contact, mesh, scheme, plane, friction);
-    const FrictionModel<double> model(contact, mesh, scheme, plane, friction);
+    const FrictionModel<double> model(contact, rolling_system(mesh, scheme, plane), unchecked, friction);
     check_shared([&] {
         Numbers forces;
         auto now = steady.at_rest(), next = now;
@@ -95,7 +95,7 @@ TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
 
 TEST_CASE("Frequency response, reduced or not, and polynomials", "[threads]") {
     const PlaneKernel<double> plane(1000, 1 - nu, nu);
-    const FrequencySweep<double> reduced(cosine_mesh(20), scheme, plane);
+    const FrequencySweep<double> reduced(rolling_system(cosine_mesh(20), scheme, plane));
     MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
     weak.row(3) *= 1e-9;  // no reduction, but nothing to object to
     const FrequencySweep<double> full({assemble_G(cosine_mesh(20), scheme, plane), weak}, cosine_mesh(20).widths());

@@ -46,7 +46,7 @@ TEST_CASE("the paper's order 20 with a fitted B meets the Bessel functions", "[f
         const double error = std::abs(solution.c11 / reference::harmonic_c11(z, 0.25, 100.0) - 1.0);
         CAPTURE(z, error, solution.error_estimate, solution.condition);
         CHECK(error < 1e-8);
-        CHECK(solution.status == PolynomialStatus::ok);
+        CHECK(solution.status == Status::ok);
     }
 }
 

@@ -31,8 +31,8 @@ TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomi
                 const PolynomialC11<double> given = polynomial_c11(s, nu, aspect, order);
                 const PolynomialC11<double> automatic = polynomial_c11(s, nu, aspect);
                 largest = std::max({largest, relative_error(given.c11, exact), relative_error(automatic.c11, exact)});
-                CHECK(given.status == PolynomialStatus::ok);
-                CHECK(automatic.status == PolynomialStatus::ok);
+                CHECK(given.status == Status::ok);
+                CHECK(automatic.status == Status::ok);
             }
         }
     }
@@ -54,7 +54,7 @@ TEST_CASE("Chebyshev's error estimate covers the error at every order and comple
                     const double error = relative_error(solution.c11, exact);
                     ++count;
                     violations += error > solution.error_estimate ? 1 : 0;
-                    if (solution.status == PolynomialStatus::ok) {
+                    if (solution.status == Status::ok) {
                         slackest = std::max(slackest, error);
                     }
                 }
@@ -72,7 +72,7 @@ TEST_CASE("Chebyshev's error estimate covers the error at every order and comple
 
 TEST_CASE("Chebyshev refuses an order below the frequency", "[polynomial]") {
     const PolynomialC11<double> solution = polynomial_c11(Complex(0, 50), 0.25, 100.0, 20);
-    CHECK(solution.status == PolynomialStatus::not_converged);
+    CHECK(solution.status == Status::not_converged);
     CHECK(relative_error(solution.c11, reference::harmonic_c11(50, 0.25, 100.0)) > 1e-6);
 }
 
@@ -194,14 +194,14 @@ TEST_CASE("monomials break down before their matrix looks singular, and say so",
     CAPTURE(error, monomial.condition, monomial.error_estimate);
     CHECK(error > 1e-4);
     CHECK(monomial.condition < 1e7);
-    CHECK(monomial.status == PolynomialStatus::not_converged);
+    CHECK(monomial.status == Status::not_converged);
     CHECK_THAT(std::string(advice(monomial.status)), Catch::Matchers::ContainsSubstring("Chebyshev basis"));
     CHECK(relative_error(polynomial_c11(s, 0.25, 100.0, 60).c11, exact) < error / 10);
     CHECK(relative_error(polynomial_c11(s, 0.25, 100.0, 140).c11, exact) < 1e-14);
 
     const PolynomialSolution<double> singular = solve_monomial<double>(s, 0.25, 100.0, 140);
     CAPTURE(singular.condition);
-    CHECK(singular.status == PolynomialStatus::ill_conditioned);
+    CHECK(singular.status == Status::ill_conditioned);
     CHECK_THAT(std::string(advice(singular.status)), Catch::Matchers::ContainsSubstring("Chebyshev basis"));
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("the verdict on monomials is right wherever it says ok", "[polynomial]
     for (const double z : {0.0, 0.1, 1.0, 5.0, 10.0, 20.0, 40.0}) {
         for (const Eigen::Index order : {1, 2, 5, 10, 20, 40, 60}) {
             const PolynomialSolution<double> solution = solve_monomial<double>({0, z}, 0.25, 100.0, order);
-            if (solution.status == PolynomialStatus::ok) {
+            if (solution.status == Status::ok) {
                 ++accepted;
                 CAPTURE(z, order, solution.error_estimate);
                 CHECK(relative_error(solution.c11, reference::harmonic_c11(z, 0.25, 100.0)) < 2e-7);
@@ -242,8 +242,8 @@ TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", 
     const auto monomial = solve_monomial<Scalar>(s, Scalar(0.25), Scalar(100), 20);
     // independent of Bessel functions in Scalar: the two bases, and in long double the far longer series
     const auto longer = polynomial_c11(s, Scalar(0.25), Scalar(100), 100);
-    CHECK(chebyshev.status == PolynomialStatus::ok);
-    CHECK(monomial.status == PolynomialStatus::ok);
+    CHECK(chebyshev.status == Status::ok);
+    CHECK(monomial.status == Status::ok);
     CHECK(std::abs(chebyshev.c11 / longer.c11 - Scalar(1)) < 8 * eps);
     CHECK(std::abs(monomial.c11 / longer.c11 - Scalar(1)) < 50 * eps);
     CHECK(std::abs(monomial.traction(Scalar(0.5)) / chebyshev.traction(Scalar(0.5)) - Scalar(1)) < 300 * eps);

@@ -84,11 +84,24 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system, 
     return solution;
 }
 
-/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign. Otherwise as above.
+/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent where the
+/// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument for a z that is not finite.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
     detail::require(std::isfinite(z), "solve_harmonic", "omega a/V", z, "be finite");
-    return solve_exponential(system, std::complex<Scalar>(0, z));
+    HarmonicSolution<Scalar> solution = solve_exponential(system, std::complex<Scalar>(0, z));
+    if (solution.status != Status::ok || !system.unknowns_are_tractions()) return solution;
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
+    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(system.size()));
+    if (!detail::opposes_creepage<Scalar>(steady, system.weights())) solution.status = Status::inconsistent;
+    return solution;
+}
+
+/// The same for a discretisation by elements. Throws as rolling_system does, too.
+template <class Scalar, class Scheme, LineKernel Kernel>
+HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
+                                        std::type_identity_t<Scalar> z) {
+    return solve_harmonic(rolling_system(mesh, scheme, kernel), z);
 }
 
 /// c11 at many frequencies. With M = G'^-1 G = U H U^T, H of Hessenberg form, (G' - s G) p = xi turns into
