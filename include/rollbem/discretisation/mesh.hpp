@@ -43,9 +43,14 @@ public:
                             data_.widths[i], "be positive and finite");
         }
         check_edges(data_.edges_from_trailing, data_.edges_from_leading);
-        from_trailing_ = (data_.edges_from_trailing.head(n) + data_.edges_from_trailing.tail(n)) / 2;
-        from_leading_ = (data_.edges_from_leading.head(n) + data_.edges_from_leading.tail(n)) / 2;
-        centres_ = (from_trailing_ - from_leading_) / 2;
+        from_trailing_.resize(n);
+        from_leading_.resize(n);
+        centres_.resize(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            from_trailing_[i] = (data_.edges_from_trailing[i] + data_.edges_from_trailing[i + 1]) / 2;
+            from_leading_[i] = (data_.edges_from_leading[i] + data_.edges_from_leading[i + 1]) / 2;
+            centres_[i] = (from_trailing_[i] - from_leading_[i]) / 2;
+        }
     }
 
     Eigen::Index size() const { return data_.widths.size(); }  ///< n

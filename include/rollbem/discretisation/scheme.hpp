@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "../detail/array_functions.hpp"
 #include "../detail/require.hpp"
 #include "mesh.hpp"
 
@@ -74,12 +75,15 @@ typename Mesh<Scalar>::Array interpolate_alpha(const Mesh<Scalar>& mesh, double 
     using Array = typename Mesh<Scalar>::Array;
     const Scalar first = static_cast<Scalar>(alpha_T);
     const Scalar last = static_cast<Scalar>(alpha_L);
-    if (first == last) return Array::Constant(n, first);
+    Array alpha(n);
     const Array& from_trailing = mesh.from_trailing();
     const Array& from_leading = mesh.from_leading();
     const Scalar span = from_trailing[n - 1] - from_trailing[0];
-    Array alpha =
-        last * (from_trailing - from_trailing[0]) / span + first * (from_leading - from_leading[n - 1]) / span;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        alpha[i] = first == last ? first
+                                 : last * (from_trailing[i] - from_trailing[0]) / span +
+                                       first * (from_leading[i] - from_leading[n - 1]) / span;
+    }
     alpha[0] = first;  // exactly: an alpha of 0.5 must not fall on the other side of an edge
     alpha[n - 1] = last;
     return alpha;
@@ -93,7 +97,7 @@ inline Eigen::Index unknown_count(const KnotheBoundary&, Eigen::Index n) { retur
 /// The widths of the unknown elements: the weights that turn tractions into a force.
 template <class Scalar, class Scheme>
 typename Mesh<Scalar>::Array unknown_widths(const Mesh<Scalar>& mesh, const Scheme& scheme) {
-    return mesh.widths().head(unknown_count(scheme, mesh.size()));
+    return detail::segment(mesh.widths(), 0, unknown_count(scheme, mesh.size()));
 }
 
 }  // namespace rollbem
