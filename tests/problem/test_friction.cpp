@@ -16,6 +16,7 @@
 #include <rollbem/problem/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "../support/catch.hpp"
+#include "../support/scalars.hpp"
 #include "rollbem/closed_form/carter.hpp"
 #include "rollbem/problem/steady.hpp"
 #include "rollbem/problem/transient.hpp"

@@ -10,6 +10,7 @@
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
