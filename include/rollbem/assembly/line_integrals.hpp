@@ -327,8 +327,7 @@ private:
 
     template <bool SingleRatio>
     Chunk moment_sum(const Chunk& A, const Chunk& B) const {
-        Scalar largest = A[0];
-        for (Eigen::Index i = 1; i < chunk; ++i) largest = std::max(largest, A[i]);
+        const Scalar largest = A.maxCoeff();
         if (largest <= bound_of_4_) return moment_sum<SingleRatio, 4>(A, B);
         if (largest <= bound_of_6_) return moment_sum<SingleRatio, 6>(A, B);
         return moment_sum<SingleRatio, last_moment>(A, B);
@@ -336,18 +335,20 @@ private:
 
     // the logarithmic part: g' = -strength/d, so that g^{(2j+1)}/(2j)! = -strength/d^(2j+1)
     template <bool SingleRatio>
-    Chunk log_series(const Chunk& d, Scalar h, const Chunk& delta) const {
+    Chunk log_series(const Chunk& d, Scalar h, const Scalar* delta) const {
         const Scalar size = Scalar(averages_ > 0 ? 2 : 1) * h;
         Chunk inverse, A, B;
         for (Eigen::Index i = 0; i < chunk; ++i) {
             inverse[i] = 1 / d[i];
             const Scalar sum = (SingleRatio ? size : h + delta[i]) * inverse[i];
-            A[i] = std::min(far_ratio_, sum * sum);
+            A[i] = sum * sum;
             if constexpr (!SingleRatio) {
                 const Scalar difference = (h - delta[i]) * inverse[i];
-                B[i] = std::min(far_ratio_, difference * difference);
+                B[i] = difference * difference;
             }
         }
+        A = A.min(far_ratio_);
+        if constexpr (!SingleRatio) B = B.min(far_ratio_);
         const Scalar scale = 2 * h * split_->strength;
         Chunk result = moment_sum<SingleRatio>(A, B);
         if (quantity_ == Quantity::slope) {
@@ -362,7 +363,7 @@ private:
         return result;
     }
 
-    Chunk twice_averaged(const QuadratureRule<Scalar>& rule, const Chunk& d, Scalar h, const Chunk& delta) const {
+    Chunk twice_averaged(const QuadratureRule<Scalar>& rule, const Chunk& d, Scalar h, const Scalar* delta) const {
         Chunk sum;
         for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = 0;
         for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
@@ -383,19 +384,23 @@ private:
             const Scalar h = columns_.half[m];
             const bool trailing = columns_.from_trailing[m] <= 1;
             const Scalar origin = trailing ? columns_.from_trailing[m] : columns_.from_leading[m];
+            const Scalar* from = trailing ? rows_.from_trailing.data() : rows_.from_leading.data();
+            const Scalar sign = trailing ? 1 : -1;
             if (!equal_widths_) polynomial_coefficients(m, powers);
             for (Eigen::Index l = 0; l < count_; l += chunk) {
-                Chunk d, delta;
-                for (Eigen::Index i = 0; i < chunk; ++i) {
-                    d[i] = rows_.offset[l + i] +
-                           (trailing ? rows_.from_trailing[l + i] - origin : origin - rows_.from_leading[l + i]);
-                    delta[i] = rows_.half[l + i];
-                }
+                Chunk d;
+                for (Eigen::Index i = 0; i < chunk; ++i) d[i] = rows_.offset[l + i] + sign * (from[l + i] - origin);
+                const Scalar* delta = rows_.half.data() + l;
                 Chunk value = twice          ? twice_averaged(rule, d, h, delta)
                               : single_ratio ? log_series<true>(d, h, delta)
                                              : log_series<false>(d, h, delta);
                 if (degree > 0) add_polynomial(powers, d, l, value);
-                std::copy_n(value.data(), std::min(chunk, count_ - l), result.data() + m * result.rows() + l);
+                Scalar* out = result.data() + m * result.rows() + l;
+                if (l + chunk <= count_) {
+                    for (Eigen::Index i = 0; i < chunk; ++i) out[i] = value[i];
+                } else {
+                    std::copy_n(value.data(), count_ - l, out);
+                }
             }
         }
     }
@@ -480,6 +485,18 @@ private:
 
     void add_polynomial(const Table& powers, const Chunk& d, Eigen::Index l, Chunk& value) const {
         Chunk sum;
+        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: one loop stays in registers
+            const Scalar constant = powers(0, 0), linear = powers(0, 1), quadratic = powers(0, 2);
+            for (Eigen::Index i = 0; i < chunk; ++i) {
+                const Scalar square = d[i] * d[i];
+                sum[i] = (quadratic * square + linear) * square + constant;
+            }
+            if (quantity_ == Quantity::slope) {
+                for (Eigen::Index i = 0; i < chunk; ++i) sum[i] *= d[i];
+            }
+            for (Eigen::Index i = 0; i < chunk; ++i) value[i] += sum[i];
+            return;
+        }
         const Eigen::Index last = powers.cols() - 1;
         for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = equal_widths_ ? powers(0, last) : powers(l + i, last);
         for (Eigen::Index j = last - 1; j >= 0; --j) {
