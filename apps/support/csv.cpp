@@ -224,8 +224,6 @@ bool OutputFile::is_regular() const { return !target_.empty(); }
 
 const std::string& OutputFile::path() const { return shown_; }
 
-int OutputFile::descriptor() const { return descriptor_; }
-
 void OutputFile::write(std::string_view text) {
     buffer_ += text;
     if (buffer_.size() >= 65536) flush();
@@ -242,9 +240,16 @@ void OutputFile::flush() {
     buffer_.clear();
 }
 
-void OutputFile::commit() {
+void OutputFile::close() {
     flush();
-    if (descriptor_ > STDERR_FILENO && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+    if (descriptor_ <= STDERR_FILENO) return;
+    // some file systems find out only here that the disk is full
+    if (slot_ != nullptr && ::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+void OutputFile::commit() {
+    close();
     if (slot_ == nullptr) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     slot_->used = false;

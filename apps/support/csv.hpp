@@ -76,14 +76,16 @@ public:
 
     bool is_regular() const;  ///< written under another name first
     const std::string& path() const;
-    int descriptor() const;
 
     void write(std::string_view text);
 
     /// Hands everything to the system. Throws WriteError.
     void flush();
 
-    /// Ends the file and gives it its name. Throws WriteError.
+    /// Ends the file; all of a regular one is on the disk, still under the other name. Throws WriteError.
+    void close();
+
+    /// Gives the file its name, and ends it if close() has not. Throws WriteError.
     void commit();
 
 private:

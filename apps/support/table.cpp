@@ -158,7 +158,7 @@ void write_table(const Options& options, const Table& table) {
     // 3. The files take their names, once all of both is written.
     if (sidecar) {
         sidecar->write(sidecar_text(options));
-        sidecar->flush();
+        sidecar->close();
     }
     csv.commit();
     if (sidecar) sidecar->commit();

@@ -190,9 +190,10 @@ PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
 code=$?
 [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code instead of 3 without gnuplot"
 [ "$(wc -l <rows.csv)" -eq 3 ] && [ ! -e rows.svg ] || fail "files without gnuplot"
-# a gnuplot that is killed, fails, draws nothing or does not listen: the older plot stays
+# a gnuplot that is killed, fails, draws nothing or a part, or does not listen: the older plot stays
 mkdir bin
-for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null'; do
+for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null' \
+    'cat >/dev/null; echo "<svg>"'; do
     printf '#!/bin/sh\n%s\n' "$end" >bin/gnuplot && chmod +x bin/gnuplot
     rm -f rows.csv && echo old >rows.svg
     PATH=$scratch/bin:$PATH "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
@@ -206,6 +207,22 @@ if command -v gnuplot >/dev/null; then
     grep -q '</svg>' steady.svg || fail "steady.svg is not whole"
     "$traction" --n 10,20 --plot traction.png >out 2>err || fail "traction plot: $(cat err)"
     [ "$(head -c 4 traction.png | tail -c 3)" = PNG ] || fail "traction.png is no PNG"
+    # a disk that is full, be it only for the plot: the older one stays
+    ln -s /dev/full full.svg
+    for picture in full.svg cut.svg cut.png; do
+        [ -h $picture ] || echo old >$picture
+        (ulimit -f 8 && "$steady" --n 10,20 --plot $picture >out 2>err)
+        [ $? -eq 4 ] && grep -q "$picture cannot be written" err && [ "$(wc -l <err)" -eq 1 ] ||
+            fail "a full disk under $picture: $(cat err)"
+        [ "$(wc -l <out)" -eq 3 ] || fail "rows with a full disk under $picture"
+        [ -h $picture ] || [ "$(cat $picture)" = old ] || fail "a full disk cuts $picture"
+    done
+    mkfifo pipe.svg
+    cat pipe.svg >through &
+    "$steady" --n 10,20 --plot pipe.svg >out || fail "a plot through a pipe"
+    wait
+    grep -q '</svg>' through && [ -p pipe.svg ] || fail "a plot through a pipe is not whole"
 fi
+[ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left by plots that failed"
 
 finish
