@@ -495,10 +495,11 @@ int main(int argc, char** argv) {
                 "creepage as delta = xi G/(2 (1-nu) mu p0): Carter's contact slides as a whole from 1 on; with "
                 "--transient a single value (dimensionless)",
                 "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
-    options.add("pressure", "FILE",
-                "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
-                "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
-    options.add("tractions", "FILE", "besides, a CSV file with one row per element of every creepage");
+    options.add_input(
+        "pressure",
+        "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
+        "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
+    options.add_table("tractions", "besides, a CSV file with one row per element of every creepage");
     options.add_flag("fit-border", "resolve the border between slip and stick: meshes fitted to it, extrapolated");
     options.add_flag("transient", "roll in time from rest, one row per step");
     options.add("sine", "AMP,OMEGA",

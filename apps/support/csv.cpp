@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "build_info.hpp"
+#include "files.hpp"
 
 namespace study {
 
@@ -172,21 +173,21 @@ OutputFile::OutputFile(const std::string& path, const std::string& name) : shown
         throw BadInput(name + " = " + path + " must be a file that can be written: " + why);
     };
     std::error_code error;
-    if (path == "/dev/stdout") {
+    if (path == "-" || path == "/dev/stdout") {
         descriptor_ = ::dup(STDOUT_FILENO);
         if (descriptor_ < 0) refuse(std::strerror(errno));
         return;
     }
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) refuse("it is a directory");
-    const bool special = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
-    if (fs::exists(status) && (special || !fs::is_regular_file(status))) {
+    if (is_stream(path)) {
         descriptor_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
         if (descriptor_ < 0) refuse(std::strerror(errno));
         return;
     }
     if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-    target_ = fs::exists(status) ? fs::canonical(path, error).string() : path;  // a link stays a link
+    target_ = behind_links(path);  // a link stays a link
+    if (fs::is_symlink(fs::symlink_status(target_, error))) refuse("its chain of links has no end");
     temporary_ = target_ + ".part-" + std::to_string(::getpid());
     for (detail::TemporaryPath& slot : temporary_paths) {
         if (slot.used || temporary_.size() >= slot.path.size()) continue;

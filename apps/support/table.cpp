@@ -124,7 +124,7 @@ void write_table(const Options& options, const Table& table) {
     const bool quiet = options.flag("quiet");
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
-    const bool to_file = options.given("output");
+    const bool to_file = options.given("output") && options.text("output") != "-";
     OutputFile csv = to_file ? OutputFile(options.text("output"), "--output") : OutputFile::standard_output();
     std::optional<OutputFile> sidecar, drawing;
     if (csv.is_regular()) sidecar.emplace(csv.path() + ".toml", "--output");

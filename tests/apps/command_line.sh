@@ -102,11 +102,6 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
     NR == 2 && $10 < -3.0e-5 && $10 > -3.2e-5 && $7 / $8 - 1 - $10 < 1e-12 { ok = 1 } END { exit !ok }' ||
     fail "relative error at n = 20"
 
-# a configuration file; the command line wins
-printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
-good 5 "$steady" --config c.toml
-good 3 "$steady" --config c.toml --n 30
-
 # jobs and shards change nothing
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 | cut -d, -f1-11 >one
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 --jobs 3 >three
@@ -130,6 +125,11 @@ if command -v python3 >/dev/null && python3 -c 'import tomllib' 2>/dev/null; the
     cat ./q*.toml | python3 -c 'import sys, tomllib; tomllib.loads(sys.stdin.buffer.read().decode())' || fail "TOML"
     rm -f ./q*
 fi
+ln -s there.csv dangling.csv && ln -s loop.csv loop.csv
+"$steady" --n 10 --output dangling.csv || fail "--output dangling.csv"
+[ -h dangling.csv ] && [ ! -h there.csv ] && [ "$(wc -l <there.csv)" -eq 2 ] || fail "a dangling link as output"
+"$steady" --n 10 --output loop.csv 2>err
+[ $? -eq 2 ] && [ -h loop.csv ] && grep -q 'must be a file that can be written' err || fail "a loop of links as output"
 [ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left"
 
 # errors while writing
