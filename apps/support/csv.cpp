@@ -298,4 +298,19 @@ std::string sidecar_text(const Options& options) {
     return text;
 }
 
+TableFile::TableFile(const Options& options, const std::string& name)
+    : options_(options),
+      csv_(options.given(name) ? OutputFile(options.text(name), "--" + name) : OutputFile::standard_output()) {
+    if (csv_.is_regular()) sidecar_.emplace(csv_.path() + ".toml", "--" + name);
+}
+
+void TableFile::commit() {
+    if (sidecar_) {
+        sidecar_->write(sidecar_text(options_));
+        sidecar_->close();
+    }
+    csv_.commit();
+    if (sidecar_) sidecar_->commit();
+}
+
 }  // namespace study

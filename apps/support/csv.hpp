@@ -103,4 +103,22 @@ private:
 /// The TOML file that stands beside a CSV file.
 std::string sidecar_text(const Options& options);
 
+/// A CSV file and, where it is a regular one, the TOML file beside it. Neither takes its name before all of both is on
+/// the disk.
+class TableFile {
+public:
+    /// Writes where --name says, or to standard output where it is not given. Throws BadInput when that cannot be written.
+    TableFile(const Options& options, const std::string& name);
+
+    OutputFile& rows() { return csv_; }
+
+    /// Throws WriteError.
+    void commit();
+
+private:
+    const Options& options_;
+    OutputFile csv_;
+    std::optional<OutputFile> sidecar_;
+};
+
 }  // namespace study
