@@ -1,12 +1,13 @@
 #include "files.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -35,15 +36,19 @@ fs::path absolute_name(const std::string& path) {
 
 std::string contents(const Options& options, const std::string& name) {
     const std::string path = options.text(name);
-    std::ifstream file;
-    if (path != "-") file.open(path, std::ios::binary);
-    std::istream& stream = path == "-" ? std::cin : file;
-    std::error_code error;
+    const int descriptor = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     std::string text;
-    if (stream && !fs::is_directory(path, error)) text.assign(std::istreambuf_iterator<char>(stream), {});
-    if (!stream || fs::is_directory(path, error)) {
-        throw BadInput(options.said(name) + " must be a file that can be read");
+    std::array<char, 65536> buffer;
+    ssize_t count = descriptor < 0 ? -1 : 1;
+    while (count > 0) {
+        do {
+            count = ::read(descriptor, buffer.data(), buffer.size());
+        } while (count < 0 && errno == EINTR);
+        if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
     }
+    const int error = errno;
+    if (descriptor > STDERR_FILENO) ::close(descriptor);
+    if (count < 0) throw BadInput(options.said(name) + " must be a file that can be read: " + std::strerror(error));
     return text;
 }
 

@@ -125,6 +125,11 @@ if command -v python3 >/dev/null && python3 -c 'import tomllib' 2>/dev/null; the
     cat ./q*.toml | python3 -c 'import sys, tomllib; tomllib.loads(sys.stdin.buffer.read().decode())' || fail "TOML"
     rm -f ./q*
 fi
+if shared=$(mktemp /dev/shm/rollbem-XXXXXX 2>/dev/null); then
+    "$steady" --n 10 --output "$shared" && [ "$(wc -l <"$shared")" -eq 2 ] && [ -e "$shared.toml" ] ||
+        fail "a file below /dev that is there"
+    rm -f "$shared" "$shared.toml"
+fi
 ln -s there.csv dangling.csv && ln -s loop.csv loop.csv
 "$steady" --n 10 --output dangling.csv || fail "--output dangling.csv"
 [ -h dangling.csv ] && [ ! -h there.csv ] && [ "$(wc -l <there.csv)" -eq 2 ] || fail "a dangling link as output"
@@ -217,6 +222,9 @@ if command -v gnuplot >/dev/null; then
         [ "$(wc -l <out)" -eq 3 ] || fail "rows with a full disk under $picture"
         [ -h $picture ] || [ "$(cat $picture)" = old ] || fail "a full disk cuts $picture"
     done
+    ln -s there.svg dangling.svg
+    "$steady" --n 10,20 --plot dangling.svg >out && [ -h dangling.svg ] && grep -q '</svg>' there.svg ||
+        fail "a dangling link as plot"
     mkfifo pipe.svg
     cat pipe.svg >through &
     "$steady" --n 10,20 --plot pipe.svg >out || fail "a plot through a pipe"

@@ -60,6 +60,9 @@ mkdir streams
 "$steady" --n 10 | cut -d, -f1-10 | cmp -s - out || fail "--output -"
 [ "$(wc -l <err)" -eq 2 ] || fail "--edges -"
 [ -z "$(ls -A streams)" ] || fail "files in place of standard streams: $(ls -A streams)"
+bad '--config = - must be a file that can be read' sh -c "\"$steady\" --config - <&-"
+bad "--config = $scratch must be a file that can be read" "$steady" --config "$scratch"
+bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scratch"
 "$steady" --n 10 --output - >/dev/full 2>err
 [ $? -eq 4 ] || fail "--output - to a full disk"
 
