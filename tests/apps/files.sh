@@ -32,6 +32,8 @@ malformed 3 'mesh = "cosine must close its quotes' '# one\n; two\nmesh = "cosine
 malformed 1 'must close its quotes' "mesh = 'cosine"
 malformed 1 'must not have an escape' 'mesh = "cos\\qine"\n'
 malformed 1 'must not have an escape' 'mesh = "cos\\u00"\n'
+malformed 1 'must not have an escape' 'mesh = "cos\\u0000ine"\n'
+malformed 1 'must not have an escape' 'mesh = "cos\\ud800ine"\n'
 malformed 1 'must have quotes around a value' 'n = 10 20\n'
 malformed 1 'must have quotes around a value' 'n = 10]\n'
 malformed 1 'must have quotes around a value' 'n = 10 = 20\n'
@@ -103,7 +105,8 @@ printf 'q_over_a,creepage\n0,0\n1,1\n' >names/h
 taken '--output = ./h must not be a file that this run reads: --history = h' "$programs/transient_study" --history h --output ./h
 taken '--output = h must not be a file that this run reads: --history = -' \
     sh -c "\"$programs/transient_study\" --history - --output h <h"
-taken '--edges = - must be a file: standard input is read as --config = -' "$steady" --config - --edges -
+taken '--edges = - must be a file: standard input is read as --config = -' \
+    sh -c "printf '%s\\n' -1 1 | \"$steady\" --config - --edges -"
 printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' >names/p
 friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
 taken '--output = p must not be a file that this run reads: --pressure = p' $friction --pressure p --output p
@@ -112,9 +115,12 @@ taken '--tractions = t must not be written to as well as --output = ./t' $fricti
 taken '--tractions = other must not be written to as well as --output = link' $friction --tractions other --output link
 taken '--tractions = o.toml must not be written to as well as --output = o.toml, written beside it' $friction --tractions o.toml --output o
 taken '--tractions = - must not be written to as well as standard output' $friction --tractions -
+taken '--tractions = - must not be written to as well as standard output' sh -c "$friction --tractions - >/dev/null"
 taken '--cheapest = f must not be a file that this run reads: --front = ./f' "$programs/precision_study" --front ./f --cheapest f
 taken '--output = f must not be a file that this run reads: --front = f' "$programs/precision_study" --front f --output f
-good 0 "$steady" --n 10 --output /dev/null --plot names/new.svg
+good 0 $friction --config /dev/null --output /dev/null --tractions /dev/null
+good 11 $friction --tractions - --output names/new
+header n,creepage_ratio,x_over_a,traction
 rm -rf names
 
 finish
