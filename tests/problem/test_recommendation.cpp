@@ -62,6 +62,16 @@ TEST_CASE("Extrapolation is refused where the order does not fit", "[richardson]
     CHECK_THROWS_WITH(richardson(1.0, 1.0, -1), "richardson: order = -1 must be positive and finite");
 }
 
+TEST_CASE("Two of three values that agree are no convergence", "[richardson]") {
+    const auto run = [](double coarse, double middle, double fine) {
+        return extrapolate([&](std::ptrdiff_t n) { return n == 1 ? coarse : n == 2 ? middle : fine; }, 1, 1);
+    };
+    for (const auto& result : {run(1, 1, 2), run(1, 2, 2)}) {
+        CHECK(result.status == ExtrapolationStatus::order_differs);
+        CHECK(result.value == 2);
+    }
+}
+
 // --- Recommended schemes: that they keep their promise is tested with the problems they are for
 
 using Topology = RecommendedScheme::Topology;

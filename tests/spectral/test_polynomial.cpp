@@ -40,6 +40,17 @@ TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomi
     CHECK(largest < 5e-15);
 }
 
+TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
+    gsl_set_error_handler_off();
+    for (const double z : {1e3, 3e3, 1e4, 3e4, 1e5}) {
+        const PolynomialC11<double> solution = polynomial_c11(Complex(0, z), 0.25, 100.0);
+        const double error = relative_error(solution.c11, reference::harmonic_c11(z, 0.25, 100.0));
+        CAPTURE(z, error, solution.error_estimate);
+        CHECK(solution.status == PolynomialStatus::ok);
+        CHECK(error < 1e-11);
+    }
+}
+
 TEST_CASE("Chebyshev's error estimate covers the error at every order and complex s", "[polynomial]") {
     int count = 0;
     int violations = 0;
