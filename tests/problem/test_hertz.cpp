@@ -1,6 +1,7 @@
 // rollbem/problem/hertz.hpp
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "rollbem/detail/gauss_legendre.hpp"
 #include "rollbem/problem/hertz.hpp"
@@ -41,6 +42,14 @@ TEST_CASE("Hertz's mean pressure of every element to rounding", "[hertz]") {
     }
     CAPTURE(largest);
     CHECK(largest < 3e-15);
+}
+
+TEST_CASE("Hertz's contact of bodies at both ends of Poisson's ratio", "[hertz]") {
+    const ElasticBody<double> rubber{1e6, 0.5}, cork{1e6, 0};
+    const HertzLine<double> hertz({.load_per_width = 1e3, .combined_radius = 0.1, .body_1 = rubber, .body_2 = cork});
+    // 1/E* = (0.75 + 1)/E
+    CHECK(hertz.half_length() == Approx(std::sqrt(4e2 / std::numbers::pi * 1.75e-6)).epsilon(1e-14));
+    CHECK(hertz.contact(1).poisson_ratio() == Approx(0.5 * 1.5 / 2.5).epsilon(1e-14));
 }
 
 }  // namespace

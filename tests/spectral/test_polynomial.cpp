@@ -51,6 +51,21 @@ TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
     }
 }
 
+TEST_CASE("Chebyshev passes over a pivot that is exactly zero", "[polynomial]") {
+    // the last but one pivot is 1 + s^2/(4 order (order - 1)), which rounds to zero at these orders
+    for (const Eigen::Index order : {6, 13, 40}) {
+        const double y = 2 * std::sqrt(static_cast<double>(order * (order - 1)));
+        const Complex s(0, y);
+        REQUIRE(1.0 + s * (s / static_cast<double>(2 * (order - 1))) / static_cast<double>(2 * order) == 0.0);
+        const PolynomialC11<double> at = polynomial_c11(s, 0.25, 100.0, order);
+        const PolynomialC11<double> near = polynomial_c11(Complex(0, y * (1 + 1e-9)), 0.25, 100.0, order);
+        CAPTURE(order, at.c11, near.c11);
+        CHECK(relative_error(at.c11, near.c11) < 1e-7);
+        CHECK(relative_error(solve_chebyshev(s, 0.25, 100.0, order).c11, near.c11) < 1e-7);
+        CHECK(solve_chebyshev(s, 0.25, 100.0, order).traction_coefficients.allFinite());
+    }
+}
+
 TEST_CASE("Chebyshev's error estimate covers the error at every order and complex s", "[polynomial]") {
     int count = 0;
     int violations = 0;
