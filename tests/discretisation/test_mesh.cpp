@@ -231,6 +231,12 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
         data.edges_from_leading[1] = wrong;
         CHECK_THROWS_AS(Mesh<double>(data), std::invalid_argument);
     }
+    // the two distances of an edge agree to rounding
+    data = good;
+    data.edges_from_leading[1] = 1.5 * (1 + 1e-15);
+    CHECK_NOTHROW(Mesh<double>(data));
+    data.edges_from_leading[1] = 1.5 * (1 + 1e-13);
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: (1 + x) + (1 - x) of an edge = 2 must be 2");
     // ratios so extreme that elements vanish are refused, not returned as a broken mesh
     for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }

@@ -676,6 +676,8 @@ TEST_CASE("a pressure given at points", "[friction]") {
                       "PressureTable: number of pressures = 1 must equal that of places");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1.5}), array({1, 1}))),
                       "PressureTable: x/a = 1.5 must lie in [-1, 1]");
+    CHECK_THROWS_WITH((PressureTable<double>(array({-1.5, 1}), array({1, 1}))),
+                      "PressureTable: x/a = -1.5 must lie in [-1, 1]");
     CHECK_THROWS_WITH((PressureTable<double>(array({0, -0.5}), array({1, 1}))),
                       "PressureTable: x/a = -0.5 must not lie behind the place before");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1}), array({1, -2}))),
