@@ -2,6 +2,8 @@
 // Everything after this stage sees only these matrices and the widths of the elements.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

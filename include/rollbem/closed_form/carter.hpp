@@ -2,6 +2,8 @@
 // Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
 // the creep coefficient, and the compliance number Lambda of the plane model. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <concepts>
 #include <limits>

@@ -2,6 +2,8 @@
 // Coulomb friction under Hertz pressure p0 sqrt(1 - x^2/a^2), in elementary functions: Carter's steady rolling with
 // partial slip and Cattaneo's shift from rest. Dimensionless: x in a, tractions in mu p0, forces in mu N.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>

@@ -2,6 +2,8 @@
 // Elements are numbered from the trailing edge (index 0) to the leading edge (index n-1).
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -2,6 +2,8 @@
 // Collocation, Galerkin, and collocation with Knothe and Gross-Thebing's boundary conditions.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 
 #include <Eigen/Core>

@@ -2,6 +2,8 @@
 // StripKernel for a finite half-width b, PlaneKernel for its limit b >> a; both know no mesh.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <concepts>
 #include <limits>

@@ -2,6 +2,8 @@
 // The unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -2,6 +2,8 @@
 // The core of the steady and of the non-steady friction problem; knows neither rolling nor units.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,6 +2,8 @@
 // For one slip zone at the trailing edge and stick from there to the leading edge, as under Hertz's pressure.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>

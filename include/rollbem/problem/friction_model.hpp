@@ -2,6 +2,8 @@
 // A state is a value: a copy is a checkpoint.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

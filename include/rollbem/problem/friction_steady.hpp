@@ -2,6 +2,8 @@
 // One model for a whole creep curve; each point starts from the one before.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <utility>
 
 #include "friction_model.hpp"

@@ -2,6 +2,8 @@
 // The normal half of a friction problem; SI units outside.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <numbers>
 

@@ -2,6 +2,8 @@
 // Asked by every problem that is not steady.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <numbers>
 
 #include "../detail/require.hpp"

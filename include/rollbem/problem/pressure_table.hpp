@@ -2,6 +2,8 @@
 // For a friction problem under a pressure that is not Hertz's.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

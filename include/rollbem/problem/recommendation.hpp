@@ -2,6 +2,8 @@
 // Stands on measured errors, given below; knows no matrices.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>

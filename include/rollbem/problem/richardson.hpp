@@ -2,6 +2,8 @@
 // Knows neither meshes nor matrices.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <complex>
 #include <cstddef>

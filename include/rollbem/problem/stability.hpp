@@ -2,6 +2,8 @@
 // signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -2,6 +2,8 @@
 // the QZ algorithm of stability.hpp, and much faster to compile; no vectors, no look at rounding.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <complex>
 

@@ -2,6 +2,8 @@
 // Builds G' alone and factorises it in place.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

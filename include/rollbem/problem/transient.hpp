@@ -2,6 +2,8 @@
 // A force element for somebody else's time loop: const model, plain state, no exception and no allocation in a step.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,6 +2,8 @@
 // Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
 // GSL; includes nothing of the discretised problem, so that it cannot share its errors. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

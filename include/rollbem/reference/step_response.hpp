@@ -2,6 +2,8 @@
 // Exact force histories of the plane model: the response to a step, a ramp, a sine and piecewise linear creepage in the
 // distance rolled q = V t/a, by the modal series and Taylor's series; de Hoog's method as an independent second route.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -2,6 +2,8 @@
 // Creep coefficient of the strip of finite half-width, steady or harmonic, by a spectral method of its own: traction in
 // Chebyshev polynomials over sqrt(1 - x^2). Shares nothing with the assembly. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -2,6 +2,8 @@
 // Half-length a, half-width b, shear modulus G and Poisson's ratio nu, checked once and then trusted.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <limits>
 
