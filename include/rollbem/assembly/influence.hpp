@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -223,7 +224,7 @@ template <class Scalar, class Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     MatrixX<Scalar> G = detail::influence_matrix<Scalar>(mesh, scheme, detail::KernelView<Scalar>(kernel),
                                                          detail::Quantity::displacement);
-    detail::require(std::isfinite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
+    detail::require(detail::is_finite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
                     "be finite: an infinite aspect is for steady problems only");
     return G;
 }

@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 
@@ -86,9 +87,10 @@ public:
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
         : strength_(2 * c1 / std::numbers::pi_v<Scalar>),
           constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
-        detail::require(half_width > 0, "PlaneKernel", "half_width", half_width, "be positive");
-        detail::require(std::isfinite(c1), "PlaneKernel", "c1", c1, "be finite");
-        detail::require(std::isfinite(c2), "PlaneKernel", "c2", c2, "be finite");
+        detail::require(!detail::is_nan(half_width) && half_width > 0, "PlaneKernel", "half_width", half_width,
+                        "be positive");
+        detail::require(detail::is_finite(c1), "PlaneKernel", "c1", c1, "be finite");
+        detail::require(detail::is_finite(c2), "PlaneKernel", "c2", c2, "be finite");
     }
 
     static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
@@ -120,9 +122,10 @@ public:
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
     /// finite.
     StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
-        detail::require(half_width > 0, "StripKernel", "half_width", half_width, "be positive");
-        detail::require(std::isfinite(c1), "StripKernel", "c1", c1, "be finite");
-        detail::require(std::isfinite(c2), "StripKernel", "c2", c2, "be finite");
+        detail::require(!detail::is_nan(half_width) && half_width > 0, "StripKernel", "half_width", half_width,
+                        "be positive");
+        detail::require(detail::is_finite(c1), "StripKernel", "c1", c1, "be finite");
+        detail::require(detail::is_finite(c2), "StripKernel", "c2", c2, "be finite");
     }
 
     static StripKernel longitudinal(const Contact<Scalar>& contact) {

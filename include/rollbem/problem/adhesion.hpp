@@ -4,6 +4,7 @@
 
 #include "../detail/language.hpp"
 
+#include "../detail/finite.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "status.hpp"
 
@@ -26,7 +27,8 @@ Scalar assisting_share(const ArrayX<Scalar>& traction, const ArrayX<Scalar>& wid
 
 template <class Scalar>
 bool opposes_creepage(const ArrayX<Scalar>& traction, const ArrayX<Scalar>& widths) {
-    return assisting_share(traction, widths) <= Scalar(largest_assisting_share);
+    const Scalar share = assisting_share(traction, widths);
+    return is_finite(share) && share <= Scalar(largest_assisting_share);
 }
 
 }  // namespace rollbem::detail

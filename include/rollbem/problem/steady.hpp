@@ -8,11 +8,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
@@ -56,17 +59,17 @@ UnitSteadySolution<Scalar> solve_steady_in_place(
     UnitSteadySolution<Scalar> solution;
     ArrayX<Scalar> row_sums = ArrayX<Scalar>::Zero(n);
     for (Eigen::Index m = 0; m < n; ++m) row_sums += G_prime.col(m).array().abs();
-    const Scalar norm = row_sums.maxCoeff(), norm_1 = G_prime.colwise().template lpNorm<1>().maxCoeff();
+    const Scalar norm = row_sums.maxCoeff(), norm_1 = one_norm(G_prime);
     const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Scalar>>> lu(G_prime);
     solution.traction = lu.solve(VectorX<Scalar>::Ones(n));
     solution.c11 = -(widths * solution.traction.array()).sum();
-    if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
+    if (!all_finite(row_sums) || !all_finite(solution.traction) || !is_finite(solution.c11)) return solution;
     solution.residual = (product(solution.traction).array() - 1).abs().maxCoeff() /
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1);
-    // 1 / (last pivot) is an entry of the inverse. The estimate alone misses two equal rows, which have no part in it.
-    solution.rcond = std::min(lu.rcond(), std::abs(G_prime(n - 1, n - 1)) / norm_1);
+    solution.rcond = reciprocal_condition(lu, norm_1);
     const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = solution.rcond > 100 * rounding && solution.residual <= 100 * rounding;
+    const bool trusted = is_finite(solution.rcond) && solution.rcond > 100 * rounding && is_finite(solution.residual) &&
+                         solution.residual <= 100 * rounding;
     solution.status = !trusted                                              ? Status::ill_conditioned
                       : opposes_creepage<Scalar>(solution.traction, widths) ? Status::ok
                                                                             : Status::inconsistent;
@@ -106,10 +109,10 @@ UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& 
 }
 
 /// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
-/// Throws as assemble_G_prime does; a creepage that is not finite gives Status::not_finite.
+/// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
 template <class Scalar, class Scheme>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                                    Scalar creepage) {
+                                    std::type_identity_t<Scalar> creepage) {
     const UnitSteadySolution<Scalar> unit = solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
     SteadySolution<Scalar> solution;
     solution.traction.setZero(mesh.size());
@@ -118,7 +121,8 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
     solution.c11 = unit.c11;
     solution.residual = unit.residual;
     solution.rcond = unit.rcond;
-    solution.status = std::isfinite(creepage) ? unit.status : Status::not_finite;
+    const bool finite = detail::all_finite(solution.traction) && detail::is_finite(solution.force_per_width);
+    solution.status = detail::is_finite(creepage) && finite ? unit.status : Status::not_finite;
     return solution;
 }
 
