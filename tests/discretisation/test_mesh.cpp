@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "../support/catch.hpp"
@@ -173,6 +174,10 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     // as accepted from vectors and expressions
     const Eigen::Vector3d ends(-2, 0, 2);
     CHECK(mesh_from_edges<double>(ends / 2).size() == 2);
+    // the scalar type is that of the edges unless another is asked for
+    CHECK(std::is_same_v<decltype(mesh_from_edges(edges)), Mesh<double>>);
+    CHECK(std::is_same_v<decltype(mesh_from_edges(Eigen::ArrayXf())), Mesh<float>>);
+    CHECK((mesh_from_edges(edges).widths() == mesh.widths()).all());
     // a round trip through the edges of every maker
     for (const auto& [name, made] : reference::every_mesh<double>(12)) {
         const Mesh<double> again = mesh_from_edges<double>(made.edges());
