@@ -3,6 +3,8 @@
 // solver takes some 20 s to compile; rollbem/reference/ is apart because it needs GSL.
 #pragma once
 
+#include "detail/language.hpp"
+
 #include "accuracy/recommendation.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/frequency.hpp"

@@ -47,6 +47,15 @@ TEST_CASE("The middle line of a narrow strip", "[strip]") {
     CHECK(std::abs(strip_c11(Complex(0, 1e-12), 0.25, 0.3).c11 / strip_c11(0, 0.25, 0.3).c11 - 1.0) < 1e-10);
 }
 
+TEST_CASE("The estimate tells where two thirds of the order fall short", "[strip]") {
+    for (const double b : {1.0, 10.0, 1e8}) {
+        const rollbem::reference::StripC11 strip = strip_c11(Complex(0, 200), 0.28, b);
+        CAPTURE(b, strip.error_estimate);
+        CHECK(strip.error_estimate > 1e-12);
+        CHECK(strip.error_estimate < 1e-9);
+    }
+}
+
 TEST_CASE("What is out of range is refused", "[strip]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH(strip_c11(0, 0.6, 1), "reference::strip_c11: poisson_ratio = 0.6 must lie in [0, 0.5]");

@@ -10,6 +10,7 @@
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -38,6 +39,32 @@ TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomi
     }
     CAPTURE(largest * 1e15);
     CHECK(largest < 5e-15);
+}
+
+TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
+    gsl_set_error_handler_off();
+    for (const double z : {1e3, 3e3, 1e4, 3e4, 1e5}) {
+        const PolynomialC11<double> solution = polynomial_c11(Complex(0, z), 0.25, 100.0);
+        const double error = relative_error(solution.c11, reference::harmonic_c11(z, 0.25, 100.0));
+        CAPTURE(z, error, solution.error_estimate);
+        CHECK(solution.status == PolynomialStatus::ok);
+        CHECK(error < 1e-11);
+    }
+}
+
+TEST_CASE("Chebyshev passes over a pivot that is exactly zero", "[polynomial]") {
+    // the last but one pivot is 1 + s^2/(4 order (order - 1)), which rounds to zero at these orders
+    for (const Eigen::Index order : {6, 13, 40}) {
+        const double y = 2 * std::sqrt(static_cast<double>(order * (order - 1)));
+        const Complex s(0, y);
+        REQUIRE(1.0 + s * (s / static_cast<double>(2 * (order - 1))) / static_cast<double>(2 * order) == 0.0);
+        const PolynomialC11<double> at = polynomial_c11(s, 0.25, 100.0, order);
+        const PolynomialC11<double> near = polynomial_c11(Complex(0, y * (1 + 1e-9)), 0.25, 100.0, order);
+        CAPTURE(order, at.c11, near.c11);
+        CHECK(relative_error(at.c11, near.c11) < 1e-7);
+        CHECK(relative_error(solve_chebyshev(s, 0.25, 100.0, order).c11, near.c11) < 1e-7);
+        CHECK(solve_chebyshev(s, 0.25, 100.0, order).traction_coefficients.allFinite());
+    }
 }
 
 TEST_CASE("Chebyshev's error estimate covers the error at every order and complex s", "[polynomial]") {

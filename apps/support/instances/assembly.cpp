@@ -9,7 +9,8 @@ template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, c
 template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
                                                            Eigen::Index, const detail::KernelView<double>&,
                                                            detail::Quantity, const VectorX<double>&);
-template UnitSteadySolution<double> detail::solve_steady_in_place<double>(
-    Eigen::Ref<MatrixX<double>>, const ArrayX<double>&, const std::function<VectorX<double>(const VectorX<double>&)>&);
+template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&, const ArrayX<double>&);
+template UnitSteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
+                                                                 const ArrayX<double>&, const VectorX<double>&);
 
 }  // namespace rollbem
