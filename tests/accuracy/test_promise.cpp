@@ -119,14 +119,12 @@ TEST_CASE("Recommended for a time loop", "[recommendation]") {
                 const double slack = tolerance > 0.05 ? 1e3 : 3;
                 check_promise(Purpose::time_loop, tolerance, slack, [&](const RecommendedScheme& best) {
                     const Mesh<double> mesh = best.mesh(best.n);
-                    InfluenceMatrices<double> matrices =
-                        assemble(mesh, best.scheme, PlaneKernel<double>::longitudinal(contact));
+                    const ElementSystem<double> system =
+                        rolling_system(mesh, best.scheme, PlaneKernel<double>::longitudinal(contact));
                     CHECK(best.order == 0);
-                    CHECK(count_unstable(matrices).unstable_count == 0);
-                    CHECK(count_unstable(matrices).status == Status::ok);
-                    const TransientModel<double> model(contact,
-                                                       rolling_system(std::move(matrices), mesh.widths(), unchecked),
-                                                       Integrator::matrix_exponential);
+                    CHECK(count_unstable<double>(system).unstable_count == 0);
+                    CHECK(count_unstable<double>(system).status == Status::ok);
+                    const TransientModel<double> model(contact, system, unchecked, Integrator::matrix_exponential);
                     const PreparedStep<double> half = model.prepare(0.5);
                     TransientState<double> state = model.at_rest(), next = state;
                     double largest = 0;

@@ -19,8 +19,8 @@ constexpr double aspect = 100;
 Contact<double> contact() { return Contact<double>::dimensionless(aspect, 0.25); }
 
 TransientModel<double> make_model(Eigen::Index n, const Collocation& scheme, Integrator integrator) {
-    return {contact(), uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact()), unchecked,
-            integrator};
+    return {contact(), rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())),
+            unchecked, integrator};
 }
 
 StabilityVerdict make_verdict(Eigen::Index n, const Collocation& scheme) {

@@ -98,7 +98,8 @@ TEST_CASE("Frequency response, reduced or not, and polynomials", "[threads]") {
     const FrequencySweep<double> reduced(rolling_system(cosine_mesh(20), scheme, plane));
     MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
     weak.row(3) *= 1e-9;  // no reduction, but nothing to object to
-    const FrequencySweep<double> full({assemble_G(cosine_mesh(20), scheme, plane), weak}, cosine_mesh(20).widths());
+    const FrequencySweep<double> full(
+        ElementSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
     REQUIRE(reduced.reduced());
     REQUIRE(!full.reduced());
     check_shared([&] {

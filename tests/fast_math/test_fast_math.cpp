@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "../support/catch.hpp"
+#include "rollbem/accuracy/recommendation.hpp"
+#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
 #include "rollbem/closed_form/friction.hpp"
-#include "rollbem/problem/frequency.hpp"
-#include "rollbem/problem/friction.hpp"
-#include "rollbem/problem/recommendation.hpp"
-#include "rollbem/problem/stability_count.hpp"
-#include "rollbem/problem/steady.hpp"
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/friction/friction.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 
 #ifndef __FAST_MATH__

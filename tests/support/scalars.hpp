@@ -3,12 +3,12 @@
 // says that they are, ROLLBEM_SCALARS(, Scalar) makes them.
 #pragma once
 
-#include "rollbem/problem/frequency.hpp"
-#include "rollbem/problem/friction.hpp"
-#include "rollbem/problem/stability.hpp"
-#include "rollbem/problem/stability_count.hpp"
-#include "rollbem/problem/steady.hpp"
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/adhesion/stability.hpp"
+#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/friction/friction.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
