@@ -148,9 +148,10 @@ TEST_CASE("Recommended for friction", "[recommendation]") {
             const SteadyFrictionModel<double> model(wide, mesh, best.scheme, kernel,
                                                     {1, peak * mean_hertz_pressure(mesh)});
             FrictionState<double> now = model.at_rest(), next = now;
+            FrictionWorkspace<double> workspace = model.workspace();
             double largest = 0;
             for (double ratio = 0.05; ratio < 1.1; ratio += 0.025) {
-                const FrictionStep<double> point = model.solve(now, 2 * 0.72 * peak * ratio, next);
+                const FrictionStep<double> point = model.solve(now, 2 * 0.72 * peak * ratio, next, workspace);
                 CHECK(point.status == StepStatus::ok);
                 const double force_ratio = -point.force_per_width / (peak * std::numbers::pi / 2);
                 largest = std::max(largest, std::abs(force_ratio / carter_force_ratio(ratio) - 1));
