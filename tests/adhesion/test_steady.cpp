@@ -8,8 +8,8 @@
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/steady.hpp"
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 namespace {
 
@@ -264,6 +264,19 @@ TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force 
             CHECK(solution.status == Status::inconsistent);
             CHECK(std::abs(solution.c11) < 1000 * std::numeric_limits<Scalar>::epsilon() / solution.rcond);  // no force
         }
+    }
+}
+
+TEST_CASE("A twentieth of the traction may push with the creepage, not more", "[steady]") {
+    const ArrayX<double> widths = ArrayX<double>::Constant(10, 0.2);
+    for (const Eigen::Index wrong : {0, 4, 9}) {
+        const auto status = [&](double pushing) {  // beside nine elements with a traction of -1
+            VectorX<double> diagonal = VectorX<double>::Constant(10, -1);
+            diagonal[wrong] = 1 / pushing;
+            return solve_steady<double>(diagonal.asDiagonal().toDenseMatrix(), widths).status;
+        };
+        CHECK(status(0.46) == Status::ok);            // 0.0486
+        CHECK(status(0.49) == Status::inconsistent);  // 0.0516
     }
 }
 

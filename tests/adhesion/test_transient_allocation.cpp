@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/transient.hpp"
-#include "rollbem/friction/friction.hpp"
+#include "rollbem/compiled/friction.hpp"
+#include "rollbem/compiled/transient.hpp"
 
 namespace {
 

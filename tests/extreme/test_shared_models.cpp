@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/scalars.hpp"
@@ -442,7 +442,6 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
     for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
         const Scene scene(cosine_mesh<double>(24), scheme, 1, 10);
         const auto [G, G_prime] = assemble(scene.mesh, scheme, scene.kernel);
-        const Eigen::PartialPivLU<MatrixX<double>> slope_lu(G_prime);
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<double> model = scene.transient(integrator);
             FrictionState<double> now = model.at_rest(), next = now;
@@ -463,7 +462,7 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
                     const double gamma = 1 - std::sqrt(0.5);
                     const VectorX<double> slope = imposed + G * (next.traction() - now.traction()) -
                                                   gamma * dq * G_prime * next.traction() - slip;
-                    const VectorX<double> traction = slope_lu.solve(slope) / ((1 - gamma) * dq);
+                    const VectorX<double> traction = dense::solve(G_prime, slope) / ((1 - gamma) * dq);
                     const VectorX<double> first =
                         gamma * imposed - gamma * dq * G_prime * traction + G * (traction - now.traction());
                     work = (1 - gamma) / gamma * lawful_work(scene, traction, first, rounding);
@@ -686,40 +685,21 @@ TEST_CASE("a pressure given at points", "[friction]") {
                       "PressureTable: load = 0 must be positive and finite");
 }
 
-// Force ratio after steps with a changing dq and creepage, and the steady one, computed in Scalar.
-template <class Scalar>
-std::pair<Scalar, Scalar> rolled_and_steady(const Scene& scene, const InfluenceMatrices<double>& matrices) {
-    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(10, Scalar(nu));
-    const ArrayX<Scalar> widths = scene.mesh.widths().template cast<Scalar>();
-    const CoulombFriction<Scalar> friction{1, scene.friction.normal_pressure.template cast<Scalar>()};
-    const FrictionModel<Scalar> model(
-        contact, {matrices.G.template cast<Scalar>(), matrices.G_prime.template cast<Scalar>()}, widths,
-        {friction.friction_coefficient, friction.normal_pressure}, Integrator::sdirk2);
-    FrictionState<Scalar> now = model.at_rest(), next = now;
-    FrictionStep<Scalar> step;
-    for (int k = 0; k < 50; ++k) {
-        step = model.advance(now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25), Scalar(creepage(k % 20 < 10 ? 0.9 : -0.4)),
-                             next);
-        REQUIRE(step.status == FrictionStatus::ok);
-        std::swap(now, next);
-    }
-    // the law in braces
-    const SteadyFrictionModel<Scalar> steady(contact, matrices.G_prime.template cast<Scalar>(), widths,
-                                             {friction.friction_coefficient, friction.normal_pressure});
-    return {step.force_per_width / Scalar(full_force),
-            steady.solve(now, Scalar(creepage(0.95)), next).force_per_width / Scalar(full_force)};
-}
-
 TEST_CASE("friction in every scalar type", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
     const InfluenceMatrices<double> matrices = assemble(scene.mesh, scene.scheme, scene.kernel);
-    const auto [rolled, steady] = rolled_and_steady<double>(scene, matrices);
-    const auto [rolled_float, steady_float] = rolled_and_steady<float>(scene, matrices);
-    const auto [rolled_long, steady_long] = rolled_and_steady<long double>(scene, matrices);
-    CHECK(std::abs(double(rolled_float) - rolled) < 1e-4);
-    CHECK(std::abs(double(steady_float) - steady) < 1e-4);
-    CHECK(std::abs(double(rolled_long) - rolled) < 1e-12);
-    CHECK(std::abs(double(steady_long) - steady) < 1e-12);
+    const auto ratios = [&]<class Scalar>(Scalar) {
+        const auto [rolled, steady] = rolled_and_steady<Scalar>(scene.contact, matrices, scene.mesh.widths(),
+                                                                scene.friction.normal_pressure, creepage(1));
+        return std::pair(double(rolled) / full_force, double(steady) / full_force);
+    };
+    const auto [rolled, steady] = ratios(1.0);
+    const auto [rolled_float, steady_float] = ratios(1.0f);
+    const auto [rolled_long, steady_long] = ratios(1.0L);
+    CHECK(std::abs(rolled_float - rolled) < 1e-4);
+    CHECK(std::abs(steady_float - steady) < 1e-4);
+    CHECK(std::abs(rolled_long - rolled) < 1e-12);
+    CHECK(std::abs(steady_long - steady) < 1e-12);
 }
 
 TEST_CASE("bad input to friction is refused by name, or answered by a status", "[friction]") {

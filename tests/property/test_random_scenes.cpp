@@ -12,10 +12,10 @@
 #include <utility>
 #include <variant>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 
 #include "support/catch.hpp"
 
