@@ -69,8 +69,8 @@ private:
         detail::require(trailing[0] == 0 && trailing[n] == 2, "Mesh", "1 + x of the edges", trailing[n], rule);
         detail::require(leading[n] == 0 && leading[0] == 2, "Mesh", "1 - x of the edges", leading[0], rule);
         for (Eigen::Index j = 0; j < n; ++j) {
-            const bool finite = detail::is_finite(trailing[j + 1]) && detail::is_finite(leading[j]);
-            detail::require(finite, "Mesh", "1 + x of an edge", trailing[j + 1], "be finite, and 1 - x with it");
+            detail::require(detail::is_finite(trailing[j + 1]), "Mesh", "1 + x of an edge", trailing[j + 1], rule);
+            detail::require(detail::is_finite(leading[j]), "Mesh", "1 - x of an edge", leading[j], rule);
             const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
                                  (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
             detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
