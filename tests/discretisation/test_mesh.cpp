@@ -236,6 +236,12 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
         data.edges_from_leading[1] = wrong;
         CHECK_THROWS_AS(Mesh<double>(data), std::invalid_argument);
     }
+    data = good;
+    data.widths[1] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: element width = nan must be positive and finite");
+    data = good;
+    data.edges_from_leading[1] = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: 1 - x of an edge = inf must be finite");
     // ratios so extreme that elements vanish are refused, not returned as a broken mesh
     for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }
