@@ -241,7 +241,15 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
     data.edges_from_leading[1] = 1.5 * (1 + 1e-15);
     CHECK_NOTHROW(Mesh<double>(data));
     data.edges_from_leading[1] = 1.5 * (1 + 1e-13);
-    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: (1 + x) + (1 - x) of an edge = 2 must be 2");
+    CHECK_THROWS_WITH(Mesh<double>(data),
+                      Catch::Matchers::ContainsSubstring("Mesh: (1 + x) + (1 - x) - 2 of an edge = 1.5") &&
+                          Catch::Matchers::ContainsSubstring("e-13 must be 0 to rounding"));
+    data = good;
+    data.widths[1] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: element width = nan must be positive and finite");
+    data = good;
+    data.edges_from_leading[1] = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: 1 - x of an edge = inf must be finite");
     // ratios so extreme that elements vanish are refused, not returned as a broken mesh
     for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }
