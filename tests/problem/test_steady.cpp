@@ -267,6 +267,19 @@ TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force 
     }
 }
 
+TEST_CASE("A twentieth of the traction may push with the creepage, not more", "[steady]") {
+    const ArrayX<double> widths = ArrayX<double>::Constant(10, 0.2);
+    for (const Eigen::Index wrong : {0, 4, 9}) {
+        const auto status = [&](double pushing) {  // beside nine elements with a traction of -1
+            VectorX<double> diagonal = VectorX<double>::Constant(10, -1);
+            diagonal[wrong] = 1 / pushing;
+            return solve_steady<double>(diagonal.asDiagonal().toDenseMatrix(), widths).status;
+        };
+        CHECK(status(0.46) == Status::ok);            // 0.0486
+        CHECK(status(0.49) == Status::inconsistent);  // 0.0516
+    }
+}
+
 TEST_CASE("A scheme that converges to something else than full adhesion is told", "[steady]") {
     const PlaneKernel<double> kernel(1000, 0.75, 0.25);
     struct Case {
