@@ -9,5 +9,6 @@ add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled POSITION_INDEPENDENT_CODE ON)
 target_link_libraries(rollbem_compiled PUBLIC rollbem)
 if(TARGET rollbem_warnings)
-    target_link_libraries(rollbem_compiled PRIVATE $<BUILD_INTERFACE:rollbem_warnings>)
+    # not linked, so that the exported target does not name it
+    target_compile_options(rollbem_compiled PRIVATE $<TARGET_PROPERTY:rollbem_warnings,INTERFACE_COMPILE_OPTIONS>)
 endif()
