@@ -3,6 +3,8 @@
 // rollbem/reference/, which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
 #pragma once
 
+#include "detail/language.hpp"
+
 #include "assembly/influence.hpp"
 #include "closed_form/carter.hpp"
 #include "closed_form/friction.hpp"

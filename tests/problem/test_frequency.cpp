@@ -213,4 +213,47 @@ TEST_CASE("The plane kernel is refused where the plane model is unstable", "[fre
     CHECK(solve_steady(mesh, Collocation{}, plane(0.1)).status == Status::ok);
 }
 
+TEST_CASE("Both routes tell of a frequency at which the equations are singular", "[frequency]") {
+    // (G' - s G) has the entries eps and 2, in either order
+    const ArrayX<double> two = ArrayX<double>::Ones(2);
+    const Complex s = 1 + std::numeric_limits<double>::epsilon();
+    for (const Eigen::Vector2d& entries : {Eigen::Vector2d(-1, -3), Eigen::Vector2d(-3, -1)}) {
+        const InfluenceMatrices<double> matrices{.G = entries.asDiagonal(),
+                                                 .G_prime = -MatrixX<double>::Identity(2, 2)};
+        const FrequencySweep<double> sweep(matrices, two);
+        REQUIRE(sweep.reduced());
+        CHECK(sweep.at(s).status == Status::ill_conditioned);
+        CHECK(solve_exponential(matrices, two, s).status == Status::ill_conditioned);
+        CHECK(sweep.at(1.5).status == Status::ok);
+        CHECK(solve_exponential(matrices, two, 1.5).status == Status::ok);
+    }
+}
+
+TEST_CASE("A sweep goes round a pivot of zero", "[frequency]") {
+    // I - s H = [.5 -.25; -.25 0]
+    const ArrayX<double> two = ArrayX<double>::Ones(2);
+    const InfluenceMatrices<double> matrices{.G = -Eigen::Matrix2d{{0.5, 0.25}, {0.25, 1}},
+                                             .G_prime = -MatrixX<double>::Identity(2, 2)};
+    const FrequencySweep<double> sweep(matrices, two);
+    REQUIRE(sweep.reduced());
+    const SweepPoint<double> point = sweep.at(1.0);
+    const HarmonicSolution<double> full = solve_exponential(matrices, two, 1.0);
+    REQUIRE(full.status == Status::ok);
+    CHECK(point.status == Status::ok);
+    CHECK(std::abs(point.c11 / full.c11 - 1.0) < 1e-14);
+}
+
+TEST_CASE("Two equal equations are seen at any frequency", "[frequency]") {
+    // what estimates of the inverse from a few vectors take for a condition of 4
+    const ArrayX<double> three = ArrayX<double>::Ones(3);
+    InfluenceMatrices<double> matrices{.G = Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
+                                       .G_prime = Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80};
+    const FrequencySweep<double> sweep(matrices, three);
+    CHECK_FALSE(sweep.reduced());
+    CHECK(sweep(0).status == Status::ill_conditioned);
+    CHECK(solve_harmonic(matrices, three, 0).status == Status::ill_conditioned);
+    CHECK(solve_harmonic(matrices, three, 0).rcond == 0);
+    CHECK(solve_steady<double>(matrices.G_prime, three).status == Status::ill_conditioned);
+}
+
 }  // namespace

@@ -740,6 +740,14 @@ TEST_CASE("bad input to friction is refused by name, or answered by a status", "
     CHECK_THROWS_WITH(
         SteadyFrictionModel<double>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
         "SteadyFrictionModel: size of an influence matrix = 7 must equal the number of unknown elements");
+    InfluenceMatrices<double> broken{.G = MatrixX<double>::Identity(8, 8), .G_prime = -MatrixX<double>::Identity(8, 8)};
+    broken.G_prime(6, 1) = inf;
+    CHECK_THROWS_WITH(FrictionModel<double>(scene.contact, broken, scene.mesh.widths(), good),
+                      "FrictionModel: G_prime(6, 1) = inf must be finite (row and column counted from 0)");
+    broken.G(2, 5) = nan;
+    CHECK_THROWS_WITH(FrictionModel<double>(scene.contact, broken, scene.mesh.widths(), good),
+                      "FrictionModel: G(2, 5) = nan must be finite (row and column counted from 0)");
+    CHECK(FrictionStep<double>{}.status == FrictionStatus::not_finite);
     CHECK_THROWS_AS(HertzLine<double>({.load_per_width = 0, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0}}),
                     std::invalid_argument);
     CHECK_THROWS_WITH(

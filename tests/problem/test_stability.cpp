@@ -244,4 +244,35 @@ TEST_CASE("Stability refuses bad input by name", "[stability]") {
     CHECK_THROWS_AS(solve_stability(uniform_mesh(5), Collocation{}, plane(0.1)), std::invalid_argument);
 }
 
+TEST_CASE("A sign is settled beyond its uncertainty, and not before", "[stability]") {
+    // uncertainty of both: 2 eps
+    const double eps = std::numeric_limits<double>::epsilon();
+    const auto settle = [](double second) {
+        return solve_stability<double>(
+            {.G = Matrix::Identity(2, 2), .G_prime = Eigen::Vector2d(1, second).asDiagonal()}, {.settle_signs = true});
+    };
+    const StabilityResult<double> open = settle(1.5 * eps);
+    CHECK(open.unstable_count == 2);
+    CHECK(*open.settled_unstable_count == 1);
+    CHECK(*open.uncertain_count == 1);
+    const StabilityResult<double> settled = settle(2.5 * eps);
+    CHECK(*settled.settled_unstable_count == 2);
+    CHECK(*settled.uncertain_count == 0);
+}
+
+TEST_CASE("The fast count takes no mode without growth for unstable", "[stability]") {
+    const UnstableCount<double> count =
+        count_unstable<double>({.G = Eigen::Vector2d(1, 0).asDiagonal(), .G_prime = -Matrix::Identity(2, 2)});
+    CHECK(count.status == Status::ok);
+    CHECK(count.unstable_count == 0);
+}
+
+TEST_CASE("The fast count sees two equal equations", "[stability]") {
+    const UnstableCount<double> count =
+        count_unstable<double>({.G = Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
+                                .G_prime = Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80});
+    CHECK(count.rcond == 0);
+    CHECK(count.status == Status::ill_conditioned);
+}
+
 }  // namespace

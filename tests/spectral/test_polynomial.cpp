@@ -253,6 +253,11 @@ TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", 
     CHECK(pencil(1, 0) == Scalar(0.5));
 }
 
+TEST_CASE("a polynomial solution that nobody filled is not ok", "[polynomial]") {
+    CHECK(PolynomialC11<double>{}.status == PolynomialStatus::not_finite);
+    CHECK(PolynomialSolution<double>{}.status == PolynomialStatus::not_finite);
+}
+
 TEST_CASE("polynomial solutions refuse bad input by name", "[polynomial]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();

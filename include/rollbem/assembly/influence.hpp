@@ -2,6 +2,8 @@
 // Everything after this stage sees only these matrices and the widths of the elements.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -235,7 +238,7 @@ template <class Scalar, class Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     MatrixX<Scalar> G = detail::influence_matrix<Scalar>(mesh, scheme, detail::KernelView<Scalar>(kernel),
                                                          detail::Quantity::displacement);
-    detail::require(std::isfinite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
+    detail::require(detail::is_finite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
                     "be finite: an infinite aspect is for steady problems only");
     return G;
 }

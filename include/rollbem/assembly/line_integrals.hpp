@@ -2,6 +2,8 @@
 // Every entry of G and G' of Eqs. (12)-(14) is such an integral; this header fills whole matrices of them.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -4,6 +4,8 @@
 // like) as what links it.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../assembly/influence.hpp"
 
 namespace rollbem {

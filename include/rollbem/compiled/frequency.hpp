@@ -1,6 +1,8 @@
 // Frequency response compiled for double: in place of problem/frequency.hpp, with rollbem::compiled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../problem/frequency.hpp"
 #include "assembly.hpp"
 

@@ -1,6 +1,8 @@
 // Coulomb friction compiled for double: in place of problem/friction.hpp, with rollbem::compiled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../problem/friction.hpp"
 #include "assembly.hpp"
 

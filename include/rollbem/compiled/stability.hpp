@@ -2,6 +2,8 @@
 // rollbem::compiled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../problem/stability.hpp"
 #include "../problem/stability_count.hpp"
 #include "assembly.hpp"

@@ -1,6 +1,8 @@
 // Steady rolling compiled for double: in place of problem/steady.hpp, with rollbem::compiled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../problem/steady.hpp"
 #include "assembly.hpp"
 

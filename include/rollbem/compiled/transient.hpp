@@ -1,6 +1,8 @@
 // Steps in time compiled for double: in place of problem/transient.hpp, with rollbem::compiled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../problem/transient.hpp"
 #include "assembly.hpp"
 

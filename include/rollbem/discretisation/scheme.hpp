@@ -2,11 +2,14 @@
 // Collocation, Galerkin, and collocation with Knothe and Gross-Thebing's boundary conditions.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 
 #include <Eigen/Core>
 
 #include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "mesh.hpp"
 
@@ -49,9 +52,12 @@ namespace detail {
 
 template <class Scheme>
 void check_alphas(const Scheme& scheme, const char* who, Eigen::Index n) {
-    require(std::abs(scheme.alpha_L) <= 2, who, "alpha_L", scheme.alpha_L, "lie in [-2, 2]");
-    require(std::abs(scheme.alpha_T) <= 2, who, "alpha_T", scheme.alpha_T, "lie in [-2, 2]");
-    require(scheme.lambda >= 0 && scheme.lambda <= 1, who, "lambda", scheme.lambda, "lie in [0, 1]");
+    require(is_finite(scheme.alpha_L) && std::abs(scheme.alpha_L) <= 2, who, "alpha_L", scheme.alpha_L,
+            "lie in [-2, 2]");
+    require(is_finite(scheme.alpha_T) && std::abs(scheme.alpha_T) <= 2, who, "alpha_T", scheme.alpha_T,
+            "lie in [-2, 2]");
+    require(is_finite(scheme.lambda) && scheme.lambda >= 0 && scheme.lambda <= 1, who, "lambda", scheme.lambda,
+            "lie in [0, 1]");
     require(n > 1 || scheme.alpha_L == scheme.alpha_T, who, "n", n, "be at least 2 where alpha_L and alpha_T differ");
 }
 

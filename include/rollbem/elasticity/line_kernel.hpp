@@ -2,6 +2,8 @@
 // StripKernel for a finite half-width b, PlaneKernel for its limit b >> a; both know no mesh.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -12,6 +14,7 @@
 #include <Eigen/Core>
 
 #include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 
@@ -95,9 +98,10 @@ public:
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
         : strength_(2 * c1 / std::numbers::pi_v<Scalar>),
           constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
-        detail::require(half_width > 0, "PlaneKernel", "half_width", half_width, "be positive");
-        detail::require(std::isfinite(c1), "PlaneKernel", "c1", c1, "be finite");
-        detail::require(std::isfinite(c2), "PlaneKernel", "c2", c2, "be finite");
+        detail::require(!detail::is_nan(half_width) && half_width > 0, "PlaneKernel", "half_width", half_width,
+                        "be positive");
+        detail::require(detail::is_finite(c1), "PlaneKernel", "c1", c1, "be finite");
+        detail::require(detail::is_finite(c2), "PlaneKernel", "c2", c2, "be finite");
     }
 
     static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
@@ -143,9 +147,10 @@ public:
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
     /// finite.
     StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
-        detail::require(half_width > 0, "StripKernel", "half_width", half_width, "be positive");
-        detail::require(std::isfinite(c1), "StripKernel", "c1", c1, "be finite");
-        detail::require(std::isfinite(c2), "StripKernel", "c2", c2, "be finite");
+        detail::require(!detail::is_nan(half_width) && half_width > 0, "StripKernel", "half_width", half_width,
+                        "be positive");
+        detail::require(detail::is_finite(c1), "StripKernel", "c1", c1, "be finite");
+        detail::require(detail::is_finite(c2), "StripKernel", "c2", c2, "be finite");
     }
 
     static StripKernel longitudinal(const Contact<Scalar>& contact) {

@@ -2,9 +2,12 @@
 // No user includes this by itself.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 
+#include "../detail/finite.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "status.hpp"
 
@@ -31,7 +34,8 @@ Scalar assisting_share(const Traction& traction, const ArrayX<Scalar>& widths) {
 
 template <class Scalar, class Traction>
 bool opposes_creepage(const Traction& traction, const ArrayX<Scalar>& widths) {
-    return assisting_share<Scalar>(traction, widths) <= Scalar(largest_assisting_share);
+    const Scalar share = assisting_share<Scalar>(traction, widths);
+    return is_finite(share) && share <= Scalar(largest_assisting_share);
 }
 
 }  // namespace rollbem::detail

@@ -2,17 +2,22 @@
 // One LU per frequency, or for sweeps one reduction to Hessenberg form and then O(n^2) per frequency.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "adhesion.hpp"
 #include "pencil.hpp"
 #include "plane_model.hpp"
@@ -51,14 +56,21 @@ void require_response(const char* who, const InfluenceMatrices<Scalar>& matrices
 
 template <class Scalar>
 void require_growth(const char* who, const std::complex<Scalar>& s) {
-    require(std::isfinite(s.real()), who, "Re(s)", s.real(), "be finite");
-    require(std::isfinite(s.imag()), who, "Im(s)", s.imag(), "be finite");
+    require(is_finite(s.real()), who, "Re(s)", s.real(), "be finite");
+    require(is_finite(s.imag()), who, "Im(s)", s.imag(), "be finite");
 }
 
 /// What equations in G' - s G are divided by, so that no finite s overflows.
 template <class Scalar>
 Scalar equation_scale(const std::complex<Scalar>& s) {
     return std::max({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
+}
+
+template <class Scalar>
+Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = is_finite(rcond) && rcond > rounding && is_finite(residual) && residual <= 100 * rounding;
+    return trusted ? Status::ok : Status::ill_conditioned;
 }
 
 }  // namespace detail
@@ -68,7 +80,7 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
 /// finite, matrices that are not square and of one size, or another number of widths.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
-                                           std::complex<Scalar> s) {
+                                           std::type_identity_t<std::complex<Scalar>> s) {
     using Complex = std::complex<Scalar>;
     detail::require_response("solve_exponential", matrices, widths);
     detail::require_growth("solve_exponential", s);
@@ -79,18 +91,18 @@ HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matr
     MatrixX<Complex> A(n, n);
     A.real() = matrices.G_prime / scale - ratio.real() * matrices.G;
     A.imag() = -ratio.imag() * matrices.G;
-    const Scalar norm = A.cwiseAbs().rowwise().sum().maxCoeff();
+    const ArrayX<Scalar> row_sums = A.cwiseAbs().rowwise().sum();
+    const Scalar norm = row_sums.maxCoeff();
     const VectorX<Complex> xi = VectorX<Complex>::Constant(n, 1 / scale);
     const Eigen::PartialPivLU<MatrixX<Complex>> lu(A);
     solution.traction = lu.solve(xi);
     solution.c11 = -(widths * solution.traction.array()).sum();
-    if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
+    const bool finite = detail::all_finite(row_sums) && detail::all_finite(solution.traction);
+    if (!finite || !detail::is_finite(solution.c11)) return solution;
     solution.residual = (A * solution.traction - xi).cwiseAbs().maxCoeff() /
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1 / scale);
-    solution.rcond = lu.rcond();
-    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = solution.rcond > rounding && solution.residual <= 100 * rounding;
-    solution.status = trusted ? Status::ok : Status::ill_conditioned;
+    solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(A));
+    solution.status = detail::harmonic_status(n, solution.rcond, solution.residual);
     return solution;
 }
 
@@ -98,8 +110,8 @@ HarmonicSolution<Scalar> solve_exponential(const InfluenceMatrices<Scalar>& matr
 /// for a z that is not finite, matrices that are not square and of one size, or another number of widths.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const InfluenceMatrices<Scalar>& matrices, const ArrayX<Scalar>& widths,
-                                        Scalar z) {
-    detail::require(std::isfinite(z), "solve_harmonic", "omega a/V", z, "be finite");
+                                        std::type_identity_t<Scalar> z) {
+    detail::require(detail::is_finite(z), "solve_harmonic", "omega a/V", z, "be finite");
     return solve_exponential(matrices, widths, std::complex<Scalar>(0, z));
 }
 
@@ -107,7 +119,7 @@ HarmonicSolution<Scalar> solve_harmonic(const InfluenceMatrices<Scalar>& matrice
 /// creepage. Throws as assemble and require_stable_model do, too.
 template <class Scalar, class Scheme, LineKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
-                                        Scalar z) {
+                                        std::type_identity_t<Scalar> z) {
     require_stable_model(kernel);
     const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
     const ArrayX<Scalar> widths = unknown_widths(mesh, scheme);
@@ -142,7 +154,7 @@ public:
 
     /// Response at z = omega a/V, of either sign. Throws std::invalid_argument for a z that is not finite.
     SweepPoint<Scalar> operator()(Scalar z) const {
-        detail::require(std::isfinite(z), "FrequencySweep", "omega a/V", z, "be finite");
+        detail::require(detail::is_finite(z), "FrequencySweep", "omega a/V", z, "be finite");
         return at(Complex(0, z));
     }
 
@@ -198,12 +210,14 @@ template <class Scalar_>
 FrequencySweep<Scalar_>::FrequencySweep(InfluenceMatrices<Scalar> matrices, ArrayX<Scalar> widths)
     : matrices_(std::move(matrices)), widths_(std::move(widths)) {
     detail::require_response("FrequencySweep", matrices_, widths_);
-    if (!matrices_.G.allFinite() || !matrices_.G_prime.allFinite()) return;
+    if (!detail::all_finite(matrices_.G) || !detail::all_finite(matrices_.G_prime)) return;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices_.G_prime);
     const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(widths_.size()));
     consistent_ = detail::opposes_creepage<Scalar>(steady, widths_);
-    if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
+    const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(matrices_.G_prime));
+    if (!detail::is_finite(rcond) || !(rcond > Scalar(detail::least_rcond_of_G_prime))) return;
     const MatrixX<Scalar> M = lu.solve(matrices_.G);
+    if (!detail::all_finite(M)) return;
     const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
     Reduced reduced;
     reduced.H = hessenberg.matrixH();
@@ -278,7 +292,7 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     const Eigen::Index n = H.rows(), below = n - 1;
     SweepPoint<Scalar> point;
     point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
-    if (!std::isfinite(norm_1(point.c11))) return point;
+    if (!detail::is_finite(point.c11)) return point;
     Column product(n);  // H y
     product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
     product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
@@ -291,9 +305,7 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
     point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
     point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
-    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = point.rcond > rounding && point.residual <= 100 * rounding;
-    point.status = trusted ? Status::ok : Status::ill_conditioned;
+    point.status = detail::harmonic_status(n, point.rcond, point.residual);
     return point;
 }
 

@@ -2,6 +2,8 @@
 // Umbrella of the friction headers.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "friction_border.hpp"
 #include "friction_steady.hpp"
 #include "friction_transient.hpp"

@@ -2,6 +2,8 @@
 // The core of the steady and of the non-steady friction problem; knows neither rolling nor units.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
 
 namespace rollbem {
 
@@ -195,7 +198,7 @@ private:
         for (int attempt = 0;; ++attempt) {
             find_slip();
             if (creep_ <= 4 * slip_scale_) return true;
-            if (attempt == 2 || !std::isfinite(creep_)) return creep_ <= 1000 * slip_scale_;
+            if (attempt == 2 || !is_finite(creep_)) return is_finite(creep_) && creep_ <= 1000 * slip_scale_;
             input_ = -stick_.cwiseProduct(slip_);
             output_.noalias() = transform_ * input_;
             traction_ += stick_.cwiseProduct(output_);
@@ -273,7 +276,7 @@ private:
         const Scalar stuck = stick_.sum();
         if (stuck == 0) {
             transform_ = matrix_;
-            return valid_ = transform_.allFinite();
+            return valid_ = all_finite(transform_);
         }
         lu_.compute(system_);
         invert(lu_, transform_);
@@ -283,7 +286,7 @@ private:
                 if (!sticks(i)) transform_.row(i) = system_.row(i);
             }
         }
-        return valid_ = transform_.allFinite();
+        return valid_ = all_finite(transform_);
     }
 
     Outcome judge(const Vector& bound, Outcome outcome) const {
@@ -291,7 +294,9 @@ private:
         outcome.residual = imposed_ > 0 ? wrong_slip / imposed_ : wrong_slip;
         if (excess_ > 0) outcome.residual = std::max(outcome.residual, excess_ / bound.maxCoeff());
         outcome.tangent_exists = valid_;
-        outcome.status = outcome.residual <= 10000 * rounding() ? FrictionStatus::ok : FrictionStatus::no_solution;
+        outcome.status = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding()
+                             ? FrictionStatus::ok
+                             : FrictionStatus::no_solution;
         return outcome;
     }
 
@@ -352,14 +357,15 @@ private:
         set_zone(driven, 0);
         path_driven_ = -1;
         const int limit = static_cast<int>(50 * n + 50);
+        constexpr Scalar endless = std::numeric_limits<Scalar>::max();
         for (int pivot = 1; pivot <= limit; ++pivot) {
             if (!find_direction(driven, drives_traction, direction)) return pivot;
             const Scalar t_direction = path_direction_[n];
 
-            Scalar step = t_direction < 0 ? -t / t_direction : std::numeric_limits<Scalar>::infinity();
+            Scalar step = t_direction < 0 ? -t / t_direction : endless;
             Index blocking = -1;
             for (Index i = 0; i < n; ++i) {
-                Scalar room = std::numeric_limits<Scalar>::infinity();
+                Scalar room = endless;
                 if (sticks(i)) {
                     const Scalar change = path_direction_[i];
                     if (change != 0)
@@ -372,7 +378,7 @@ private:
                     blocking = i;
                 }
             }
-            if (!std::isfinite(step)) return pivot;
+            if (!(step < endless)) return pivot;
             traction_ += step * path_direction_.head(n);
             path_slip_ += step * row_;
             t += step * t_direction;
@@ -430,7 +436,7 @@ private:
         path_driven_ = driven;
         path_lu_.compute(path_system_);
         invert(path_lu_, path_inverse_);
-        return path_inverse_.allFinite();
+        return all_finite(path_inverse_);
     }
 
     // The inverse after a pivot, by updates of rank one. False when one of them would be singular.

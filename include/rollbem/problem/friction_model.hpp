@@ -2,6 +2,8 @@
 // A state is a value: a copy is a checkpoint.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../scene/contact.hpp"
@@ -95,7 +98,7 @@ struct FrictionStep {
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< rounds of the active set
     int pivots = 0;                ///< pivots of the fallback; 0 where the rounds settled
-    FrictionStatus status = FrictionStatus::ok;
+    FrictionStatus status = FrictionStatus::not_finite;
 };
 
 namespace detail {
@@ -104,12 +107,12 @@ namespace detail {
 template <class Scalar>
 VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& friction, Eigen::Index mesh_size,
                                Eigen::Index count, Scalar shear_modulus) {
-    require(friction.friction_coefficient >= 0 && std::isfinite(friction.friction_coefficient), who,
-            "friction_coefficient", friction.friction_coefficient, "be finite and not negative");
+    require(is_finite(friction.friction_coefficient) && friction.friction_coefficient >= 0, who, "friction_coefficient",
+            friction.friction_coefficient, "be finite and not negative");
     require(friction.normal_pressure.size() == mesh_size, who, "length of normal_pressure",
             friction.normal_pressure.size(), "equal the number of elements");
     for (Eigen::Index i = 0; i < mesh_size; ++i) {
-        require(friction.normal_pressure[i] >= 0 && std::isfinite(friction.normal_pressure[i]), who, "normal_pressure",
+        require(is_finite(friction.normal_pressure[i]) && friction.normal_pressure[i] >= 0, who, "normal_pressure",
                 friction.normal_pressure[i], "be finite and not negative");
     }
     require(friction.normal_pressure.maxCoeff() > 0, who, "largest normal_pressure",
@@ -118,10 +121,10 @@ VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& f
 }
 
 template <class Scalar>
-void check_influence(const char* who, const MatrixX<Scalar>& matrix, Eigen::Index n) {
+void check_influence(const char* who, const char* name, const MatrixX<Scalar>& matrix, Eigen::Index n) {
     require(matrix.rows() == n && matrix.cols() == n, who, "size of an influence matrix",
             matrix.rows() != n ? matrix.rows() : matrix.cols(), "equal the number of unknown elements");
-    require(matrix.allFinite(), who, "largest entry of an influence matrix", matrix.cwiseAbs().maxCoeff(), "be finite");
+    require_finite(who, name, matrix);
 }
 
 /// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
@@ -204,7 +207,10 @@ public:
         const Scalar force = widths_.dot(solver.traction());
         set_slip(to);
         const Scalar total_work = before.work + work(to);
-        if (!std::isfinite(force) || !std::isfinite(total_work)) {
+        const Scalar force_per_width = half_length_ * shear_modulus_ * force;
+        const Scalar work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
+            !all_finite(solver.slip())) {
             solver.invalidate();
             to.traction_ = from.traction_;
             to.slip_ = from.slip_;
@@ -217,9 +223,9 @@ public:
         to.traction_ = shear_modulus_ * solver.traction();
         Step step;
         step.stick_count = solver.stick_count();
-        step.force_per_width = half_length_ * shear_modulus_ * force;
+        step.force_per_width = force_per_width;
         step.force = width_ * step.force_per_width;
-        step.slip_work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        step.slip_work_per_width = work_per_width;
         if (before.tangent_exists && outcome.tangent_exists) {
             step.tangent_per_width = half_length_ * shear_modulus_ * tangent(gain, to);
             step.tangent = width_ * step.tangent_per_width;
@@ -234,7 +240,7 @@ public:
     /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`.
     Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, State& to) const noexcept {
         if (!fits(from, to)) return failed(FrictionStatus::wrong_state);
-        if (!std::isfinite(creepage)) return failed(FrictionStatus::not_finite);
+        if (!is_finite(creepage)) return failed(FrictionStatus::not_finite);
         if (MatrixX<Scalar>* matrix = claim(to, steadily)) *matrix = -G_prime;
         constant(to).setConstant(creepage);
         return solve(from, {.zones = from.zones_}, {.first = 0, .last = 1}, 1, to);

@@ -2,6 +2,8 @@
 // One model for a whole creep curve; each point starts from the one before.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <utility>
 
 #include "friction_model.hpp"
@@ -64,7 +66,7 @@ private:
     SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         VectorX<Scalar> bound)
         : core_(contact, widths, std::move(bound)), G_prime_(std::move(G_prime)) {
-        detail::check_influence("SteadyFrictionModel", G_prime_, size());
+        detail::check_influence("SteadyFrictionModel", "G_prime", G_prime_, size());
     }
 
     Core core_;

@@ -2,10 +2,13 @@
 // s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "../detail/finite.hpp"
 #include "friction_model.hpp"
 #include "plane_model.hpp"
 #include "transient.hpp"
@@ -77,10 +80,10 @@ public:
         const bool shifts = motion.kind_ == RigidMotion<Scalar>::Kind::shift;
         const Scalar a = core_.half_length();
         const Scalar distance = dq / a;
-        if (!(shifts ? distance >= 0 : distance > 0) || !std::isfinite(distance)) {
+        if (!detail::is_finite(distance) || !(shifts ? distance >= 0 : distance > 0)) {
             return Core::failed(FrictionStatus::invalid_step);
         }
-        if (!std::isfinite(motion.start_) || !std::isfinite(motion.end_)) {
+        if (!detail::is_finite(motion.start_) || !detail::is_finite(motion.end_)) {
             return Core::failed(FrictionStatus::not_finite);
         }
         // A stage takes `part` of the step: (s/V) part dq = xi part dq - (part dq G' - G) p - G p_memory.
@@ -129,8 +132,8 @@ private:
           G_(std::move(matrices.G)),
           G_prime_(std::move(matrices.G_prime)),
           integrator_(integrator) {
-        detail::check_influence("FrictionModel", G_, size());
-        detail::check_influence("FrictionModel", G_prime_, size());
+        detail::check_influence("FrictionModel", "G", G_, size());
+        detail::check_influence("FrictionModel", "G_prime", G_prime_, size());
         detail::require(integrator != Integrator::matrix_exponential, "FrictionModel", "integrator",
                         static_cast<int>(integrator), "be implicit_euler (0) or sdirk2 (1)");
     }

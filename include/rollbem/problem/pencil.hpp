@@ -2,6 +2,8 @@
 // No user includes this by itself.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../assembly/influence.hpp"
 
 namespace rollbem::detail {

@@ -2,6 +2,8 @@
 // signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,6 +15,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
 #include "pencil.hpp"
 #include "plane_model.hpp"
 #include "stability_verdict.hpp"
@@ -72,7 +75,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
 template <class Scalar>
 Scalar two_norm_condition(const MatrixX<Scalar>& G) {
     const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(G).inverse();
-    if (!inverse.allFinite()) return std::numeric_limits<Scalar>::infinity();
+    if (!all_finite(inverse)) return std::numeric_limits<Scalar>::infinity();
     return two_norm(G) * two_norm(inverse);
 }
 
@@ -164,7 +167,7 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
         const Scalar lengths = std::hypot(Scalar(1), v.head(i).norm()) * std::hypot(Scalar(1), w.tail(after).norm());
         const Scalar bound =
             beta > 0 ? static_cast<Scalar>(n) * (rounding / beta) * (lengths / std::abs(T(i, i))) : infinity;
-        uncertainty[i] = std::isnan(bound) ? infinity : bound;  // overflow in v or w
+        uncertainty[i] = is_nan(bound) ? infinity : bound;  // overflow in v or w
         if (pair.is_pair(i)) {
             uncertainty[i + 1] = uncertainty[i];
             ++i;
@@ -183,7 +186,7 @@ StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrice
     detail::require_pencil("solve_stability", matrices);
     const Eigen::Index n = matrices.G.rows();
     StabilityResult<Scalar> result;
-    if (!matrices.G.allFinite() || !matrices.G_prime.allFinite()) return result;
+    if (!detail::all_finite(matrices.G) || !detail::all_finite(matrices.G_prime)) return result;
     detail::QuasiTriangularPair<Scalar> pair;
     {
         const Eigen::RealQZ<MatrixX<Scalar>> qz(matrices.G_prime, matrices.G, false);
@@ -203,6 +206,11 @@ StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrice
         result.beta[i] = beta;
     }
 
+    if (!detail::all_finite(result.alpha) || !detail::all_finite(result.beta)) {
+        result.status = Status::not_finite;
+        return result;
+    }
+
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     result.spectral_abscissa = -infinity;
     Scalar largest = 0, smallest = infinity;
@@ -210,7 +218,7 @@ StabilityResult<Scalar> solve_stability(const InfluenceMatrices<Scalar>& matrice
         result.spectral_radius = std::max(result.spectral_radius, std::abs(nu));
         largest = std::max(largest, std::abs(nu.real()));
         smallest = std::min(smallest, std::abs(nu.real()));
-        if (nu.real() == infinity) continue;
+        if (!detail::is_finite(nu.real())) continue;
         result.spectral_abscissa = std::max(result.spectral_abscissa, nu.real());
         if (nu.real() > 0) ++result.unstable_count;
     }

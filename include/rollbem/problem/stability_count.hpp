@@ -2,6 +2,8 @@
 // the QZ algorithm of stability.hpp, and much faster to compile; no vectors, no look at rounding.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <complex>
 
@@ -9,6 +11,8 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "pencil.hpp"
 #include "plane_model.hpp"
 #include "status.hpp"
@@ -32,14 +36,15 @@ UnstableCount<Scalar> count_unstable(const InfluenceMatrices<Scalar>& matrices) 
     detail::require_pencil("count_unstable", matrices);
     UnstableCount<Scalar> result;
     result.n = matrices.G.rows();
-    if (!matrices.G.allFinite() || !matrices.G_prime.allFinite()) return result;
+    if (!detail::all_finite(matrices.G) || !detail::all_finite(matrices.G_prime)) return result;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(matrices.G_prime);
-    result.rcond = lu.rcond();
+    result.rcond = detail::reciprocal_condition(lu, detail::one_norm(matrices.G_prime));
     result.status = Status::ill_conditioned;
-    if (!(result.rcond > Scalar(detail::least_rcond_of_G_prime))) return result;
+    if (!detail::is_finite(result.rcond) || !(result.rcond > Scalar(detail::least_rcond_of_G_prime))) return result;
     const MatrixX<Scalar> M = lu.solve(matrices.G);
+    if (!detail::all_finite(M)) return result;
     const Eigen::EigenSolver<MatrixX<Scalar>> solver(M, false);
-    if (solver.info() != Eigen::Success) return result;
+    if (solver.info() != Eigen::Success || !detail::all_finite(solver.eigenvalues())) return result;
     for (const std::complex<Scalar>& mu : solver.eigenvalues()) {
         if (mu.real() > 0) ++result.unstable_count;
         const Scalar size = std::abs(mu);

@@ -2,15 +2,20 @@
 // Builds G' alone and factorises it in place.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
-#include "../detail/condition.hpp"
+#include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
@@ -67,14 +72,13 @@ FactorisedSteady<Scalar> factorise_steady(MatrixX<Scalar>& G_prime, const ArrayX
         for (Eigen::Index l = 0; l < n; ++l) row_sums[l] += std::abs(G_prime(l, m));
     }
     result.norm = row_sums.maxCoeff();
-    const Scalar norm_1 = detail::norm_1(G_prime);
+    const Scalar norm_1 = one_norm(G_prime);
     const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Scalar>>> lu(G_prime);
     solution.traction = lu.solve(ones);
     solution.c11 = -dot(widths.data(), solution.traction.data(), n);
-    result.finite = std::isfinite(result.norm) && solution.traction.allFinite();
+    result.finite = all_finite(row_sums) && all_finite(solution.traction) && is_finite(solution.c11);
     if (!result.finite) return result;
-    // 1 / (last pivot) is an entry of the inverse. The estimate alone misses two equal rows, which have no part in it.
-    solution.rcond = std::min(reciprocal_condition(lu, norm_1), std::abs(G_prime(n - 1, n - 1)) / norm_1);
+    solution.rcond = reciprocal_condition(lu, norm_1);
     return result;
 }
 
@@ -89,10 +93,11 @@ UnitSteadySolution<Scalar> judge_steady(FactorisedSteady<Scalar> factorised, con
         largest_residual = std::max(largest_residual, std::abs(product[l] - 1));
         largest_traction = std::max(largest_traction, std::abs(solution.traction[l]));
     }
-    solution.residual = product.allFinite() ? largest_residual / (factorised.norm * largest_traction + 1)
+    solution.residual = all_finite(product) ? largest_residual / (factorised.norm * largest_traction + 1)
                                             : std::numeric_limits<Scalar>::infinity();
     const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = solution.rcond > 100 * rounding && solution.residual <= 100 * rounding;
+    const bool trusted = is_finite(solution.rcond) && solution.rcond > 100 * rounding && is_finite(solution.residual) &&
+                         solution.residual <= 100 * rounding;
     solution.status = !trusted                                              ? Status::ill_conditioned
                       : opposes_creepage<Scalar>(solution.traction, widths) ? Status::ok
                                                                             : Status::inconsistent;
@@ -142,10 +147,10 @@ UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& 
 }
 
 /// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
-/// Throws as assemble_G_prime does; a creepage that is not finite gives Status::not_finite.
+/// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
 template <class Scalar, class Scheme>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                                    Scalar creepage) {
+                                    std::type_identity_t<Scalar> creepage) {
     const UnitSteadySolution<Scalar> unit = solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
     SteadySolution<Scalar> solution;
     solution.traction.resize(mesh.size());
@@ -157,7 +162,8 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
     solution.c11 = unit.c11;
     solution.residual = unit.residual;
     solution.rcond = unit.rcond;
-    solution.status = std::isfinite(creepage) ? unit.status : Status::not_finite;
+    const bool finite = detail::all_finite(solution.traction) && detail::is_finite(solution.force_per_width);
+    solution.status = detail::is_finite(creepage) && finite ? unit.status : Status::not_finite;
     return solution;
 }
 

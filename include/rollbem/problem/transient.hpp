@@ -2,6 +2,8 @@
 // A force element for somebody else's time loop: const model, plain state, no exception and no allocation in a step.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <Eigen/Core>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
@@ -88,7 +91,7 @@ struct TransientStep {
     Scalar tangent =
         std::numeric_limits<Scalar>::quiet_NaN();  ///< d force / d creepage at the end of the step [N]; for
                                                    ///< a rigid shift d force / d shift [N/m]
-    StepStatus status = StepStatus::ok;
+    StepStatus status = StepStatus::not_finite;
 };
 
 /// Everything that a step of a given dq needs, computed once: n^2 numbers. Const use is safe from several threads.
@@ -207,12 +210,12 @@ private:
         detail::require(verdict.uncertain_count == 0, "TransientModel", "uncertain_count", verdict.uncertain_count,
                         "be 0: rounding leaves open whether a mode grows");
         const Scalar share = detail::assisting_share<Scalar>(steady(1).traction, areas_);
-        detail::require(share <= Scalar(detail::largest_assisting_share), "TransientModel",
+        detail::require(detail::is_finite(share) && share <= Scalar(detail::largest_assisting_share), "TransientModel",
                         "share of steady traction that pushes with the creepage", share,
                         "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
     }
     static void require_finite_width(const Contact<Scalar>& contact) {
-        detail::require(std::isfinite(contact.half_width()), "TransientModel", "half_width", contact.half_width(),
+        detail::require(detail::is_finite(contact.half_width()), "TransientModel", "half_width", contact.half_width(),
                         "be finite: an infinite one is for steady problems only");
     }
 
@@ -240,8 +243,8 @@ private:
             return StepStatus::wrong_state;
         }
         const bool valid = motion.kind_ == Motion::Kind::shift ? dq >= 0 : dq > 0;
-        if (!valid || !std::isfinite(dq)) return StepStatus::invalid_step;
-        if (!std::isfinite(motion.start_) || !std::isfinite(motion.end_)) return StepStatus::not_finite;
+        if (!detail::is_finite(dq) || !valid) return StepStatus::invalid_step;
+        if (!detail::is_finite(motion.start_) || !detail::is_finite(motion.end_)) return StepStatus::not_finite;
         return StepStatus::ok;
     }
 
@@ -266,7 +269,8 @@ private:
         result.force = areas_.dot(to.traction);
         result.force_per_width = result.force / width_;
         result.tangent = travel.shift_per_end * force_per_shift + travel.ramp_per_end * force_per_ramp;
-        if (std::isfinite(result.force) && std::isfinite(result.tangent)) return result;
+        result.status = StepStatus::ok;
+        if (detail::is_finite(result.force) && detail::is_finite(result.tangent)) return result;
         to.traction = from.traction;
         return failed(StepStatus::not_finite);
     }
@@ -298,8 +302,7 @@ TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, Influenc
     for (const MatrixX<Scalar>* matrix : {&G_, &G_prime_}) {
         detail::require(matrix->rows() == n && matrix->cols() == n, "TransientModel", "size of a matrix",
                         matrix->rows() != n ? matrix->rows() : matrix->cols(), "equal the number of elements");
-        const Scalar sum = matrix->sum();
-        detail::require(std::isfinite(sum), "TransientModel", "sum of a matrix", sum, "be finite");
+        detail::require_finite("TransientModel", matrix == &G_ ? "G" : "G_prime", *matrix);
     }
     areas_ = width_ * half_length_ * widths.matrix();
     // r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are
@@ -322,7 +325,7 @@ TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, Influenc
 
 template <class Scalar_>
 auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
-    detail::require(std::isfinite(creepage), "TransientModel", "creepage", creepage, "be finite");
+    detail::require(detail::is_finite(creepage), "TransientModel", "creepage", creepage, "be finite");
     MatrixX<Scalar> traction(size(), 1);
     traction.setConstant(creepage * traction_scale_ * half_length_);
     solve(G_prime_, traction);
@@ -331,7 +334,7 @@ auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
 
 template <class Scalar_>
 auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
-    detail::require(dq >= 0 && std::isfinite(dq), "TransientModel", "dq", dq, "be finite and not negative");
+    detail::require(detail::is_finite(dq) && dq >= 0, "TransientModel", "dq", dq, "be finite and not negative");
     const Eigen::Index n = size();
     const int doublings = count_doublings(dq / half_length_);
     const Scalar h = std::ldexp(dq / half_length_, -doublings);
@@ -394,7 +397,7 @@ auto TransientModel<Scalar_>::count_doublings(Scalar h) const -> int {
     MatrixX<Scalar> rates = G_prime_;
     solve(G_, rates);
     const Scalar norm = 16 * h * rates.cwiseAbs().colwise().sum().maxCoeff();
-    return std::isfinite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
+    return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
 }
 
 template <class Scalar_>
