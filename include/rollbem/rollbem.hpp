@@ -1,6 +1,6 @@
 // rollbem: the two-dimensional tangential rolling contact problem by boundary elements.
-// Umbrella of all that needs Eigen alone, but for problem/stability.hpp and problem/critical_alpha.hpp, whose eigenvalue
-// solver takes some 20 s to compile; rollbem/reference/ is apart because it needs GSL.
+// Umbrella of all that needs Eigen alone; what a program does not use costs next to nothing to compile. Apart are
+// rollbem/reference/, which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
 #pragma once
 
 #include "detail/language.hpp"
@@ -11,10 +11,12 @@
 #include "discretisation/mesh.hpp"
 #include "discretisation/scheme.hpp"
 #include "elasticity/line_kernel.hpp"
+#include "problem/critical_alpha.hpp"
 #include "problem/frequency.hpp"
 #include "problem/friction.hpp"
 #include "problem/recommendation.hpp"
 #include "problem/richardson.hpp"
+#include "problem/stability.hpp"
 #include "problem/stability_count.hpp"
 #include "problem/steady.hpp"
 #include "problem/transient.hpp"

@@ -1,8 +1,6 @@
 // Two translation units that include everything link together, and share one copy of each function.
 #include <cstdio>
 
-#include <rollbem/problem/critical_alpha.hpp>
-#include <rollbem/problem/stability.hpp>
 #include <rollbem/rollbem.hpp>
 
 using CreepCoefficient = double (*)(double);

@@ -1,6 +1,4 @@
 // The other translation unit.
-#include <rollbem/problem/critical_alpha.hpp>
-#include <rollbem/problem/stability.hpp>
 #include <rollbem/rollbem.hpp>
 
 using CreepCoefficient = double (*)(double);

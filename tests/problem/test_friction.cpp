@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/problem/friction.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/scalars.hpp"
@@ -442,7 +442,6 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
     for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
         const Scene scene(cosine_mesh<double>(24), scheme, 1, 10);
         const auto [G, G_prime] = assemble(scene.mesh, scheme, scene.kernel);
-        const Eigen::PartialPivLU<MatrixX<double>> slope_lu(G_prime);
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<double> model = scene.transient(integrator);
             FrictionState<double> now = model.at_rest(), next = now;
@@ -463,7 +462,7 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
                     const double gamma = 1 - std::sqrt(0.5);
                     const VectorX<double> slope = imposed + G * (next.traction() - now.traction()) -
                                                   gamma * dq * G_prime * next.traction() - slip;
-                    const VectorX<double> traction = slope_lu.solve(slope) / ((1 - gamma) * dq);
+                    const VectorX<double> traction = dense::solve(G_prime, slope) / ((1 - gamma) * dq);
                     const VectorX<double> first =
                         gamma * imposed - gamma * dq * G_prime * traction + G * (traction - now.traction());
                     work = (1 - gamma) / gamma * lawful_work(scene, traction, first, rounding);

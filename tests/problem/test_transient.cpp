@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "../support/catch.hpp"
+#include "../support/dense.hpp"
 #include "../support/scalars.hpp"
 #include "rollbem/closed_form/carter.hpp"
-#include "rollbem/problem/steady.hpp"
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/compiled/steady.hpp"
+#include "rollbem/compiled/transient.hpp"
 #include "rollbem/reference/step_response.hpp"
 
 namespace {
@@ -177,7 +176,7 @@ TEST_CASE("From dq = 1e-9 to 1e6 steps stay bounded and right in both limits", "
     const InfluenceMatrices<double> matrices =
         assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
     const double steady = solve_steady(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact)).c11;
-    const VectorX<double> shifted = matrices.G.fullPivLu().solve(VectorX<double>::Ones(40));
+    const VectorX<double> shifted = dense::solve(matrices.G, VectorX<double>::Ones(40));
     const double shift_force = shifted.dot(cosine_mesh<double>(40).widths().matrix());
     CHECK(std::abs(steady / steady_c11(0.25) - 1) < 2e-4);
 
@@ -266,7 +265,7 @@ TEST_CASE("A rigid shift is creepage times distance, and needs no distance", "[t
 
         // G (p - p_old) = -W
         REQUIRE(model.advance(from, model.prepare(0), Motion::shift(0.5), by_shift).status == StepStatus::ok);
-        const VectorX<double> jump = -matrices.G.fullPivLu().solve(VectorX<double>::Constant(40, 0.5));
+        const VectorX<double> jump = -dense::solve(matrices.G, VectorX<double>::Constant(40, 0.5));
         CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
         if (integrator == Integrator::matrix_exponential) continue;
         REQUIRE(model.advance(from, 0.0, Motion::shift(0.5), by_shift).status == StepStatus::ok);

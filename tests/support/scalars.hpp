@@ -34,4 +34,6 @@ namespace rollbem {
 ROLLBEM_SCALARS(extern, float)
 ROLLBEM_SCALARS(extern, long double)
 
+extern template decltype(detail::solve_monomial_once<double>) detail::solve_monomial_once<double>;  // in dense.cpp
+
 }  // namespace rollbem

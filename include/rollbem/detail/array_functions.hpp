@@ -2,6 +2,8 @@
 // needs no vector instructions is a plain loop, and the rest is here.
 #pragma once
 
+#include "language.hpp"
+
 #include <algorithm>
 
 #include <Eigen/Core>

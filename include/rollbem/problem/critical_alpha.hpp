@@ -10,7 +10,7 @@
 
 #include <Eigen/LU>
 
-#include "../detail/condition.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../detail/finite.hpp"
 #include "stability.hpp"
 #include "stability_count.hpp"

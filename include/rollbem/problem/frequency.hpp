@@ -16,7 +16,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
-#include "../detail/condition.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../detail/finite.hpp"
 #include "adhesion.hpp"
 #include "pencil.hpp"
@@ -308,11 +308,5 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     point.status = detail::harmonic_status(n, point.rcond, point.residual);
     return point;
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template HarmonicSolution<double> solve_exponential<double>(const InfluenceMatrices<double>&,
-                                                                   const ArrayX<double>&, std::complex<double>);
-extern template class FrequencySweep<double>;
-#endif
 
 }  // namespace rollbem

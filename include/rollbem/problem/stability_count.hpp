@@ -11,7 +11,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
-#include "../detail/condition.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../detail/finite.hpp"
 #include "pencil.hpp"
 #include "plane_model.hpp"
@@ -60,9 +60,5 @@ UnstableCount<Scalar> count_unstable(const Mesh<Scalar>& mesh, const Scheme& sch
     require_stable_model(kernel);
     return count_unstable(assemble(mesh, scheme, kernel));
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template UnstableCount<double> count_unstable<double>(const InfluenceMatrices<double>&);
-#endif
 
 }  // namespace rollbem
