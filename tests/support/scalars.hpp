@@ -3,8 +3,8 @@
 // says that they are, ROLLBEM_SCALARS(, Scalar) makes them.
 #pragma once
 
+#include "friction_of_scalars.hpp"
 #include "rollbem/problem/frequency.hpp"
-#include "rollbem/problem/friction.hpp"
 #include "rollbem/problem/stability.hpp"
 #include "rollbem/problem/stability_count.hpp"
 #include "rollbem/problem/steady.hpp"
@@ -23,17 +23,12 @@
     keyword template decltype(solve_stability<Scalar>) solve_stability<Scalar>;                     \
     keyword template decltype(count_unstable<Scalar>) count_unstable<Scalar>;                       \
     keyword template class TransientModel<Scalar>;                                                  \
-    keyword template class detail::ActiveSet<Scalar>;                                               \
-    keyword template class detail::FrictionCore<Scalar>;                                            \
-    keyword template class SteadyFrictionModel<Scalar>;                                             \
-    keyword template class FrictionModel<Scalar>;                                                   \
+    keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;                 \
     keyword template decltype(detail::solve_monomial_once<Scalar>) detail::solve_monomial_once<Scalar>;
 
 namespace rollbem {
 
 ROLLBEM_SCALARS(extern, float)
 ROLLBEM_SCALARS(extern, long double)
-
-extern template decltype(detail::solve_monomial_once<double>) detail::solve_monomial_once<double>;  // in dense.cpp
 
 }  // namespace rollbem
