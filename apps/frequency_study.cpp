@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/problem/frequency.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

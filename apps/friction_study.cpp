@@ -18,9 +18,9 @@
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/problem/friction.hpp>
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"

@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <rollbem/compiled/stability.hpp>
 #include <rollbem/problem/critical_alpha.hpp>
-#include <rollbem/problem/stability.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "support/non_steady.hpp"

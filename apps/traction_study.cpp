@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/options.hpp"
 #include "support/program.hpp"

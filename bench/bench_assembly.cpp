@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/assembly/influence.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "naive.hpp"
 

@@ -10,9 +10,9 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/problem/recommendation.hpp>
 #include <rollbem/problem/richardson.hpp>
-#include <rollbem/problem/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

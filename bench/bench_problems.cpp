@@ -9,10 +9,9 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/stability_count.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 namespace {

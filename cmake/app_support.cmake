@@ -27,5 +27,5 @@ foreach(part IN ITEMS csv non_steady options plot program scenes table)
 endforeach()
 target_include_directories(rollbem_app_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
 target_link_libraries(rollbem_app_support
-    PUBLIC rollbem::reference rollbem_instances_steady rollbem_build_info Threads::Threads
+    PUBLIC rollbem::reference rollbem::compiled rollbem_build_info Threads::Threads
     PRIVATE CLI11::CLI11 rollbem_warnings)

@@ -51,7 +51,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail closed_form scene discretisation elasticity assembly problem spectral reference umbrella", order, " ")
+    count = split("detail closed_form scene discretisation elasticity assembly problem spectral reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
@@ -91,6 +91,7 @@ END {
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
         if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference)/", "the umbrella needs GSL")
+        if (from != "compiled") forbid(file, "^rollbem/compiled/", "headers alone do not do")
         if (file ~ /\/transient\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }
     for (file in known) if (!state[file]) find_cycle(file, file)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/problem/frequency.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/polynomial.hpp>

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "meshes.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/strip.hpp>
 
 #include "cases.hpp"

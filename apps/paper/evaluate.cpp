@@ -6,11 +6,10 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/problem/critical_alpha.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/stability_count.hpp>
-#include <rollbem/problem/steady.hpp>
 
 #include "support/timing.hpp"
 

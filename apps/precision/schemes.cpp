@@ -10,17 +10,17 @@
 #include <utility>
 #include <variant>
 
-#include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/friction_steady.hpp>
 #include <rollbem/problem/hertz.hpp>
 #include <rollbem/problem/richardson.hpp>
-#include <rollbem/problem/stability_count.hpp>
-#include <rollbem/problem/steady.hpp>
-#include <rollbem/problem/transient.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/polynomial.hpp>

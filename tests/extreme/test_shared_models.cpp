@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/friction.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/problem/hertz.hpp>
-#include <rollbem/problem/steady.hpp>
-#include <rollbem/problem/transient.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"

@@ -7,8 +7,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/problem/stability.hpp"
-#include "rollbem/problem/stability_count.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace rollbem {
 

@@ -10,8 +10,8 @@
 
 #include "../support/catch.hpp"
 #include "rollbem/closed_form/carter.hpp"
-#include "rollbem/problem/frequency.hpp"
-#include "rollbem/problem/steady.hpp"
+#include "rollbem/compiled/frequency.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 namespace {
 

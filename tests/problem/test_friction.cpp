@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/problem/friction.hpp>
-#include <rollbem/problem/steady.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
 #include "support/scalars.hpp"

@@ -6,8 +6,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/dense.hpp"
-#include "rollbem/problem/stability.hpp"
-#include "rollbem/problem/stability_count.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace {
 

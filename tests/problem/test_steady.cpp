@@ -9,7 +9,7 @@
 #include "../support/reference.hpp"
 #include "../support/scalars.hpp"
 #include "rollbem/closed_form/carter.hpp"
-#include "rollbem/problem/steady.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 namespace {
 

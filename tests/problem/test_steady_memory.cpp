@@ -9,7 +9,7 @@
 
 #include "../support/catch.hpp"
 #include "rollbem/closed_form/carter.hpp"
-#include "rollbem/problem/steady.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 

@@ -11,8 +11,8 @@
 #include "../support/dense.hpp"
 #include "../support/scalars.hpp"
 #include "rollbem/closed_form/carter.hpp"
-#include "rollbem/problem/steady.hpp"
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/compiled/steady.hpp"
+#include "rollbem/compiled/transient.hpp"
 #include "rollbem/reference/step_response.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "../support/catch.hpp"
-#include "rollbem/problem/friction.hpp"
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/compiled/friction.hpp"
+#include "rollbem/compiled/transient.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../support/catch.hpp"
-#include "rollbem/problem/stability.hpp"
-#include "rollbem/problem/transient.hpp"
+#include "rollbem/compiled/stability.hpp"
+#include "rollbem/compiled/transient.hpp"
 
 namespace {
 

@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/friction.hpp>
 #include <rollbem/problem/hertz.hpp>
 #include <rollbem/problem/plane_model.hpp>
 #include <rollbem/problem/recommendation.hpp>
-#include <rollbem/problem/transient.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

@@ -13,9 +13,9 @@
 #include <variant>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/problem/frequency.hpp>
-#include <rollbem/problem/steady.hpp>
-#include <rollbem/problem/transient.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 
 #include "support/catch.hpp"
 

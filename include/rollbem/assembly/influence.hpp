@@ -246,13 +246,4 @@ InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& schem
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                 Eigen::Index, Eigen::Index,
-                                                                 const detail::KernelView<double>&, detail::Quantity);
-extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                  Eigen::Index, const detail::KernelView<double>&,
-                                                                  detail::Quantity, const VectorX<double>&);
-#endif
-
 }  // namespace rollbem

@@ -297,10 +297,4 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     return point;
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template HarmonicSolution<double> solve_exponential<double>(const InfluenceMatrices<double>&,
-                                                                   const ArrayX<double>&, std::complex<double>);
-extern template class FrequencySweep<double>;
-#endif
-
 }  // namespace rollbem

@@ -495,8 +495,5 @@ private:
 };
 
 }  // namespace detail
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template class detail::ActiveSet<double>;
-#endif
 
 }  // namespace rollbem

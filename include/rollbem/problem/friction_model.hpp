@@ -268,8 +268,4 @@ private:
 
 }  // namespace detail
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template class detail::FrictionCore<double>;
-#endif
-
 }  // namespace rollbem

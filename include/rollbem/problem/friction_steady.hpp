@@ -71,8 +71,4 @@ private:
     MatrixX<Scalar> G_prime_;
 };
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template class SteadyFrictionModel<double>;
-#endif
-
 }  // namespace rollbem

@@ -154,8 +154,4 @@ private:
     Integrator integrator_;
 };
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template class FrictionModel<double>;
-#endif
-
 }  // namespace rollbem

@@ -260,8 +260,4 @@ StabilityVerdict verdict(const InfluenceMatrices<Scalar>& matrices) {
     return verdict(solve_stability(matrices, {.settle_signs = true}));
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template StabilityResult<double> solve_stability<double>(const InfluenceMatrices<double>&, StabilityOptions);
-#endif
-
 }  // namespace rollbem

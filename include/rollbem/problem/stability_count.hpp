@@ -56,8 +56,4 @@ UnstableCount<Scalar> count_unstable(const Mesh<Scalar>& mesh, const Scheme& sch
     return count_unstable(assemble(mesh, scheme, kernel));
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template UnstableCount<double> count_unstable<double>(const InfluenceMatrices<double>&);
-#endif
-
 }  // namespace rollbem

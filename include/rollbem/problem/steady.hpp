@@ -161,11 +161,4 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
     return solution;
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&,
-                                                                                  const ArrayX<double>&);
-extern template UnitSteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
-                                                                        const ArrayX<double>&, const VectorX<double>&);
-#endif
-
 }  // namespace rollbem

@@ -443,8 +443,4 @@ auto TransientModel<Scalar_>::solve_step(const State& from, Scalar dq, const Tra
     return finish(from, travel, -traction_scale_ * areas_.dot(per_shift), -traction_scale_ * areas_.dot(per_ramp), to);
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template class TransientModel<double>;
-#endif
-
 }  // namespace rollbem

@@ -1,6 +1,4 @@
-// Eigenvalues compiled for double.
-#include <rollbem/problem/stability.hpp>
-#include <rollbem/problem/stability_count.hpp>
+#include "stability.hpp"
 
 namespace rollbem {
 

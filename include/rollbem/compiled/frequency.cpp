@@ -1,5 +1,4 @@
-// The harmonic solution compiled for double.
-#include <rollbem/problem/frequency.hpp>
+#include "frequency.hpp"
 
 namespace rollbem {
 

@@ -1,5 +1,4 @@
-// Steps in time compiled for double.
-#include <rollbem/problem/transient.hpp>
+#include "transient.hpp"
 
 namespace rollbem {
 
