@@ -32,4 +32,4 @@ endforeach()
 target_include_directories(rollbem_app_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
 target_link_libraries(rollbem_app_support
     PUBLIC rollbem::reference rollbem::compiled rollbem_spectral_instances rollbem_build_info Threads::Threads
-    PRIVATE CLI11::CLI11 rollbem_warnings)
+    PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
