@@ -685,40 +685,21 @@ TEST_CASE("a pressure given at points", "[friction]") {
                       "PressureTable: load = 0 must be positive and finite");
 }
 
-// Force ratio after steps with a changing dq and creepage, and the steady one, computed in Scalar.
-template <class Scalar>
-std::pair<Scalar, Scalar> rolled_and_steady(const Scene& scene, const InfluenceMatrices<double>& matrices) {
-    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(10, Scalar(nu));
-    const ArrayX<Scalar> widths = scene.mesh.widths().template cast<Scalar>();
-    const CoulombFriction<Scalar> friction{1, scene.friction.normal_pressure.template cast<Scalar>()};
-    const FrictionModel<Scalar> model(
-        contact, {matrices.G.template cast<Scalar>(), matrices.G_prime.template cast<Scalar>()}, widths,
-        {friction.friction_coefficient, friction.normal_pressure}, Integrator::sdirk2);
-    FrictionState<Scalar> now = model.at_rest(), next = now;
-    FrictionStep<Scalar> step;
-    for (int k = 0; k < 50; ++k) {
-        step = model.advance(now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25), Scalar(creepage(k % 20 < 10 ? 0.9 : -0.4)),
-                             next);
-        REQUIRE(step.status == FrictionStatus::ok);
-        std::swap(now, next);
-    }
-    // the law in braces
-    const SteadyFrictionModel<Scalar> steady(contact, matrices.G_prime.template cast<Scalar>(), widths,
-                                             {friction.friction_coefficient, friction.normal_pressure});
-    return {step.force_per_width / Scalar(full_force),
-            steady.solve(now, Scalar(creepage(0.95)), next).force_per_width / Scalar(full_force)};
-}
-
 TEST_CASE("friction in every scalar type", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
     const InfluenceMatrices<double> matrices = assemble(scene.mesh, scene.scheme, scene.kernel);
-    const auto [rolled, steady] = rolled_and_steady<double>(scene, matrices);
-    const auto [rolled_float, steady_float] = rolled_and_steady<float>(scene, matrices);
-    const auto [rolled_long, steady_long] = rolled_and_steady<long double>(scene, matrices);
-    CHECK(std::abs(double(rolled_float) - rolled) < 1e-4);
-    CHECK(std::abs(double(steady_float) - steady) < 1e-4);
-    CHECK(std::abs(double(rolled_long) - rolled) < 1e-12);
-    CHECK(std::abs(double(steady_long) - steady) < 1e-12);
+    const auto ratios = [&]<class Scalar>(Scalar) {
+        const auto [rolled, steady] = rolled_and_steady<Scalar>(scene.contact, matrices, scene.mesh.widths(),
+                                                                scene.friction.normal_pressure, creepage(1));
+        return std::pair(double(rolled) / full_force, double(steady) / full_force);
+    };
+    const auto [rolled, steady] = ratios(1.0);
+    const auto [rolled_float, steady_float] = ratios(1.0f);
+    const auto [rolled_long, steady_long] = ratios(1.0L);
+    CHECK(std::abs(rolled_float - rolled) < 1e-4);
+    CHECK(std::abs(steady_float - steady) < 1e-4);
+    CHECK(std::abs(rolled_long - rolled) < 1e-12);
+    CHECK(std::abs(steady_long - steady) < 1e-12);
 }
 
 TEST_CASE("bad input to friction is refused by name, or answered by a status", "[friction]") {

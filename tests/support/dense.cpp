@@ -5,8 +5,6 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include "rollbem/spectral/polynomial.hpp"
-
 namespace dense {
 
 Spectrum spectrum(const Eigen::MatrixXd& A) {
@@ -29,6 +27,3 @@ Eigen::MatrixXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd
 }
 
 }  // namespace dense
-
-// in the same unit, because it takes the complex LU, too
-template decltype(rollbem::detail::solve_monomial_once<double>) rollbem::detail::solve_monomial_once<double>;

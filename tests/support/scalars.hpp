@@ -3,13 +3,14 @@
 // says that they are, ROLLBEM_SCALARS(, Scalar) makes them.
 #pragma once
 
+#include "friction_of_scalars.hpp"
 #include "rollbem/problem/frequency.hpp"
-#include "rollbem/problem/friction.hpp"
 #include "rollbem/problem/stability.hpp"
 #include "rollbem/problem/stability_count.hpp"
 #include "rollbem/problem/steady.hpp"
 #include "rollbem/problem/transient.hpp"
 #include "rollbem/spectral/polynomial.hpp"
+#include "support/spectral_instances.hpp"
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template MatrixX<Scalar> detail::influence_matrix<Scalar>(                              \
@@ -23,17 +24,12 @@
     keyword template decltype(solve_stability<Scalar>) solve_stability<Scalar>;                     \
     keyword template decltype(count_unstable<Scalar>) count_unstable<Scalar>;                       \
     keyword template class TransientModel<Scalar>;                                                  \
-    keyword template class detail::ActiveSet<Scalar>;                                               \
-    keyword template class detail::FrictionCore<Scalar>;                                            \
-    keyword template class SteadyFrictionModel<Scalar>;                                             \
-    keyword template class FrictionModel<Scalar>;                                                   \
+    keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;                 \
     keyword template decltype(detail::solve_monomial_once<Scalar>) detail::solve_monomial_once<Scalar>;
 
 namespace rollbem {
 
 ROLLBEM_SCALARS(extern, float)
 ROLLBEM_SCALARS(extern, long double)
-
-extern template decltype(detail::solve_monomial_once<double>) detail::solve_monomial_once<double>;  // in dense.cpp
 
 }  // namespace rollbem
