@@ -74,7 +74,7 @@ TEST_CASE("A TOML reader and a shell get the command line back from a sidecar", 
         {"study", "--output", "it's.csv"},
         {"study", "--output", "'", "--plot", "''\\''.svg"},
         {"study", "--output", "two words \"quoted\" $HOME `id` *?[a] ~ #no !x;&|<>().csv"},
-        {"study", "--output", "tab\tline\nend", "--edges", ""},
+        {"study", "--output", "tab\tline\nend", "--mesh", ""},
         {"study", "--output", "Grüße, δ.csv"},
     };
     for (const std::vector<std::string>& words : lines) {
