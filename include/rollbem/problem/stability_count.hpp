@@ -11,8 +11,8 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
-#include "../detail/reciprocal_condition.hpp"
 #include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "pencil.hpp"
 #include "plane_model.hpp"
 #include "status.hpp"
