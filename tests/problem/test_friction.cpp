@@ -16,6 +16,7 @@
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/scalars.hpp"
 
 namespace {
