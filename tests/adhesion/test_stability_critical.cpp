@@ -6,6 +6,8 @@
 
 #include "../support/catch.hpp"
 #include "rollbem/adhesion/critical_alpha.hpp"
+#include "rollbem/compiled/assembly.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace {
 
