@@ -21,7 +21,7 @@
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
-#include "support/spectral_instances.hpp"
+#include "support/polynomial_instances.hpp"
 #include "support/table.hpp"
 
 namespace {
