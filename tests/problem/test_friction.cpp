@@ -16,6 +16,8 @@
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
+#include "support/friction_of_scalars.hpp"
 #include "support/scalars.hpp"
 
 namespace {
