@@ -19,9 +19,9 @@
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
+#include "support/polynomial_instances.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
-#include "support/spectral_instances.hpp"
 #include "support/table.hpp"
 
 namespace {

@@ -13,7 +13,7 @@
 #include "cases.hpp"
 #include "long_double.hpp"
 #include "meshes.hpp"
-#include "support/spectral_instances.hpp"
+#include "support/strip_instances.hpp"
 
 namespace extremes {
 

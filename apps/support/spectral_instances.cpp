@@ -1,4 +1,5 @@
-#include "spectral_instances.hpp"
+#include "polynomial_instances.hpp"
+#include "strip_instances.hpp"
 
 namespace rollbem {
 

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace rollbem;
-using reference::Real;
+using brute_force::Real;
 
 // Largest relative difference, in roundings of Scalar; 0 must meet 0.
 template <class A, class B>
@@ -31,8 +31,8 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {3, 4, 17, 40, 1000, 10000}) {
-        const auto meshes = reference::every_mesh<Scalar>(std::min<Eigen::Index>(n, 1000));
-        const auto large = [&]() -> std::vector<reference::NamedMesh<Scalar>> {
+        const auto meshes = brute_force::every_mesh<Scalar>(std::min<Eigen::Index>(n, 1000));
+        const auto large = [&]() -> std::vector<brute_force::NamedMesh<Scalar>> {
             if (n <= 1000) return meshes;
             return {{"uniform", uniform_mesh<Scalar>(n)},
                     {"geometric 5", geometric_mesh<Scalar>(n, Scalar(5))},
@@ -40,8 +40,8 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
                     {"modified knothe", modified_knothe_mesh<Scalar>(n, Scalar(0.375))},
                     {"cosine", cosine_mesh<Scalar>(n)}};
         }();
-        const auto exact = [&]() -> std::vector<reference::NamedMesh<Real>> {
-            if (n <= 1000) return reference::every_mesh<Real>(n);
+        const auto exact = [&]() -> std::vector<brute_force::NamedMesh<Real>> {
+            if (n <= 1000) return brute_force::every_mesh<Real>(n);
             return {{"uniform", uniform_mesh<Real>(n)},
                     {"geometric 5", geometric_mesh<Real>(n, Real(5))},
                     {"knothe", knothe_mesh<Real>(n, Real(0.25))},
@@ -179,7 +179,7 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     CHECK(std::is_same_v<decltype(mesh_from_edges(Eigen::ArrayXf())), Mesh<float>>);
     CHECK((mesh_from_edges(edges).widths() == mesh.widths()).all());
     // a round trip through the edges of every maker
-    for (const auto& [name, made] : reference::every_mesh<double>(12)) {
+    for (const auto& [name, made] : brute_force::every_mesh<double>(12)) {
         const Mesh<double> again = mesh_from_edges<double>(made.edges());
         CAPTURE(name);
         CHECK((again.widths() / made.widths() - 1).abs().maxCoeff() < 1e-14);

@@ -17,6 +17,7 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/friction_of_scalars.hpp"
 #include "support/scalars.hpp"
 
 namespace {

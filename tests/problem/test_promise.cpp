@@ -20,7 +20,7 @@
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/reference/step_response.hpp"
 #include "rollbem/reference/strip.hpp"
-#include "support/spectral_instances.hpp"
+#include "support/strip_instances.hpp"
 
 namespace {
 

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "../support/catch.hpp"
+#include "rollbem/compiled/assembly.hpp"
+#include "rollbem/compiled/stability.hpp"
 #include "rollbem/problem/critical_alpha.hpp"
 
 namespace {

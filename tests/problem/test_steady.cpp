@@ -147,7 +147,8 @@ TEST_CASE("Order of convergence of c11: one on uniform, two on cosine meshes", "
         CAPTURE(n, cosine.back());
         CHECK(rounds_to(cosine.back(), value, value > 4.2e-4 ? 2 : 3));
     }
-    const double first = reference::observed_order(sizes, uniform), second = reference::observed_order(sizes, cosine);
+    const double first = brute_force::observed_order(sizes, uniform),
+                 second = brute_force::observed_order(sizes, cosine);
     CAPTURE(first, second);
     CHECK(std::abs(first - 1) < 0.02);
     CHECK(std::abs(second - 2) < 0.02);
@@ -165,7 +166,7 @@ TEST_CASE("The strip's c11 tends to the plane's as (a/b)^2", "[steady][convergen
         errors.push_back(
             solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, StripKernel<double>(b, 0.75, 0.25)).c11 / plane - 1);
     }
-    const double order = reference::observed_order(sizes, errors);
+    const double order = brute_force::observed_order(sizes, errors);
     CAPTURE(order, errors[0]);
     CHECK(std::abs(order - 2) < 0.03);
 }
@@ -187,7 +188,7 @@ TEST_CASE("Tractions tend to Carter's away from the edges", "[steady][convergenc
             sizes.push_back(n);
             errors.push_back(largest);
         }
-        const double order = reference::observed_order(sizes, errors);
+        const double order = brute_force::observed_order(sizes, errors);
         CAPTURE(graded, order, errors[0], errors[3]);
         CHECK(order > 0.8);
         CHECK(errors[3] < 1e-2);
@@ -197,7 +198,7 @@ TEST_CASE("Tractions tend to Carter's away from the edges", "[steady][convergenc
 TEMPLATE_TEST_CASE("A solution satisfies its equations and carries its force", "[steady]", float, double, long double) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-    for (const auto& [name, mesh] : reference::every_mesh<Scalar>(30)) {
+    for (const auto& [name, mesh] : brute_force::every_mesh<Scalar>(30)) {
         for (const Collocation& scheme :
              {Collocation{0, 0.63}, Collocation{0.5, 0.5}, Collocation{0.5, 0.5, analytic}}) {
             for (const Scalar b : {Scalar(0.5), Scalar(4), Scalar(1000)}) {
@@ -223,7 +224,7 @@ TEST_CASE("Units scale out", "[steady]") {
     const Contact<double> steel(
         {.half_length = 0.006, .half_width = 0.03, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     const Contact<double> unit = Contact<double>::dimensionless(5, 0.28);
-    for (const auto& [name, mesh] : reference::every_mesh<double>(15)) {
+    for (const auto& [name, mesh] : brute_force::every_mesh<double>(15)) {
         const auto with_units = solve_steady(steel, mesh, Collocation{}, 1e-4),
                    without = solve_steady(unit, mesh, Collocation{}, 1.0);
         CAPTURE(name);

@@ -14,7 +14,7 @@
 
 #include "rollbem/compiled/assembly.hpp"
 
-namespace reference {
+namespace brute_force {
 
 using Real = long double;
 using rollbem::Derivative;
@@ -281,4 +281,4 @@ decltype(auto) with_library_kernel(const Kernel& kernel, Function function) {
                         : function(rollbem::StripKernel<Scalar>(b, c1, c2));
 }
 
-}  // namespace reference
+}  // namespace brute_force

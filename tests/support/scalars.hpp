@@ -10,7 +10,7 @@
 #include "rollbem/problem/steady.hpp"
 #include "rollbem/problem/transient.hpp"
 #include "rollbem/spectral/polynomial.hpp"
-#include "support/spectral_instances.hpp"
+#include "support/polynomial_instances.hpp"
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template MatrixX<Scalar> detail::influence_matrix<Scalar>(                              \
