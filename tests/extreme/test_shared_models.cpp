@@ -80,13 +80,14 @@ TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
     check_shared([&] {
         Numbers forces;
         auto now = steady.at_rest(), next = now;
+        auto workspace = steady.workspace();  // of this thread, for both models in turn
         for (const double creepage : {1e-4, 3e-4, 1e-3}) {
-            forces.push_back(steady.solve(now, creepage, next).force_per_width);
+            forces.push_back(steady.solve(now, creepage, next, workspace).force_per_width);
             std::swap(now, next);
         }
         auto rolling = model.at_rest(), after = rolling;
         for (int k = 0; k < 10; ++k) {
-            forces.push_back(model.advance(rolling, 0.1, 3e-4, after).force_per_width);
+            forces.push_back(model.advance(rolling, 0.1, 3e-4, after, workspace).force_per_width);
             std::swap(rolling, after);
         }
         return forces;
@@ -98,7 +99,8 @@ TEST_CASE("Frequency response, reduced or not, and polynomials", "[threads]") {
     const FrequencySweep<double> reduced(rolling_system(cosine_mesh(20), scheme, plane));
     MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
     weak.row(3) *= 1e-9;  // no reduction, but nothing to object to
-    const FrequencySweep<double> full({assemble_G(cosine_mesh(20), scheme, plane), weak}, cosine_mesh(20).widths());
+    const FrequencySweep<double> full(
+        RollingSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
     REQUIRE(reduced.reduced());
     REQUIRE(!full.reduced());
     check_shared([&] {
