@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
@@ -21,6 +21,7 @@
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
+#include "support/spectral_instances.hpp"
 #include "support/table.hpp"
 
 namespace {

@@ -17,10 +17,10 @@
 #include <variant>
 #include <vector>
 
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
@@ -82,14 +82,17 @@ study::Cell relative_error(double value, std::optional<double> exact) {
 struct Profile {
     const study::Scene* scene;
     std::string mesh_name;
+    std::optional<double> alpha_L, alpha_T;
     double ratio;
+    std::string status;
     rollbem::Mesh<double> mesh;
     Eigen::VectorXd traction, bound, slip;  // of every element
     std::vector<bool> sticks;
 };
 
-const std::vector<std::string> profile_columns{"n",     "creepage_ratio", "x_over_a", "traction", "bound",
-                                               "stick", "slip",           "exact",    "mesh"};
+const std::vector<std::string> profile_columns{"n",          "creepage_ratio", "x_over_a", "traction", "bound",
+                                               "stick",      "slip",           "exact",    "mesh",     "method",
+                                               "derivative", "alpha_L",        "alpha_T",  "status"};
 
 /// Profiles of the rows in the order of the rows, whichever thread they come from.
 class Profiles {
@@ -150,7 +153,17 @@ void steady_rows(const study::Options& options, const study::Scene& scene, const
               if_usable(-step.tangent_per_width * creepage(scene, 1) / mu_N),
               if_usable(step.slip_work_per_width / mu_N), step.pivots, name_of(step.status, consistent)});
         if (profiles == nullptr) continue;
-        Profile profile{&scene, scene.mesh_name, ratios[i], *scene.mesh, {}, means.matrix(), {}, {}};
+        Profile profile{&scene,
+                        scene.mesh_name,
+                        scene.alpha_L,
+                        scene.alpha_T,
+                        ratios[i],
+                        name_of(step.status, consistent),
+                        *scene.mesh,
+                        {},
+                        means.matrix(),
+                        {},
+                        {}};
         profile.traction.setZero(scene.n());
         profile.slip.setZero(scene.n());
         profile.traction.head(unknown) = state.traction;
@@ -180,7 +193,10 @@ void fitted_rows(const study::Options& options, const study::Scene& scene, const
 
         Profile profile{&scene,
                         solution.fitted ? "fitted" : "cosine",
+                        solution.fitted ? 0 : 0.5,
+                        0.5,
                         ratios[i],
+                        name_of(solution.status),
                         solution.mesh,
                         solution.traction,
                         pressure(solution.mesh).matrix(),
@@ -194,26 +210,32 @@ void fitted_rows(const study::Options& options, const study::Scene& scene, const
             solution.status == rollbem::StepStatus::ok ? -solution.force_per_width / mu_N : std::nan("");
         const std::optional<double> exact =
             pressure.hertz ? std::optional(rollbem::carter_force_ratio(ratios[i])) : std::nullopt;
-        emit({scene.method, scene.derivative, profile.mesh_name, scene.n(), solution.fitted ? 0 : 0.5, 0.5, ratios[i],
+        emit({scene.method, scene.derivative, profile.mesh_name, scene.n(), profile.alpha_L, profile.alpha_T, ratios[i],
               force_ratio, exact, relative_error(force_ratio, exact),
               std::count(profile.sticks.begin(), profile.sticks.end(), true), solution.evaluations,
               solution.complementarity_residual, time_us, study::Cell(),
               -solution.tangent_per_width * creepage(scene, 1) / mu_N, solution.slip_work_per_width / mu_N, 0,
-              name(solution.status)});
+              profile.status});
         if (profiles != nullptr) profiles->keep(task, i, std::move(profile));
     }
 }
 
-void write_profiles(const Profiles& profiles, const Pressure& pressure, bool with_header, study::OutputFile& file) {
-    if (with_header) file.write(study::csv_line(study::Row(profile_columns.begin(), profile_columns.end())));
+void write_profiles(const Profiles& profiles, const Pressure& pressure, bool with_header, study::TableFile& file) {
+    if (with_header) file.rows().write(study::csv_line(study::Row(profile_columns.begin(), profile_columns.end())));
     for (const auto& [key, profile] : profiles.all()) {
         for (Eigen::Index i = 0; i < profile.mesh.size(); ++i) {
             const double x = profile.mesh.centres()[i];
-            file.write(study::csv_line(
-                {profile.mesh.size(), profile.ratio, x, profile.traction[i], profile.bound[i],
-                 int(profile.sticks[std::size_t(i)]), profile.slip[i],
-                 pressure.hertz ? study::Cell(rollbem::carter_friction_traction(x, profile.ratio)) : study::Cell(),
-                 profile.mesh_name}));
+            study::Cell traction, stick, slip, exact;
+            if (profile.status == "ok") {
+                traction = profile.traction[i];
+                stick = int(profile.sticks[std::size_t(i)]);
+                slip = profile.slip[i];
+            }
+            if (pressure.hertz) exact = rollbem::carter_friction_traction(x, profile.ratio);
+            file.rows().write(
+                study::csv_line({profile.mesh.size(), profile.ratio, x, traction, profile.bound[i], stick, slip, exact,
+                                 profile.mesh_name, profile.scene->method, profile.scene->derivative, profile.alpha_L,
+                                 profile.alpha_T, profile.status}));
         }
     }
     file.commit();
@@ -243,6 +265,7 @@ study::Plot steady_plot(const std::vector<std::string>& columns, const std::vect
     const Profile* shown = nullptr;
     const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.ratio) - 0.5); };
     for (const auto& [key, profile] : profiles.all()) {
+        if (profile.status != "ok") continue;
         if (shown == nullptr || profile.scene != shown->scene || distance(profile) < distance(*shown)) shown = &profile;
     }
     if (shown == nullptr) return plot;
@@ -291,8 +314,8 @@ int run_steady(const study::Options& given, const Pressure& pressure) {
         given.numbers("creepage-ratio", {[](double value) { return std::isfinite(value); }, "be finite"});
     const std::vector<study::Scene> scenes = study::make_scenes(given, study::Problem::steady);
 
-    std::optional<study::OutputFile> tractions;
-    if (given.given("tractions")) tractions.emplace(given.text("tractions"), "--tractions");
+    std::optional<study::TableFile> tractions;
+    if (given.given("tractions")) tractions.emplace(given, "tractions");
     Profiles profiles;
     Profiles* const kept = tractions || given.given("plot") ? &profiles : nullptr;
 
@@ -490,10 +513,12 @@ int main(int argc, char** argv) {
                 "creepage as delta = xi G/(2 (1-nu) mu p0): Carter's contact slides as a whole from 1 on; with "
                 "--transient a single value (dimensionless)",
                 "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
-    options.add("pressure", "FILE",
-                "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
-                "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
-    options.add("tractions", "FILE", "besides, a CSV file with one row per element of every creepage");
+    options.add_input(
+        "pressure",
+        "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
+        "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
+    options.add_table("tractions",
+                      "besides, a CSV file with one row per element of every scheme and creepage, and FILE.toml");
     options.add_flag("fit-border", "resolve the border between slip and stick: meshes fitted to it, extrapolated");
     options.add_flag("transient", "roll in time from rest, one row per step");
     options.add("sine", "AMP,OMEGA",
@@ -531,7 +556,8 @@ int main(int argc, char** argv) {
         "mu p0 a/G, summed over the elements (of first order in 1/n). Where status is not ok, these two and\n"
         "force_ratio are empty; it is inconsistent where in full adhesion tractions of the same scheme push with the\n"
         "creepage, so that the scheme does not converge: alpha at or below 0 (near 0 on coarse meshes), or above 1.\n"
-        "--tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0.\n"
+        "--tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0; traction, stick and slip are\n"
+        "empty where status is not ok.\n"
         "\n"
         "--fit-border is for pressures that leave one slip zone at the trailing edge, as Hertz's does. Where that\n"
         "does not hold, mesh = cosine and the plain solver with alpha = 0.5 takes over. rounds then counts\n"

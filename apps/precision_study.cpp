@@ -7,8 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -20,6 +18,7 @@
 
 #include "precision/front.hpp"
 #include "precision/schemes.hpp"
+#include "support/files.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
@@ -233,19 +232,13 @@ std::optional<double> read_cell(const std::string& text, const std::string& wher
 
 /// The rows of this program's earlier output.
 std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities) {
-    const std::string path = options.text("front"), said = options.said("front");
-    std::ifstream file(path);
-    std::error_code error;
-    if (!file || std::filesystem::is_directory(path, error)) {
-        throw study::BadInput(said + " must be a file that can be read");
-    }
+    study::Lines lines(options, "front");
     const std::string header = study::join(columns, ",");
     std::vector<Point> points;
-    std::string line;
-    for (std::size_t number = 1; std::getline(file, line); ++number) {
-        const std::string where = said + ": line " + std::to_string(number);
-        const std::string text(study::detail::trim(line));
-        if (number == 1) {
+    while (lines.next()) {
+        const std::string where = lines.where();
+        const std::string& text = lines.text();
+        if (lines.number() == 1) {
             if (text != header) throw study::BadInput(where + " must be " + header);
             continue;
         }
@@ -288,7 +281,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
                           .on_front = std::nullopt,
                           .model_error = read_cell(cells[7], where)});
     }
-    if (points.empty()) throw study::BadInput(said + " must have rows of the quantities asked for");
+    if (points.empty()) throw study::BadInput(options.said("front") + " must have rows of the quantities asked for");
     return points;
 }
 
@@ -385,12 +378,14 @@ int main(int argc, char** argv) {
     options.add("schemes", "LIST", "all, or some of " + study::join(precision::scheme_names(), ","), "all");
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force", "all");
-    options.add("front", "FILE",
-                "compute nothing: read rows written before (shards put together), fill on_front, and draw or search "
-                "them");
-    options.add("cheapest", "FILE",
-                "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "
-                "stable one, and the fastest of all");
+    options.add_input(
+        "front",
+        "compute nothing: read rows written before (shards put together), fill on_front, and draw or search "
+        "them");
+    options.add_output(
+        "cheapest",
+        "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "
+        "stable one, and the fastest of all");
     options.footer(
         "Example: everything, with the cheapest schemes and a picture\n"
         "  precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg\n"

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "support/non_steady.hpp"
@@ -164,9 +164,10 @@ int main(int argc, char** argv) {
         "sine", "AMP,OMEGA",
         "creepage AMP sin(OMEGA q/a), OMEGA in V/a; steps take its chords, which are low by a part (OMEGA D)^2/12 "
         "(dimensionless)");
-    options.add("history", "FILE",
-                "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
-                "after the last; two rows at one q_over_a make a jump (dimensionless)");
+    options.add_input(
+        "history",
+        "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
+        "after the last; two rows at one q_over_a make a jump (dimensionless)");
     options.add("dq", "D", "distance rolled in a step, in units of a (dimensionless)", "0.05");
     options.add("until", "Q", "distance rolled in all, in units of a (dimensionless)", "10");
     options.add(

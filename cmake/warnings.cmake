@@ -8,3 +8,10 @@ else()
         # g++ 12 sees uninitialised and overlapping strings inside std::variant and std::string where there are none
         $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized -Wno-error=restrict>)
 endif()
+
+# What measures no time is compiled with -O1 in a Release build: compiling costs far more than running it.
+add_library(rollbem_quick_to_compile INTERFACE)
+target_link_libraries(rollbem_quick_to_compile INTERFACE rollbem_warnings)
+if(NOT MSVC)
+    target_compile_options(rollbem_quick_to_compile INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/polynomial.hpp>
@@ -13,6 +13,7 @@
 #include "cases.hpp"
 #include "long_double.hpp"
 #include "meshes.hpp"
+#include "support/spectral_instances.hpp"
 
 namespace extremes {
 

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "build_info.hpp"
+#include "files.hpp"
 
 namespace study {
 
@@ -172,21 +173,21 @@ OutputFile::OutputFile(const std::string& path, const std::string& name) : shown
         throw BadInput(name + " = " + path + " must be a file that can be written: " + why);
     };
     std::error_code error;
-    if (path == "/dev/stdout") {
+    if (path == "-" || path == "/dev/stdout") {
         descriptor_ = ::dup(STDOUT_FILENO);
         if (descriptor_ < 0) refuse(std::strerror(errno));
         return;
     }
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) refuse("it is a directory");
-    const bool special = path.rfind("/dev/", 0) == 0 || path.rfind("/proc/", 0) == 0;
-    if (fs::exists(status) && (special || !fs::is_regular_file(status))) {
+    if (is_stream(path)) {
         descriptor_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
         if (descriptor_ < 0) refuse(std::strerror(errno));
         return;
     }
     if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-    target_ = fs::exists(status) ? fs::canonical(path, error).string() : path;  // a link stays a link
+    target_ = behind_links(path);  // a link stays a link
+    if (fs::is_symlink(fs::symlink_status(target_, error))) refuse("its chain of links has no end");
     temporary_ = target_ + ".part-" + std::to_string(::getpid());
     for (detail::TemporaryPath& slot : temporary_paths) {
         if (slot.used || temporary_.size() >= slot.path.size()) continue;
@@ -224,8 +225,6 @@ bool OutputFile::is_regular() const { return !target_.empty(); }
 
 const std::string& OutputFile::path() const { return shown_; }
 
-int OutputFile::descriptor() const { return descriptor_; }
-
 void OutputFile::write(std::string_view text) {
     buffer_ += text;
     if (buffer_.size() >= 65536) flush();
@@ -242,9 +241,16 @@ void OutputFile::flush() {
     buffer_.clear();
 }
 
-void OutputFile::commit() {
+void OutputFile::close() {
     flush();
-    if (descriptor_ > STDERR_FILENO && ::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+    if (descriptor_ <= STDERR_FILENO) return;
+    // some file systems find out only here that the disk is full
+    if (slot_ != nullptr && ::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+void OutputFile::commit() {
+    close();
     if (slot_ == nullptr) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     slot_->used = false;
@@ -290,6 +296,21 @@ std::string sidecar_text(const Options& options) {
     entry("errors", "relative_error = value/exact - 1, signed, for real quantities; absolute value for complex ones");
     entry("cells", "17 significant digits; an undefined value is an empty cell");
     return text;
+}
+
+TableFile::TableFile(const Options& options, const std::string& name)
+    : options_(options),
+      csv_(options.given(name) ? OutputFile(options.text(name), "--" + name) : OutputFile::standard_output()) {
+    if (csv_.is_regular()) sidecar_.emplace(csv_.path() + ".toml", "--" + name);
+}
+
+void TableFile::commit() {
+    if (sidecar_) {
+        sidecar_->write(sidecar_text(options_));
+        sidecar_->close();
+    }
+    csv_.commit();
+    if (sidecar_) sidecar_->commit();
 }
 
 }  // namespace study

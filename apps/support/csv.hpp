@@ -64,7 +64,8 @@ class OutputFile {
 public:
     static OutputFile standard_output();
 
-    /// `name` is the option or quantity that named the path, for messages. Throws BadInput when it cannot be written.
+    /// `name` is the option or quantity that named the path, for messages. A path of - is standard output; links are
+    /// followed, also where they lead to no file yet. Throws BadInput when it cannot be written.
     OutputFile(const std::string& path, const std::string& name);
 
     OutputFile(OutputFile&& other) noexcept;
@@ -76,14 +77,16 @@ public:
 
     bool is_regular() const;  ///< written under another name first
     const std::string& path() const;
-    int descriptor() const;
 
     void write(std::string_view text);
 
     /// Hands everything to the system. Throws WriteError.
     void flush();
 
-    /// Ends the file and gives it its name. Throws WriteError.
+    /// Ends the file; all of a regular one is on the disk, still under the other name. Throws WriteError.
+    void close();
+
+    /// Gives the file its name, and ends it if close() has not. Throws WriteError.
     void commit();
 
 private:
@@ -100,5 +103,23 @@ private:
 
 /// The TOML file that stands beside a CSV file.
 std::string sidecar_text(const Options& options);
+
+/// A CSV file and, where it is a regular one, the TOML file beside it. Neither takes its name before all of both is on
+/// the disk.
+class TableFile {
+public:
+    /// Writes where --name says, or to standard output where it is not given. Throws BadInput when that cannot be written.
+    TableFile(const Options& options, const std::string& name);
+
+    OutputFile& rows() { return csv_; }
+
+    /// Throws WriteError.
+    void commit();
+
+private:
+    const Options& options_;
+    OutputFile csv_;
+    std::optional<OutputFile> sidecar_;
+};
 
 }  // namespace study

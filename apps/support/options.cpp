@@ -7,12 +7,13 @@
 #include <CLI/CLI.hpp>
 
 #include "build_info.hpp"
+#include "config_file.hpp"
+#include "files.hpp"
 
 namespace study {
 
 namespace {
 
-/// Breaks lines at blanks so that none is longer than `width` where that can be helped.
 /// Breaks lines at blanks so that none is longer than `width` where that can be helped.
 std::string wrap(const std::string& text, std::size_t width) {
     std::istringstream words(text);
@@ -79,15 +80,15 @@ Options::Options(std::string program, const std::string& purpose)
     app_->set_help_flag("-h,--help", "print this help and exit")->group("Program");
     app_->set_version_flag("--version", version())->group("Program");
     app_->get_option("--version")->description("print version and git revision and exit");
-    app_->set_config("--config", "", "read options from a TOML or INI file, e.g. alpha-T = 0.63; the command line wins")
-        ->type_name("FILE")
-        ->group("Program");
-    app_->allow_config_extras(CLI::config_extras_mode::error);
+    group("Program");
+    add_input("config",
+              "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; the command "
+              "line wins. Every input FILE may be -, standard input");
 
     group("Discretisation");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
     add("mesh", "NAME", "uniform, geometric, knothe, modified-knothe or cosine", "uniform");
-    add("edges", "FILE", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
+    add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
     add("size-ratio", "R", "geometric mesh: dx_trailing / dx_leading (dimensionless)", "2");
     add("epsilon", "E",
         "knothe, modified-knothe mesh: size of the end element over that of an inner one (dimensionless)", "0.4");
@@ -112,8 +113,8 @@ Options::Options(std::string program, const std::string& purpose)
     add("poisson", "NU", "Poisson's ratio, 0 to 0.5 (dimensionless)", "0.28");
 
     group("Output");
-    add("output", "FILE", "CSV file; besides, FILE.toml says how it was made. Default: standard output");
-    add("plot", "FILE", "draw the result with gnuplot; FILE ends in .svg or .png");
+    add_table("output", "CSV file; besides, FILE.toml says how it was made. Default, and -: standard output");
+    add_output("plot", "draw the result with gnuplot; FILE ends in .svg or .png");
     add("jobs", "N", "rows computed at a time, 1 to 1024; above 1 the columns of times stay empty (dimensionless)",
         "1");
     add("shard", "K/N", "only the K-th of N blocks of rows; the parts concatenate to the whole (dimensionless)");
@@ -137,10 +138,25 @@ void Options::add(const std::string& name, const std::string& value, const std::
     set_default(name, default_text);
 }
 
+void Options::add_input(const std::string& name, const std::string& help) {
+    add(name, "FILE", help);
+    entries_[name].kind = Kind::input;
+}
+
+void Options::add_output(const std::string& name, const std::string& help) {
+    add(name, "FILE", help);
+    entries_[name].kind = Kind::output;
+}
+
+void Options::add_table(const std::string& name, const std::string& help) {
+    add(name, "FILE", help);
+    entries_[name].kind = Kind::table;
+}
+
 void Options::add_flag(const std::string& name, const std::string& help) {
     CLI::Option* option = app_->add_flag("--" + name, help);
     option->group(group_);
-    entries_[name] = {option, help, ""};
+    entries_[name] = {option, help, "", Kind::flag};
 }
 
 void Options::set_default(const std::string& name, const std::string& default_text) {
@@ -171,16 +187,17 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
         return help;
     } catch (const CLI::CallForVersion&) {
         return version() + "\n";
-    } catch (const CLI::FileError&) {
-        throw BadInput("--config = " + app_->get_config_ptr()->results().back() + " must be a file that can be read");
-    } catch (const CLI::ConfigError& error) {
-        throw BadInput("--config: " + std::string(error.what()) + "; see --help for the names that are allowed");
     } catch (const CLI::ParseError& error) {
         throw BadInput(std::string(error.what()) + "; see --help");
+    }
+    if (given("config")) {
+        check_files();  // of which none may be standard input besides
+        read_config();
     }
     for (const auto& [name, reason] : refused_) {
         if (given(name)) throw BadInput(said(name) + " cannot be used here: " + reason);
     }
+    check_files();
     return std::nullopt;
 }
 
@@ -188,7 +205,9 @@ const std::string& Options::program() const { return program_; }
 
 const std::vector<std::string>& Options::words() const { return words_; }
 
-bool Options::given(const std::string& name) const { return entry(name).option->count() > 0; }
+bool Options::given(const std::string& name) const {
+    return entry(name).option->count() > 0 || !entry(name).configured.empty();
+}
 
 std::string Options::said(const std::string& name) const {
     const std::string value = joined(name);
@@ -201,7 +220,7 @@ void Options::ignored(const std::string& name, const std::string& reason) const 
 
 bool Options::flag(const std::string& name) const {
     if (!given(name)) return false;
-    const std::string value = entry(name).option->results().back();
+    const std::string value = raw(name).back();
     if (value != "true" && value != "false") throw BadInput("--" + name + " = " + value + " must be true or false");
     return value == "true";
 }
@@ -258,6 +277,7 @@ std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrd
 std::vector<std::pair<std::string, std::string>> Options::values() const {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& [name, entry] : entries_) {
+        if (name == "config") continue;  // what it says stands under the other names
         const bool is_refused = entry.option->get_group().empty();
         if (!is_refused && !raw(name).empty()) result.emplace_back(name, joined(name));
     }
@@ -268,10 +288,61 @@ std::string Options::version() const {
     return program_ + " " + std::string(build_info::version) + " (" + std::string(build_info::git_revision) + ")";
 }
 
+void Options::read_config() {
+    for (Setting& setting : read_settings(contents(*this, "config"), said("config"))) {
+        const auto found = entries_.find(setting.name);
+        if (found == entries_.end() || setting.name == "config") {
+            throw BadInput(setting.where + " must name an option of " + program_ + "; see --help");
+        }
+        const bool one_word = setting.values.size() == 1;
+        if (found->second.kind == Kind::flag && !(one_word && setting.values[0] == "true") &&
+            !(one_word && setting.values[0] == "false")) {
+            throw BadInput(setting.where + " must be true or false");
+        }
+        found->second.configured = std::move(setting.values);
+    }
+}
+
+void Options::check_files() const {
+    std::vector<Place> inputs, outputs;
+    if (!given("output")) outputs.push_back(Place::output("standard output", "-"));
+    for (const auto& [name, entry] : entries_) {
+        const bool reads = entry.kind == Kind::input, has_sidecar = entry.kind == Kind::table;
+        if (!given(name) || !(reads || has_sidecar || entry.kind == Kind::output)) continue;
+        const std::string path = text(name);
+        if (reads) {
+            inputs.push_back(Place::input(said(name), path));
+            continue;
+        }
+        outputs.push_back(Place::output(said(name), path));
+        if (has_sidecar && outputs.back().descriptor < 0 && !is_stream(path)) {
+            outputs.push_back(Place::output(said(name) + ".toml, written beside it,", path + ".toml"));
+        }
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (std::size_t k = i + 1; k < inputs.size(); ++k) {
+            if (inputs[i].descriptor >= 0 && inputs[k].descriptor >= 0) {
+                throw BadInput(inputs[k].said + " must be a file: standard input is read as " + inputs[i].said);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (const Place& input : inputs) {
+            if (!same_place(outputs[i], input)) continue;
+            throw BadInput(outputs[i].said + " must not be a file that this run reads: " + input.said);
+        }
+        for (std::size_t k = i + 1; k < outputs.size(); ++k) {
+            if (!same_place(outputs[i], outputs[k])) continue;
+            throw BadInput(outputs[k].said + " must not be written to as well as " + outputs[i].said);
+        }
+    }
+}
+
 const Options::Entry& Options::entry(const std::string& name) const { return entries_.at(name); }
 
 std::vector<std::string> Options::raw(const std::string& name) const {
-    if (given(name)) return entry(name).option->results();
+    if (entry(name).option->count() > 0) return entry(name).option->results();
+    if (!entry(name).configured.empty()) return entry(name).configured;
     const std::string& default_text = entry(name).default_text;
     return default_text.empty() ? std::vector<std::string>{} : std::vector<std::string>{default_text};
 }

@@ -64,6 +64,15 @@ public:
     void add(const std::string& name, const std::string& value, const std::string& help,
              const std::string& default_text = "");
 
+    /// Declares --name FILE, a file that is read. No output may be the same file.
+    void add_input(const std::string& name, const std::string& help);
+
+    /// Declares --name FILE, a file that is written. No other file of the run may be the same.
+    void add_output(const std::string& name, const std::string& help);
+
+    /// The same with a file beside it, FILE.toml.
+    void add_table(const std::string& name, const std::string& help);
+
     /// Declares --name, which takes no value.
     void add_flag(const std::string& name, const std::string& help);
 
@@ -112,12 +121,21 @@ public:
     std::vector<std::pair<std::string, std::string>> values() const;
 
 private:
+    enum class Kind { value, flag, input, output, table };
+
     struct Entry {
         CLI::Option* option = nullptr;
         std::string help, default_text;
+        Kind kind = Kind::value;
+        std::vector<std::string> configured{};  ///< by the configuration file
     };
 
     std::string version() const;
+
+    void read_config();
+
+    /// Throws BadInput where an output is an input of this run or another output.
+    void check_files() const;
 
     const Entry& entry(const std::string& name) const;
 

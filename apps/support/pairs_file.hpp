@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "errors.hpp"
+#include "files.hpp"
 #include "options.hpp"
 
 namespace study {
@@ -25,20 +23,15 @@ struct Pairs {
 /// Reads the file that --name gives. `header` is its first line, e.g. "q_over_a,creepage". `place` says what the first
 /// column must fulfil. Throws BadInput.
 inline Pairs read_pairs(const Options& options, const std::string& name, const std::string& header, const Rule& place) {
-    const std::string path = options.text(name), said = options.said(name);
-    std::ifstream file(path);
-    std::error_code error;
-    if (!file || std::filesystem::is_directory(path, error)) throw BadInput(said + " must be a file that can be read");
+    Lines lines(options, name);
     Pairs pairs;
-    std::string line;
-    for (std::size_t number = 1; std::getline(file, line); ++number) {
-        const std::string text(detail::trim(line));
-        const std::string where = said + ": line " + std::to_string(number) + " = " + text;
-        if (number == 1) {
+    while (lines.next()) {
+        const std::string& text = lines.text();
+        const std::string where = lines.where() + " = " + text;
+        if (lines.number() == 1) {
             if (text != header) throw BadInput(where + " must be " + header);
             continue;
         }
-        if (text.empty() && file.peek() == std::ifstream::traits_type::eof()) break;
         const std::size_t comma = std::min(text.find(','), text.size());
         const auto x = detail::parse_number<double>(detail::trim(text.substr(0, comma)));
         const auto y = detail::parse_number<double>(detail::trim(text.substr(std::min(comma + 1, text.size()))));
@@ -52,7 +45,7 @@ inline Pairs read_pairs(const Options& options, const std::string& name, const s
         pairs.places.push_back(*x);
         pairs.values.push_back(*y);
     }
-    if (pairs.places.empty()) throw BadInput(said + " must have at least one row below its header");
+    if (pairs.places.empty()) throw BadInput(options.said(name) + " must have at least one row below its header");
     return pairs;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -9,6 +10,8 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <string_view>
+#include <thread>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -92,6 +95,72 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     return script;
 }
 
+/// What gnuplot writes when it runs `script`. It goes through a pipe, not into the file: gnuplot does not tell when a
+/// write fails.
+std::string run_gnuplot(std::string_view script, const std::string& path) {
+    const auto fail = [&](const std::string& why) -> void {
+        throw PlotError("--plot = " + path + why + "; the rows are written");
+    };
+    std::array<int, 2> input{}, output{};
+    if (::pipe2(input.data(), O_CLOEXEC) != 0) fail(std::string(": no pipe to gnuplot: ") + std::strerror(errno));
+    if (::pipe2(output.data(), O_CLOEXEC) != 0) {
+        const int error = errno;
+        for (const int end : input) ::close(end);
+        fail(std::string(": no pipe from gnuplot: ") + std::strerror(error));
+    }
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, input[0], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    std::string program = "gnuplot";
+    std::array<char*, 2> arguments{program.data(), nullptr};
+    pid_t child = 0;
+    const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(input[0]);
+    ::close(output[1]);
+    if (error != 0) {
+        ::close(input[1]);
+        ::close(output[0]);
+        fail(std::string(" needs gnuplot, which cannot be started (") + std::strerror(error) + ")");
+    }
+    std::thread writer([script, to = input[1]] {  // gnuplot may draw before it has read everything
+        std::string_view rest = script;
+        while (!rest.empty()) {  // a gnuplot that dies early shows in its status
+            const ssize_t written = ::write(to, rest.data(), rest.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) break;
+            rest.remove_prefix(static_cast<std::size_t>(written));
+        }
+        ::close(to);
+    });
+    std::string picture;
+    std::array<char, 65536> buffer;
+    ssize_t count = 0;
+    while ((count = ::read(output[0], buffer.data(), buffer.size())) != 0) {
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) break;
+        picture.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    ::close(output[0]);
+    writer.join();
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    if (count < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) fail(": gnuplot failed");
+    return picture;
+}
+
+/// Whether a picture has its end.
+bool is_whole(std::string_view picture, bool png) {
+    using namespace std::string_view_literals;
+    const std::string_view end = png ? "\0\0\0\0IEND\xAE\x42\x60\x82"sv : "</svg>"sv;
+    while (!png && !picture.empty() && std::isspace(static_cast<unsigned char>(picture.back())) != 0) {
+        picture.remove_suffix(1);
+    }
+    return picture.size() >= end.size() && picture.substr(picture.size() - end.size()) == end;
+}
+
 }  // namespace
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
@@ -136,42 +205,12 @@ bool plot_is_png(const Options& options) {
 }
 
 void draw(const Plot& plot, OutputFile& file, bool png) {
-    const std::string script = gnuplot_script(plot, png);
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
-        throw PlotError(std::string("no pipe to gnuplot: ") + std::strerror(errno));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pipe[0], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, file.descriptor(), STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    std::string program = "gnuplot";
-    std::array<char*, 2> arguments{program.data(), nullptr};
-    pid_t child = 0;
-    const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(pipe[0]);
-    if (error != 0) {
-        ::close(pipe[1]);
-        throw PlotError("--plot = " + file.path() + " needs gnuplot, which cannot be started (" + std::strerror(error) +
-                        "); the rows are written");
+    const std::string picture = run_gnuplot(gnuplot_script(plot, png), file.path());
+    if (!is_whole(picture, png)) {
+        throw PlotError("--plot = " + file.path() + ": gnuplot drew " + (picture.empty() ? "nothing" : "only a part") +
+                        "; the rows are written");
     }
-    std::string_view rest = script;
-    while (!rest.empty()) {  // a gnuplot that dies early shows in its status
-        const ssize_t written = ::write(pipe[1], rest.data(), rest.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) break;
-        rest.remove_prefix(static_cast<std::size_t>(written));
-    }
-    ::close(pipe[1]);
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw PlotError("--plot = " + file.path() + ": gnuplot failed; the rows are written");
-    }
-    if (file.is_regular() && ::lseek(file.descriptor(), 0, SEEK_END) == 0) {
-        throw PlotError("--plot = " + file.path() + ": gnuplot drew nothing; the rows are written");
-    }
+    file.write(picture);
     file.commit();
 }
 

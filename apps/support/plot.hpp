@@ -49,7 +49,8 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
 /// Whether the file's name asks for a PNG; false is SVG. Throws BadInput for any other ending.
 bool plot_is_png(const Options& options);
 
-/// Draws into an open file and commits it. Throws PlotError when gnuplot is missing or fails.
+/// Draws into an open file and commits it. Throws PlotError when gnuplot is missing, fails or draws only a part, and
+/// WriteError when the file cannot be written.
 void draw(const Plot& plot, OutputFile& file, bool png);
 
 }  // namespace study

@@ -1,11 +1,10 @@
 #include "scenes.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "errors.hpp"
+#include "files.hpp"
 
 namespace study {
 
@@ -16,18 +15,11 @@ using MeshPointer = std::shared_ptr<const rollbem::Mesh<double>>;
 constexpr std::ptrdiff_t largest_n = 100000;
 
 MeshPointer mesh_from_file(const Options& options) {
-    const std::string path = options.text("edges");
-    std::ifstream file(path);
-    std::error_code error;
-    if (!file || std::filesystem::is_directory(path, error)) {
-        throw BadInput(options.said("edges") + " must be a file that can be read");
-    }
+    Lines lines(options, "edges");
     std::vector<double> edges;
-    std::string line;
-    while (std::getline(file, line)) {
-        const std::string text(detail::trim(line));
-        const std::string where = options.said("edges") + ": line " + std::to_string(edges.size() + 1) + " = " + text;
-        if (text.empty() && file.peek() == std::ifstream::traits_type::eof()) break;
+    while (lines.next()) {
+        const std::string& text = lines.text();
+        const std::string where = lines.where() + " = " + text;
         const std::optional<double> edge = detail::parse_number<double>(text);
         if (!edge || !(*edge >= -1 && *edge <= 1)) throw BadInput(where + " must be a number in [-1, 1]");
         if (edges.empty() && *edge != -1) throw BadInput(where + " must be -1, the trailing edge");

@@ -124,10 +124,10 @@ void write_table(const Options& options, const Table& table) {
     const bool quiet = options.flag("quiet");
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
-    const bool to_file = options.given("output");
-    OutputFile csv = to_file ? OutputFile(options.text("output"), "--output") : OutputFile::standard_output();
-    std::optional<OutputFile> sidecar, drawing;
-    if (csv.is_regular()) sidecar.emplace(csv.path() + ".toml", "--output");
+    const bool to_file = options.given("output") && options.text("output") != "-";
+    TableFile file(options, "output");
+    OutputFile& csv = file.rows();
+    std::optional<OutputFile> drawing;
     if (plots) drawing.emplace(options.text("plot"), "--plot");
 
     // 2. The rows.
@@ -155,13 +155,8 @@ void write_table(const Options& options, const Table& table) {
     compute_in_order(table, tasks, jobs, emit, [&] { csv.flush(); });
     progress.clear();
 
-    // 3. The files take their names, once all of both is written.
-    if (sidecar) {
-        sidecar->write(sidecar_text(options));
-        sidecar->flush();
-    }
-    csv.commit();
-    if (sidecar) sidecar->commit();
+    // 3. The files take their names.
+    file.commit();
     if (plots) draw(table.plot(kept), *drawing, png);
 }
 

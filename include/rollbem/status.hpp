@@ -2,6 +2,8 @@
 // follows from another. A broken precondition throws; a computation that went wrong says so here.
 #pragma once
 
+#include "detail/language.hpp"
+
 namespace rollbem {
 
 /// Whether a number that was computed can be used.

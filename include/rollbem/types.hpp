@@ -2,6 +2,8 @@
 // Arrays work element by element, vectors and matrices as in linear algebra.
 #pragma once
 
+#include "detail/language.hpp"
+
 #include <Eigen/Core>
 
 namespace rollbem {

@@ -9,17 +9,18 @@
 #include "../support/catch.hpp"
 #include "rollbem/accuracy/recommendation.hpp"
 #include "rollbem/accuracy/richardson.hpp"
-#include "rollbem/adhesion/frequency.hpp"
-#include "rollbem/adhesion/stability_count.hpp"
-#include "rollbem/adhesion/steady.hpp"
-#include "rollbem/adhesion/transient.hpp"
 #include "rollbem/closed_form/carter.hpp"
 #include "rollbem/closed_form/friction.hpp"
+#include "rollbem/compiled/frequency.hpp"
+#include "rollbem/compiled/stability.hpp"
+#include "rollbem/compiled/steady.hpp"
+#include "rollbem/compiled/transient.hpp"
 #include "rollbem/friction/steady.hpp"
 #include "rollbem/normal/hertz.hpp"
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/reference/step_response.hpp"
 #include "rollbem/reference/strip.hpp"
+#include "support/spectral_instances.hpp"
 
 namespace {
 
@@ -119,14 +120,12 @@ TEST_CASE("Recommended for a time loop", "[recommendation]") {
                 const double slack = tolerance > 0.05 ? 1e3 : 3;
                 check_promise(Purpose::time_loop, tolerance, slack, [&](const RecommendedScheme& best) {
                     const Mesh<double> mesh = best.mesh(best.n);
-                    InfluenceMatrices<double> matrices =
-                        assemble(mesh, best.scheme, PlaneKernel<double>::longitudinal(contact));
+                    const ElementSystem<double> system =
+                        rolling_system(mesh, best.scheme, PlaneKernel<double>::longitudinal(contact));
                     CHECK(best.order == 0);
-                    CHECK(count_unstable(matrices).unstable_count == 0);
-                    CHECK(count_unstable(matrices).status == Status::ok);
-                    const TransientModel<double> model(contact,
-                                                       rolling_system(std::move(matrices), mesh.widths(), unchecked),
-                                                       Integrator::matrix_exponential);
+                    CHECK(count_unstable<double>(system).unstable_count == 0);
+                    CHECK(count_unstable<double>(system).status == Status::ok);
+                    const TransientModel<double> model(contact, system, unchecked, Integrator::matrix_exponential);
                     const PreparedStep<double> half = model.prepare(0.5);
                     TransientState<double> state = model.at_rest(), next = state;
                     double largest = 0;
@@ -150,9 +149,10 @@ TEST_CASE("Recommended for friction", "[recommendation]") {
             const SteadyFrictionModel<double> model(wide, mesh, best.scheme, kernel,
                                                     {1, peak * mean_hertz_pressure(mesh)});
             FrictionState<double> now = model.at_rest(), next = now;
+            FrictionWorkspace<double> workspace = model.workspace();
             double largest = 0;
             for (double ratio = 0.05; ratio < 1.1; ratio += 0.025) {
-                const FrictionStep<double> point = model.solve(now, 2 * 0.72 * peak * ratio, next);
+                const FrictionStep<double> point = model.solve(now, 2 * 0.72 * peak * ratio, next, workspace);
                 CHECK(point.status == StepStatus::ok);
                 const double force_ratio = -point.force_per_width / (peak * std::numbers::pi / 2);
                 largest = std::max(largest, std::abs(force_ratio / carter_force_ratio(ratio) - 1));

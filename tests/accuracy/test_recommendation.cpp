@@ -62,6 +62,31 @@ TEST_CASE("Extrapolation is refused where the order does not fit", "[richardson]
     CHECK_THROWS_WITH(richardson(1.0, 1.0, -1), "richardson: order = -1 must be positive and finite");
 }
 
+TEST_CASE("Two of three values that agree are no convergence", "[richardson]") {
+    const auto run = [](double coarse, double middle, double fine) {
+        return extrapolate([&](std::ptrdiff_t n) { return n == 1 ? coarse : n == 2 ? middle : fine; }, 1, 1);
+    };
+    for (const auto& result : {run(1, 1, 2), run(1, 2, 2)}) {
+        CHECK(result.status == ExtrapolationStatus::order_differs);
+        CHECK(result.value == 2);
+    }
+}
+
+TEST_CASE("Values that differ by rounding have converged", "[richardson]") {
+    // a last digit up and down shows no order
+    const double epsilon = std::numeric_limits<double>::epsilon();
+    for (const double sign : {1.0, -1.0}) {
+        const auto noisy = [&](std::ptrdiff_t n) { return 1 + (n == 8 ? sign * epsilon : 0.0); };
+        const auto result = extrapolate(noisy, 4, 2);
+        CHECK(result.status == ExtrapolationStatus::ok);
+        CHECK(result.value == 1);
+        CHECK(result.error_estimate < 1e-12);
+        CHECK(std::isnan(result.observed_order));
+    }
+    const auto coarse = [](std::ptrdiff_t n) { return 1 + (n == 8 ? 1e-12 : 0.0); };
+    CHECK(extrapolate(coarse, 4, 2).status == ExtrapolationStatus::order_differs);
+}
+
 // --- Recommended schemes: that they keep their promise is tested with the problems they are for
 
 using Topology = RecommendedScheme::Topology;
@@ -84,6 +109,14 @@ TEST_CASE("The measured table, and tolerances that are refused", "[recommendatio
     CHECK(elements(1e-2, Purpose::friction) == 15);
     CHECK(elements(1e-3, Purpose::friction) == 51);
     CHECK(elements(1e-4, Purpose::friction) == 175);
+    // no fewer were measured
+    CHECK(elements(0.5, Purpose::steady) == 6);
+    CHECK(elements(0.9, Purpose::frequency) == 4);
+    CHECK(elements(0.5, Purpose::time_loop) == 4);
+    CHECK(elements(0.5, Purpose::friction) == 4);
+    // the bound is that of the elements there are
+    CHECK(recommended_scheme(0.5, Purpose::steady).error_bound == Approx(0.19 * std::pow(6, -2.8)).epsilon(1e-14));
+    CHECK(recommended_scheme(0.5, Purpose::friction).error_bound == Approx(1.4 * std::pow(4, -1.85)).epsilon(1e-14));
     for (const Purpose purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop, Purpose::friction}) {
         for (const double bad : {1.0, 0.0, -1e-3, nan, 1e-12})
             CHECK_THROWS_AS(elements(bad, purpose), std::invalid_argument);

@@ -7,15 +7,14 @@
 
 #include "../support/catch.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/stability.hpp"
-#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace rollbem {
 
 template <class Scalar>
-InfluenceMatrices<Scalar> recommended(Eigen::Index n, double alpha_T = 0.63) {
-    return assemble(uniform_mesh<Scalar>(n), Collocation{.alpha_L = 0, .alpha_T = alpha_T},
-                    StripKernel<Scalar>(1000, Scalar(0.75), Scalar(0.25)));
+RollingSystem<Scalar> recommended(Eigen::Index n, double alpha_T = 0.63) {
+    return rolling_system(uniform_mesh<Scalar>(n), Collocation{.alpha_L = 0, .alpha_T = alpha_T},
+                          StripKernel<Scalar>(1000, Scalar(0.75), Scalar(0.25)));
 }
 
 // Every settled eigenvalue of `working` has a partner in the spectrum of `wide`, within its uncertainty and with the

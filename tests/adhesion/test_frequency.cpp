@@ -9,9 +9,9 @@
 #include <gsl/gsl_sf_bessel.h>
 
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/frequency.hpp"
-#include "rollbem/adhesion/steady.hpp"
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/compiled/frequency.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 namespace {
 
@@ -94,14 +94,13 @@ TEST_CASE("A sweep tells of a scheme that converges to something else than full 
 
 TEST_CASE("Both routes agree, on frequencies of either sign and on complex growth", "[frequency]") {
     const auto check = [](const auto& mesh, const auto& scheme, const auto& kernel) {
-        const InfluenceMatrices<double> matrices = assemble(mesh, scheme, kernel);
-        const ArrayX<double> widths = unknown_widths(mesh, scheme);
-        const FrequencySweep<double> sweep(matrices, widths);
+        const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
+        const FrequencySweep<double> sweep(system);
         REQUIRE(sweep.reduced());
         for (const Complex s :
              {Complex(0, 0), Complex(0, 1e-3), Complex(0, 1), Complex(0, -1), Complex(0, 7.3), Complex(0, 60),
               Complex(0, 1e5), Complex(0, 1e300), Complex(0.3, 2), Complex(2, 0), Complex(-0.5, 1)}) {
-            const HarmonicSolution<double> full = solve_exponential(matrices, widths, s);
+            const HarmonicSolution<double> full = solve_exponential(system, s);
             const SweepPoint<double> point = sweep.at(s);
             CAPTURE(mesh.size(), s, std::abs(point.c11 / full.c11 - 1.0), point.residual, full.residual);
             CHECK(full.status == Status::ok);
@@ -172,32 +171,24 @@ TEST_CASE("At high frequency the contact is a spring", "[frequency]") {
 TEST_CASE("Where G' is nearly singular a sweep takes the LU", "[frequency]") {
     const auto mesh = uniform_mesh(40);
     const Collocation scheme{.alpha_L = 0, .alpha_T = 1.35};
-    const InfluenceMatrices<double> matrices = assemble(mesh, scheme, plane(1000));
-    const FrequencySweep<double> sweep(matrices, mesh.widths());
+    const RollingSystem<double> system = rolling_system(mesh, scheme, plane(1000));
+    const FrequencySweep<double> sweep(system);
     CHECK_FALSE(sweep.reduced());
-    CHECK(sweep(1.0).c11 == solve_harmonic<double>(matrices, mesh.widths(), 1.0).c11);
-    InfluenceMatrices<double> broken = matrices;
-    broken.G(0, 0) = std::numeric_limits<double>::quiet_NaN();
-    CHECK(FrequencySweep<double>(broken, mesh.widths())(1.0).status == Status::not_finite);
-    InfluenceMatrices<double> singular = matrices;
-    singular.G_prime.row(1) = singular.G_prime.row(0);
-    CHECK(FrequencySweep<double>(singular, mesh.widths())(0.0).status != Status::ok);
+    CHECK(sweep(1.0).c11 == solve_harmonic(system, 1.0).c11);
+    MatrixX<double> singular = system.G_prime();
+    singular.row(1) = singular.row(0);
+    CHECK(FrequencySweep<double>(ElementSystem<double>(system.G(), singular, mesh.widths()))(0.0).status != Status::ok);
 }
 
 TEST_CASE("Frequency problems refuse bad input by name", "[frequency]") {
     const auto mesh = uniform_mesh(10);
-    const InfluenceMatrices<double> matrices = assemble(mesh, Collocation{}, plane(100));
-    const FrequencySweep<double> sweep(matrices, mesh.widths());
+    const RollingSystem<double> system = rolling_system(mesh, Collocation{}, plane(100));
+    const FrequencySweep<double> sweep(system);
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH(sweep(infinity), "FrequencySweep: omega a/V = inf must be finite");
-    CHECK_THROWS_WITH(
-        solve_harmonic<double>(matrices, mesh.widths(), std::nan("")),
-        Catch::Matchers::ContainsSubstring("omega a/V = ") && Catch::Matchers::ContainsSubstring("must be finite"));
+    CHECK_THROWS_WITH(solve_harmonic(system, std::nan("")), Catch::Matchers::ContainsSubstring("omega a/V = ") &&
+                                                                Catch::Matchers::ContainsSubstring("must be finite"));
     CHECK_THROWS_AS(sweep.at(Complex(infinity, 0)), std::invalid_argument);
-    CHECK_THROWS_AS(FrequencySweep<double>(matrices, mesh.widths().head(9)), std::invalid_argument);
-    CHECK_THROWS_AS(
-        solve_harmonic<double>(InfluenceMatrices<double>{matrices.G, matrices.G_prime.leftCols(9)}, mesh.widths(), 1.0),
-        std::invalid_argument);
     CHECK_THROWS_AS(solve_harmonic(mesh, Collocation{}, plane(infinity), 1.0), std::invalid_argument);
 }
 
@@ -214,6 +205,47 @@ TEST_CASE("The plane kernel is refused where the plane model is unstable", "[fre
     CHECK_THROWS_AS(FrequencySweep<double>(rolling_system(mesh, Collocation{}, plane(0.1))), std::invalid_argument);
     CHECK(solve_harmonic(mesh, Collocation{}, StripKernel<double>(0.1, 1 - nu, nu), 1.0).status == Status::ok);
     CHECK(solve_steady(mesh, Collocation{}, plane(0.1)).status == Status::ok);
+}
+
+TEST_CASE("Both routes tell of a frequency at which the equations are singular", "[frequency]") {
+    // (G' - s G) has the entries eps and 2, in either order
+    const ArrayX<double> two = ArrayX<double>::Ones(2);
+    const Complex s = 1 + std::numeric_limits<double>::epsilon();
+    for (const Eigen::Vector2d& entries : {Eigen::Vector2d(-1, -3), Eigen::Vector2d(-3, -1)}) {
+        const RollingSystem<double> system(entries.asDiagonal(), -MatrixX<double>::Identity(2, 2), two);
+        const FrequencySweep<double> sweep(system);
+        REQUIRE(sweep.reduced());
+        CHECK(sweep.at(s).status == Status::ill_conditioned);
+        CHECK(solve_exponential(system, s).status == Status::ill_conditioned);
+        CHECK(sweep.at(1.5).status == Status::ok);
+        CHECK(solve_exponential(system, 1.5).status == Status::ok);
+    }
+}
+
+TEST_CASE("A sweep goes round a pivot of zero", "[frequency]") {
+    // I - s H = [.5 -.25; -.25 0]
+    const ArrayX<double> two = ArrayX<double>::Ones(2);
+    const RollingSystem<double> system(-Eigen::Matrix2d{{0.5, 0.25}, {0.25, 1}}, -MatrixX<double>::Identity(2, 2), two);
+    const FrequencySweep<double> sweep(system);
+    REQUIRE(sweep.reduced());
+    const SweepPoint<double> point = sweep.at(1.0);
+    const HarmonicSolution<double> full = solve_exponential(system, 1.0);
+    REQUIRE(full.status == Status::ok);
+    CHECK(point.status == Status::ok);
+    CHECK(std::abs(point.c11 / full.c11 - 1.0) < 1e-14);
+}
+
+TEST_CASE("Two equal equations are seen at any frequency", "[frequency]") {
+    // what estimates of the inverse from a few vectors take for a condition of 4
+    const ArrayX<double> three = ArrayX<double>::Ones(3);
+    const RollingSystem<double> system(Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}},
+                                       Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80, three);
+    const FrequencySweep<double> sweep(system);
+    CHECK_FALSE(sweep.reduced());
+    CHECK(sweep(0).status == Status::ill_conditioned);
+    CHECK(solve_harmonic(system, 0).status == Status::ill_conditioned);
+    CHECK(solve_harmonic(system, 0).rcond == 0);
+    CHECK(solve_steady<double>(system.G_prime(), three).status == Status::ill_conditioned);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/compiled/frequency.hpp"
 
 namespace {
 
@@ -14,11 +14,11 @@ using namespace rollbem;
 template <class Scalar>
 std::complex<long double> c11(long double z) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(40);
-    const InfluenceMatrices<Scalar> matrices = assemble(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+    const RollingSystem<Scalar> system = rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                                         PlaneKernel<Scalar>(1000, Scalar(0.75), Scalar(0.25)));
-    const FrequencySweep<Scalar> sweep(matrices, mesh.widths());
+    const FrequencySweep<Scalar> sweep(system);
     const SweepPoint<Scalar> point = sweep(static_cast<Scalar>(z));
-    const HarmonicSolution<Scalar> plain = solve_harmonic<Scalar>(matrices, mesh.widths(), static_cast<Scalar>(z));
+    const HarmonicSolution<Scalar> plain = solve_harmonic(system, static_cast<Scalar>(z));
     CHECK(sweep.reduced());
     CHECK(point.status == Status::ok);
     CHECK(plain.status == Status::ok);

@@ -19,9 +19,9 @@ TEST_CASE("Signs settled in float are those of double", "[stability]") {
 
 TEST_CASE("Both routes count alike in float", "[stability]") {
     for (const double alpha_T : {0.5, 0.63, 1.0}) {
-        const InfluenceMatrices<float> matrices = recommended<float>(20, alpha_T);
-        CHECK(count_unstable(matrices).status == Status::ok);
-        CHECK(count_unstable(matrices).unstable_count == solve_stability(matrices).unstable_count);
+        const RollingSystem<float> system = recommended<float>(20, alpha_T);
+        CHECK(count_unstable(system).status == Status::ok);
+        CHECK(count_unstable(system).unstable_count == solve_stability(system).unstable_count);
     }
 }
 

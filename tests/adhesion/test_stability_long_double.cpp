@@ -21,9 +21,9 @@ TEST_CASE("Signs settled in double are those of long double", "[stability]") {
 
 TEST_CASE("Both routes count alike in long double", "[stability]") {
     for (const double alpha_T : {0.5, 0.63, 1.0}) {
-        const InfluenceMatrices<long double> matrices = recommended<long double>(20, alpha_T);
-        CHECK(count_unstable(matrices).status == Status::ok);
-        CHECK(count_unstable(matrices).unstable_count == solve_stability(matrices).unstable_count);
+        const RollingSystem<long double> system = recommended<long double>(20, alpha_T);
+        CHECK(count_unstable(system).status == Status::ok);
+        CHECK(count_unstable(system).unstable_count == solve_stability(system).unstable_count);
     }
 }
 

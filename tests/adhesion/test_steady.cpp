@@ -8,8 +8,8 @@
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/steady.hpp"
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 namespace {
 
@@ -267,6 +267,19 @@ TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force 
     }
 }
 
+TEST_CASE("A twentieth of the traction may push with the creepage, not more", "[steady]") {
+    const ArrayX<double> widths = ArrayX<double>::Constant(10, 0.2);
+    for (const Eigen::Index wrong : {0, 4, 9}) {
+        const auto status = [&](double pushing) {  // beside nine elements with a traction of -1
+            VectorX<double> diagonal = VectorX<double>::Constant(10, -1);
+            diagonal[wrong] = 1 / pushing;
+            return solve_steady<double>(diagonal.asDiagonal().toDenseMatrix(), widths).status;
+        };
+        CHECK(status(0.46) == Status::ok);            // 0.0486
+        CHECK(status(0.49) == Status::inconsistent);  // 0.0516
+    }
+}
+
 TEST_CASE("A scheme that converges to something else than full adhesion is told", "[steady]") {
     const PlaneKernel<double> kernel(1000, 0.75, 0.25);
     struct Case {
@@ -329,6 +342,68 @@ TEST_CASE("Two points in one place leave G' singular; the status says so", "[ste
                      StripKernel<double>(18713779409.996429, 1 - 0.33151985305346909, 0.33151985305346909));
     CAPTURE(solution.rcond, solution.c11);
     CHECK(solution.status == Status::ill_conditioned);
+}
+
+TEST_CASE("Where the status of a steady solution changes", "[steady]") {
+    const double eps = std::numeric_limits<double>::epsilon();
+    const ArrayX<double> two = ArrayX<double>::Ones(2);
+    const auto diagonal = [&](double first, double second) {
+        return solve_steady<double>(Eigen::Vector2d(first, second).asDiagonal().toDenseMatrix(), two);
+    };
+    // rcond = d; trusted above 100 n eps
+    CHECK(diagonal(-1, -190 * eps).status == Status::ill_conditioned);
+    CHECK(diagonal(-1, -210 * eps).status == Status::ok);
+    CHECK(diagonal(-1, -210 * eps).rcond == Approx(210 * eps));
+    // tractions on the wrong side mean something only where they can be trusted
+    CHECK(diagonal(1, 0.5).status == Status::inconsistent);
+    CHECK(diagonal(1, 190 * eps).status == Status::ill_conditioned);
+    // a residual of 0.5e-13 or 0.4e-13, trusted up to 100 n eps = 0.444e-13
+    const auto with_error = [&](double error) {
+        MatrixX<double> G_prime = -MatrixX<double>::Identity(2, 2);
+        return detail::solve_steady_in_place<double>(
+            G_prime, two, [&](const VectorX<double>& p) -> VectorX<double> { return -(1 + error) * p; });
+    };
+    CHECK(with_error(1e-10).status == Status::ill_conditioned);
+    CHECK(with_error(1e-13).status == Status::ill_conditioned);
+    CHECK(with_error(0.8e-13).status == Status::ok);
+}
+
+/// The strip kernel and how many distances it has been asked for.
+struct CountingKernel {
+    using Scalar = double;
+    StripKernel<double> kernel;
+    Eigen::Index* count;
+
+    ArrayX<double> g(const ArrayX<double>& x) const { return *count += x.size(), kernel.g(x); }
+    ArrayX<double> H(const ArrayX<double>& x) const { return *count += x.size(), kernel.H(x); }
+    ArrayX<double> H_integral(const ArrayX<double>& x) const { return *count += x.size(), kernel.H_integral(x); }
+};
+
+TEST_CASE("A steady solution asks its kernel for G' once and for nothing else", "[steady]") {
+    Eigen::Index count = 0;
+    const CountingKernel kernel{{10, 0.75, 0.25}, &count};
+    const Mesh<double> mesh = cosine_mesh(12);
+    assemble_G_prime(mesh, Collocation{}, kernel);
+    const Eigen::Index once = count;
+    CHECK(once > 0);
+    CHECK(solve_steady(mesh, Collocation{}, kernel).status == Status::ok);
+    CHECK(count == 2 * once);
+}
+
+TEST_CASE("The creepage takes the contact's scalar type", "[steady]") {
+    const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
+    const Mesh<double> mesh = uniform_mesh(4);
+    const SteadySolution<double> half = solve_steady(contact, mesh, Collocation{}, 0.5);
+    CHECK(solve_steady(contact, mesh, Collocation{}, 0.5f).force_per_width == half.force_per_width);
+    CHECK(solve_steady(contact, mesh, Collocation{}, 1).force_per_width == 2 * half.force_per_width);
+}
+
+TEST_CASE("Forces and widths that are not finite are told", "[steady]") {
+    const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
+    CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1.0).status == Status::ok);
+    CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1e10).status == Status::not_finite);
+    const ArrayX<double> widths = Eigen::Array2d(1, std::numeric_limits<double>::quiet_NaN());
+    CHECK(solve_steady<double>(-MatrixX<double>::Identity(2, 2), widths).status == Status::not_finite);
 }
 
 }  // namespace

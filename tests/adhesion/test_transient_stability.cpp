@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/stability.hpp"
-#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/compiled/stability.hpp"
+#include "rollbem/compiled/transient.hpp"
 
 namespace {
 
@@ -19,8 +19,8 @@ constexpr double aspect = 100;
 Contact<double> contact() { return Contact<double>::dimensionless(aspect, 0.25); }
 
 TransientModel<double> make_model(Eigen::Index n, const Collocation& scheme, Integrator integrator) {
-    return {contact(), uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact()), unchecked,
-            integrator};
+    return {contact(), rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())),
+            unchecked, integrator};
 }
 
 StabilityVerdict make_verdict(Eigen::Index n, const Collocation& scheme) {

@@ -102,11 +102,6 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
     NR == 2 && $10 < -3.0e-5 && $10 > -3.2e-5 && $7 / $8 - 1 - $10 < 1e-12 { ok = 1 } END { exit !ok }' ||
     fail "relative error at n = 20"
 
-# a configuration file; the command line wins
-printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
-good 5 "$steady" --config c.toml
-good 3 "$steady" --config c.toml --n 30
-
 # jobs and shards change nothing
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 | cut -d, -f1-11 >one
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 --jobs 3 >three
@@ -130,6 +125,16 @@ if command -v python3 >/dev/null && python3 -c 'import tomllib' 2>/dev/null; the
     cat ./q*.toml | python3 -c 'import sys, tomllib; tomllib.loads(sys.stdin.buffer.read().decode())' || fail "TOML"
     rm -f ./q*
 fi
+if shared=$(mktemp /dev/shm/rollbem-XXXXXX 2>/dev/null); then
+    "$steady" --n 10 --output "$shared" && [ "$(wc -l <"$shared")" -eq 2 ] && [ -e "$shared.toml" ] ||
+        fail "a file below /dev that is there"
+    rm -f "$shared" "$shared.toml"
+fi
+ln -s there.csv dangling.csv && ln -s loop.csv loop.csv
+"$steady" --n 10 --output dangling.csv || fail "--output dangling.csv"
+[ -h dangling.csv ] && [ ! -h there.csv ] && [ "$(wc -l <there.csv)" -eq 2 ] || fail "a dangling link as output"
+"$steady" --n 10 --output loop.csv 2>err
+[ $? -eq 2 ] && [ -h loop.csv ] && grep -q 'must be a file that can be written' err || fail "a loop of links as output"
 [ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left"
 
 # errors while writing
@@ -190,9 +195,10 @@ PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
 code=$?
 [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code instead of 3 without gnuplot"
 [ "$(wc -l <rows.csv)" -eq 3 ] && [ ! -e rows.svg ] || fail "files without gnuplot"
-# a gnuplot that is killed, fails, draws nothing or does not listen: the older plot stays
+# a gnuplot that is killed, fails, draws nothing or a part, or does not listen: the older plot stays
 mkdir bin
-for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null'; do
+for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null' \
+    'cat >/dev/null; echo "<svg>"'; do
     printf '#!/bin/sh\n%s\n' "$end" >bin/gnuplot && chmod +x bin/gnuplot
     rm -f rows.csv && echo old >rows.svg
     PATH=$scratch/bin:$PATH "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
@@ -206,6 +212,25 @@ if command -v gnuplot >/dev/null; then
     grep -q '</svg>' steady.svg || fail "steady.svg is not whole"
     "$traction" --n 10,20 --plot traction.png >out 2>err || fail "traction plot: $(cat err)"
     [ "$(head -c 4 traction.png | tail -c 3)" = PNG ] || fail "traction.png is no PNG"
+    # a disk that is full, be it only for the plot: the older one stays
+    ln -s /dev/full full.svg
+    for picture in full.svg cut.svg cut.png; do
+        [ -h $picture ] || echo old >$picture
+        (ulimit -f 8 && "$steady" --n 10,20 --plot $picture >out 2>err)
+        [ $? -eq 4 ] && grep -q "$picture cannot be written" err && [ "$(wc -l <err)" -eq 1 ] ||
+            fail "a full disk under $picture: $(cat err)"
+        [ "$(wc -l <out)" -eq 3 ] || fail "rows with a full disk under $picture"
+        [ -h $picture ] || [ "$(cat $picture)" = old ] || fail "a full disk cuts $picture"
+    done
+    ln -s there.svg dangling.svg
+    "$steady" --n 10,20 --plot dangling.svg >out && [ -h dangling.svg ] && grep -q '</svg>' there.svg ||
+        fail "a dangling link as plot"
+    mkfifo pipe.svg
+    cat pipe.svg >through &
+    "$steady" --n 10,20 --plot pipe.svg >out || fail "a plot through a pipe"
+    wait
+    grep -q '</svg>' through && [ -p pipe.svg ] || fail "a plot through a pipe is not whole"
 fi
+[ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left by plots that failed"
 
 finish

@@ -88,10 +88,28 @@ awk -F, 'NR == 2 { small = ($8 / 0.02 - 1) ^ 2 < 0.2 ^ 2 } NR == 3 { slid = ($8 
     END { exit !(small && slid) }' out || fail 'a gap in the pressure'
 good 3 $steady --n 10,20 --creepage-ratio 0.5 --jobs 2 --tractions t
 check 'no times with --jobs' '$14 == "" && $15 == ""'
-[ "$(head -n 1 t)" = n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh ] || fail "columns of the tractions"
+traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status
+[ "$(head -n 1 t)" = $traction_columns ] || fail "columns of the tractions"
+grep -q '^command_line = ".* --creepage-ratio 0.5 --jobs 2 --tractions t"$' t.toml || fail "companion of the tractions"
 awk -F, 'NR > 1 { rows += 1; if ($4 < 0 && -$4 <= $5 * (1 + 1e-12) && ($6 == 1) == ($7 == 0) && $7 >= 0) good += 1;
     if (($4 - $8) ^ 2 < 0.2 ^ 2 && ($6 == 1 || -$4 == $5)) near += 1 } END { exit !(rows == 30 && good == 30 && near == 30) }' t ||
     fail 'tractions within their bound'
+# tractions of two schemes: which is which, and which is wrong
+good 3 $steady --n 20 --mesh uniform --alpha 0.5,1.5 --creepage-ratio 0.5 --tractions t
+awk -F, 'NR > 1 && $12 == 0.5 && $13 == 0.5 && $14 == "ok" && $4 < 0 && $6 != "" && $7 != "" { trusted += 1 }
+    NR > 1 && $12 == 1.5 && $13 == 1.5 && $14 == "inconsistent" && $4 $6 $7 == "" && $5 > 0 && $8 < 0 { refused += 1 }
+    NR > 1 && $9 == "uniform" && $10 == "collocation" && $11 == "fd" { named += 1 }
+    END { exit !(trusted == 20 && refused == 20 && named == 40 && NR == 41) }' t || fail "tractions of two schemes: $(cat t)"
+good 2 $steady --n 20 --method galerkin --creepage-ratio 0.5 --tractions t
+awk -F, 'NR > 1 && !($10 == "galerkin" && $11 == "analytic" && $14 == "ok") { bad = 1 } END { exit bad || NR != 21 }' t ||
+    fail "tractions by galerkin"
+good 2 $steady --n 20 --fit-border --creepage-ratio 0.5 --tractions t
+awk -F, 'NR > 1 && !($9 == "fitted" && $12 == 0 && $13 == 0.5 && $14 == "ok") { bad = 1 } END { exit bad || NR != 21 }' t ||
+    fail "tractions on a fitted mesh"
+good 0 $steady --n 20 --creepage-ratio 0.5 --output x.csv --tractions /dev/null
+(ulimit -f 1 && $steady --n 10 --creepage-ratio 0.5 --output /dev/null --tractions t 2>err)
+[ $? -eq 4 ] && grep -q 't.toml cannot be written' err && [ "$(wc -l <t)" -eq 21 ] || fail "a full disk under the tractions"
+rm -f t.toml
 shards $steady --n 6,9 --creepage-ratio 0.2,0.5,0.9
 for k in 1 2 3; do $steady --n 6,9 --creepage-ratio 0.2,0.5 --shard $k/3 --tractions t$k >/dev/null; done
 $steady --n 6,9 --creepage-ratio 0.2,0.5 --jobs 2 --tractions t >/dev/null
@@ -150,6 +168,8 @@ if command -v gnuplot >/dev/null; then
     [ "$(grep -c '</svg>' s.svg)" -eq 1 ] && grep -q Carter s.svg && grep -q stick s.svg || fail 'creep curve and tractions'
     good 3 $study --n 20 --creepage-ratio 0.3,-0.4 --fit-border --plot s.png --tractions t
     [ "$(wc -l <t)" -eq 41 ] || fail 'tractions beside a plot'
+    good 2 $study --n 20 --mesh uniform --alpha 1.5 --creepage-ratio 0.5 --plot w.svg
+    grep -q bound w.svg && fail 'wrong tractions in the plot'
     good 21 $rolling --creepage-ratio 0.5 --until 1 --plot r.svg
     grep -q 'Carter, steady' r.svg || fail 'the steady limit in the plot'
     good 41 $rolling --sine 1,1 --until 2 --plot l.svg

@@ -11,7 +11,7 @@
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/assembly/influence.hpp"
+#include "rollbem/compiled/assembly.hpp"
 
 namespace {
 

@@ -1,5 +1,6 @@
 // rollbem/assembly/detail/line_integrals.hpp
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 #include <vector>
 
@@ -76,6 +77,22 @@ TEST_CASE("The series of far entries is cut off below rounding", "[line_integral
         for (const int averages : {0, 1}) {
             check_rows(uniform_mesh(n), uniform_mesh<Real>(n), kernel, averages, true, 1e-13);
         }
+    }
+}
+
+TEST_CASE("The slope of one element at any distance", "[line_integrals]") {
+    // whatever the number of terms: ln((d + h)/(d - h)) = 2 atanh(h/d)
+    const PlaneKernel<double> kernel(100, 0.75, 0.25);
+    const double strength = 1.5 / std::numbers::pi, half = 0.125;
+    for (double ratio = 0.005; ratio < 1.0 / 3; ratio *= 1.01) {
+        const double d = half / ratio;
+        const auto one = [](double value) { return ArrayX<double>::Constant(1, value); };
+        MatrixX<double> entry(1, 1);
+        detail::LineIntegrals<double>(kernel, Quantity::slope, 0, {one(d), one(-d), one(0), one(half)},
+                                      {one(0), one(0), one(half)}, false)
+            .fill(entry);
+        CAPTURE(ratio, entry(0, 0));
+        CHECK(std::abs(entry(0, 0) / (-2 * strength * std::atanh(half / d)) - 1) < 2e-15);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "../support/catch.hpp"
@@ -173,6 +174,10 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     // as accepted from vectors and expressions
     const Eigen::Vector3d ends(-2, 0, 2);
     CHECK(mesh_from_edges<double>(ends / 2).size() == 2);
+    // the scalar type is that of the edges unless another is asked for
+    CHECK(std::is_same_v<decltype(mesh_from_edges(edges)), Mesh<double>>);
+    CHECK(std::is_same_v<decltype(mesh_from_edges(Eigen::ArrayXf())), Mesh<float>>);
+    CHECK((mesh_from_edges(edges).widths() == mesh.widths()).all());
     // a round trip through the edges of every maker
     for (const auto& [name, made] : reference::every_mesh<double>(12)) {
         const Mesh<double> again = mesh_from_edges<double>(made.edges());
@@ -231,6 +236,20 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
         data.edges_from_leading[1] = wrong;
         CHECK_THROWS_AS(Mesh<double>(data), std::invalid_argument);
     }
+    // the two distances of an edge agree to rounding
+    data = good;
+    data.edges_from_leading[1] = 1.5 * (1 + 1e-15);
+    CHECK_NOTHROW(Mesh<double>(data));
+    data.edges_from_leading[1] = 1.5 * (1 + 1e-13);
+    CHECK_THROWS_WITH(Mesh<double>(data),
+                      Catch::Matchers::ContainsSubstring("Mesh: (1 + x) + (1 - x) - 2 of an edge = 1.5") &&
+                          Catch::Matchers::ContainsSubstring("e-13 must be 0 to rounding"));
+    data = good;
+    data.widths[1] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: element width = nan must be positive and finite");
+    data = good;
+    data.edges_from_leading[1] = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: 1 - x of an edge = inf must be finite");
     // ratios so extreme that elements vanish are refused, not returned as a broken mesh
     for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }

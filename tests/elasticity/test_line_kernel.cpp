@@ -183,6 +183,24 @@ TEMPLATE_TEST_CASE("The split of the wide strip is g to rounding", "[kernel]", f
     CHECK(plane->even.size() == 0);
 }
 
+TEST_CASE("The split of a strip whose logarithm is faint has terms enough", "[kernel]") {
+    // the terms left out are measured by the logarithm, c1, but most of them come from c2
+    const double b = 8, reach = 2, c1 = 0.01, c2 = 1;
+    const reference::Kernel exact{false, b, static_cast<Real>(c1), c2};
+    const auto split = StripKernel<double>(b, c1, c2).log_split(reach);
+    REQUIRE(split.has_value());
+    for (const Real x : {Real(0.5), Real(1), Real(1.5), Real(2)}) {
+        Real rest = 0, size = static_cast<Real>(split->strength) / x;  // of the slope
+        for (Eigen::Index k = 1; k <= split->even.size(); ++k) {
+            rest += static_cast<Real>(2 * k) * static_cast<Real>(split->even[k - 1]) *
+                    std::pow(x, static_cast<Real>(2 * k - 1));
+        }
+        const Real error = rest - size - exact.slope(x);
+        CAPTURE(static_cast<double>(x), split->even.size());
+        CHECK(static_cast<double>(std::abs(error) / size) < 8 * std::numeric_limits<double>::epsilon());
+    }
+}
+
 TEST_CASE("Taylor coefficients of the strip reproduce g about any point", "[kernel]") {
     for (const double b : {0.01, 0.3, 1.0, 4.0, 1000.0}) {
         for (const auto& [c1, c2] : {std::pair{0.75, 0.25}, {1.0, -0.25}, {0.5, 0.5}}) {

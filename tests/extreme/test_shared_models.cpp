@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
@@ -100,7 +100,7 @@ TEST_CASE("Frequency response, reduced or not, and polynomials", "[threads]") {
     MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
     weak.row(3) *= 1e-9;  // no reduction, but nothing to object to
     const FrequencySweep<double> full(
-        RollingSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
+        ElementSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
     REQUIRE(reduced.reduced());
     REQUIRE(!full.reduced());
     check_shared([&] {

@@ -13,6 +13,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/observed_order.hpp"
+#include "../support/scalars.hpp"
 #include "rollbem/adhesion/steady.hpp"
 #include "rollbem/adhesion/transient.hpp"
 #include "rollbem/closed_form/friction.hpp"
@@ -344,42 +345,20 @@ TEST_CASE("units: the same problem in SI", "[friction]") {
     }
 }
 
-// Force ratio after steps with a changing dq and creepage, and the steady one, computed in Scalar.
-template <class Scalar>
-std::pair<Scalar, Scalar> rolled_and_steady(const Scene& scene) {
-    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(10, Scalar(nu));
-    const ElementSystem<double> system = scene.system();
-    const ArrayX<Scalar> widths = system.weights().template cast<Scalar>();
-    const MatrixX<Scalar> G = system.G().template cast<Scalar>(), G_prime = system.G_prime().template cast<Scalar>();
-    const CoulombFriction<Scalar> friction{1, scene.friction.normal_pressure.template cast<Scalar>()};
-    const FrictionModel<Scalar> model(contact, {G, G_prime, widths}, unchecked,
-                                      {friction.friction_coefficient, friction.normal_pressure}, Integrator::sdirk2);
-    FrictionState<Scalar> now = model.at_rest(), next = now;
-    FrictionWorkspace<Scalar> workspace = model.workspace();
-    FrictionStep<Scalar> step;
-    for (int k = 0; k < 50; ++k) {
-        step = model.advance(now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25), Scalar(creepage(k % 20 < 10 ? 0.9 : -0.4)),
-                             next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        std::swap(now, next);
-    }
-    // the law in braces
-    const SteadyFrictionModel<Scalar> steady(contact, G_prime, widths,
-                                             {friction.friction_coefficient, friction.normal_pressure});
-    now.system = steady.fingerprint();  // sought from the zones of rolling
-    return {step.force_per_width / Scalar(full_force),
-            steady.solve(now, Scalar(creepage(0.95)), next, workspace).force_per_width / Scalar(full_force)};
-}
-
 TEST_CASE("friction in every scalar type", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
-    const auto [rolled, steady] = rolled_and_steady<double>(scene);
-    const auto [rolled_float, steady_float] = rolled_and_steady<float>(scene);
-    const auto [rolled_long, steady_long] = rolled_and_steady<long double>(scene);
-    CHECK(std::abs(double(rolled_float) - rolled) < 1e-4);
-    CHECK(std::abs(double(steady_float) - steady) < 1e-4);
-    CHECK(std::abs(double(rolled_long) - rolled) < 1e-12);
-    CHECK(std::abs(double(steady_long) - steady) < 1e-12);
+    const auto ratios = [&]<class Scalar>(Scalar) {
+        const auto [rolled, steady] =
+            rolled_and_steady<Scalar>(scene.contact, scene.system(), scene.friction.normal_pressure, creepage(1));
+        return std::pair(double(rolled) / full_force, double(steady) / full_force);
+    };
+    const auto [rolled, steady] = ratios(1.0);
+    const auto [rolled_float, steady_float] = ratios(1.0f);
+    const auto [rolled_long, steady_long] = ratios(1.0L);
+    CHECK(std::abs(rolled_float - rolled) < 1e-4);
+    CHECK(std::abs(steady_float - steady) < 1e-4);
+    CHECK(std::abs(rolled_long - rolled) < 1e-12);
+    CHECK(std::abs(steady_long - steady) < 1e-12);
 }
 
 TEST_CASE("bad input to friction is refused by name, or answered by a status", "[friction]") {

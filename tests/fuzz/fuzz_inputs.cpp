@@ -47,7 +47,7 @@ void require(bool holds, const char* what) {
 /// Reads the words as a study would. Only refusals by std::invalid_argument get out.
 void take(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
-    options.add("history", "FILE", "a file");
+    options.add_input("history", "a file");
     options.add("omega", "LIST", "numbers");
     options.refuse("plot", "there is nothing to draw");
     std::vector<const char*> argv{"fuzz"};

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/elasticity/plane_model.hpp>
-#include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/polynomial.hpp>

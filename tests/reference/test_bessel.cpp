@@ -189,6 +189,21 @@ TEST_CASE("no exact eigenvalue is missed or found twice", "[bessel]") {
     }
 }
 
+TEST_CASE("more exact eigenvalues begin with the fewer", "[bessel]") {
+    gsl_set_error_handler_off();
+    // at Lambda = 1.999 a real eigenvalue lies among those that are enumerated by their imaginary parts
+    for (const double lambda : {1.98, 1.995, 1.999}) {
+        const double aspect = std::exp(lambda) / 4;  // nu = 0
+        const std::vector<Complex> few = reference::eigenvalues(60, 0, aspect);
+        const std::vector<Complex> many = reference::eigenvalues(80, 0, aspect);
+        REQUIRE(few.size() == 60);
+        for (std::size_t k = 0; k < few.size(); ++k) {
+            CAPTURE(lambda, k, few[k], many[k]);
+            CHECK(few[k] == many[k]);
+        }
+    }
+}
+
 TEST_CASE("the references refuse bad input by name", "[bessel]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();

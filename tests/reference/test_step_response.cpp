@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_errno.h>
 
+#include "rollbem/detail/gauss_legendre.hpp"
 #include "rollbem/reference/step_response.hpp"
 #include "support/catch.hpp"
 
@@ -98,6 +99,24 @@ TEST_CASE("the ramp is the integral of the step, the sine ends in the harmonic r
     const std::complex<double> harmonic =
         reference::harmonic_c11(omega, poisson_ratio, 100) * std::polar(1.0, omega * q);
     CHECK(std::abs(response.sine(omega, q) - harmonic.imag()) < 1e-12);
+}
+
+TEST_CASE("a fast sine from rest", "[step_response]") {
+    gsl_set_error_handler_off();
+    // Duhamel's integral of the step response; Taylor's series would cancel like e^{omega q}
+    const StepResponse response(poisson_ratio, 100);
+    const auto rule = rollbem::detail::gauss_legendre<double>(200);
+    for (const double omega : {15.0, 30.0, 60.0, 100.0}) {
+        for (const double q : {0.3, 0.7, 1.0, 1.45}) {
+            double sum = 0;
+            for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+                const double t = q / 2 * (1 + rule.nodes[k]);
+                sum += rule.weights[k] * q / 2 * response.step(q - t) * omega * std::cos(omega * t);
+            }
+            CAPTURE(omega, q, sum);
+            CHECK(std::abs(response.sine(omega, q) - sum) < 1e-11);
+        }
+    }
 }
 
 TEST_CASE("piecewise linear histories", "[step_response]") {

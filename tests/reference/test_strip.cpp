@@ -8,6 +8,7 @@
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/reference/strip.hpp"
 #include "support/catch.hpp"
+#include "support/spectral_instances.hpp"
 
 namespace {
 
@@ -45,6 +46,15 @@ TEST_CASE("The middle line of a narrow strip", "[strip]") {
     CHECK(strip_c11(Complex(0, 2), 0.25, 0.3).c11 == std::conj(strip_c11(Complex(0, -2), 0.25, 0.3).c11));
     // the limit of low frequency has no jump to the steady equations, which are set up apart
     CHECK(std::abs(strip_c11(Complex(0, 1e-12), 0.25, 0.3).c11 / strip_c11(0, 0.25, 0.3).c11 - 1.0) < 1e-10);
+}
+
+TEST_CASE("The estimate tells where two thirds of the order fall short", "[strip]") {
+    for (const double b : {1.0, 10.0, 1e8}) {
+        const rollbem::reference::StripC11 strip = strip_c11(Complex(0, 200), 0.28, b);
+        CAPTURE(b, strip.error_estimate);
+        CHECK(strip.error_estimate > 1e-12);
+        CHECK(strip.error_estimate < 1e-9);
+    }
 }
 
 TEST_CASE("What is out of range is refused", "[strip]") {

@@ -4,12 +4,13 @@
 #include <limits>
 #include <string>
 
-#include <Eigen/Eigenvalues>
 #include <gsl/gsl_errno.h>
 
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 #include "support/catch.hpp"
+#include "support/dense.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -38,6 +39,32 @@ TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomi
     }
     CAPTURE(largest * 1e15);
     CHECK(largest < 5e-15);
+}
+
+TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
+    gsl_set_error_handler_off();
+    for (const double z : {1e3, 3e3, 1e4, 3e4, 1e5}) {
+        const PolynomialC11<double> solution = polynomial_c11(Complex(0, z), 0.25, 100.0);
+        const double error = relative_error(solution.c11, reference::harmonic_c11(z, 0.25, 100.0));
+        CAPTURE(z, error, solution.error_estimate);
+        CHECK(solution.status == PolynomialStatus::ok);
+        CHECK(error < 1e-11);
+    }
+}
+
+TEST_CASE("Chebyshev passes over a pivot that is exactly zero", "[polynomial]") {
+    // the last but one pivot is 1 + s^2/(4 order (order - 1)), which rounds to zero at these orders
+    for (const Eigen::Index order : {6, 13, 40}) {
+        const double y = 2 * std::sqrt(static_cast<double>(order * (order - 1)));
+        const Complex s(0, y);
+        REQUIRE(1.0 + s * (s / static_cast<double>(2 * (order - 1))) / static_cast<double>(2 * order) == 0.0);
+        const PolynomialC11<double> at = polynomial_c11(s, 0.25, 100.0, order);
+        const PolynomialC11<double> near = polynomial_c11(Complex(0, y * (1 + 1e-9)), 0.25, 100.0, order);
+        CAPTURE(order, at.c11, near.c11);
+        CHECK(relative_error(at.c11, near.c11) < 1e-7);
+        CHECK(relative_error(solve_chebyshev(s, 0.25, 100.0, order).c11, near.c11) < 1e-7);
+        CHECK(solve_chebyshev(s, 0.25, 100.0, order).traction_coefficients.allFinite());
+    }
 }
 
 TEST_CASE("Chebyshev's error estimate covers the error at every order and complex s", "[polynomial]") {
@@ -175,7 +202,7 @@ TEST_CASE("the corrected equations converge, the printed ones do not", "[polynom
         }
         matrix.row(order).setOnes();
         const Eigen::VectorXcd creepage = Eigen::VectorXcd::Unit(order + 1, 0);
-        const Eigen::VectorXcd coefficients = matrix.partialPivLu().solve(creepage);
+        const Eigen::VectorXcd coefficients = dense::solve_complex(matrix, creepage);
         const Eigen::VectorXd moments = monomial_moments<double>(order);
         const Complex c11 = -std::numbers::pi * (moments.cast<Complex>().transpose() * coefficients).value();
         const double error = relative_error(c11, exact);
@@ -224,7 +251,7 @@ TEST_CASE("the pencil's eigenvalues are the exact ones", "[polynomial]") {
     gsl_set_error_handler_off();
     for (const double aspect : {1.0, 1.2, 100.0}) {
         const Eigen::MatrixXd pencil = chebyshev_pencil(80, 0.25, aspect);
-        const Eigen::VectorXcd inverse = Eigen::EigenSolver<Eigen::MatrixXd>(pencil, false).eigenvalues();
+        const Eigen::VectorXcd inverse = dense::spectrum(pencil).values;
         for (const Complex exact : reference::eigenvalues(8, 0.25, aspect)) {
             const double distance = (inverse.array().inverse() - exact).abs().minCoeff() / std::abs(exact);
             CAPTURE(aspect, exact, distance);
@@ -250,6 +277,11 @@ TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", 
     CHECK(std::abs(Complex(longer.c11) / reference::harmonic_c11(1, 0.25, 100) - 1.0) < 4 * double(eps) + 4e-16);
     const auto pencil = chebyshev_pencil(5, Scalar(0.25), Scalar(100));
     CHECK(pencil(1, 0) == Scalar(0.5));
+}
+
+TEST_CASE("a polynomial solution that nobody filled is not ok", "[polynomial]") {
+    CHECK(PolynomialC11<double>{}.status == PolynomialStatus::not_finite);
+    CHECK(PolynomialSolution<double>{}.status == PolynomialStatus::not_finite);
 }
 
 TEST_CASE("polynomial solutions refuse bad input by name", "[polynomial]") {

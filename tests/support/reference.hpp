@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "rollbem/assembly/influence.hpp"
+#include "rollbem/compiled/assembly.hpp"
 
 namespace reference {
 

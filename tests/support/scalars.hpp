@@ -1,23 +1,35 @@
-// The integrals of G and G' in float and long double, which several tests use: compiled once, in scalars.cpp.
+// The library's large templates in float and long double, which the tests of several headers use: compiled once, in
+// scalars_float.cpp and scalars_long_double.cpp, to share what they have in common. ROLLBEM_SCALARS(extern, Scalar)
+// says that they are, ROLLBEM_SCALARS(, Scalar) makes them.
 #pragma once
 
-#include "rollbem/assembly/influence.hpp"
+#include "friction_of_scalars.hpp"
+#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/adhesion/stability.hpp"
+#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/spectral/polynomial.hpp"
+#include "support/spectral_instances.hpp"
+
+#define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
+    keyword template MatrixX<Scalar> detail::influence_matrix<Scalar>(                              \
+        const Mesh<Scalar>&, const detail::Sampling<Scalar>&, Eigen::Index, Eigen::Index,           \
+        const detail::KernelView<Scalar>&, detail::Quantity);                                       \
+    keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
+    keyword template decltype(detail::factorise_steady<Scalar>) detail::factorise_steady<Scalar>;   \
+    keyword template decltype(detail::judge_steady<Scalar>) detail::judge_steady<Scalar>;           \
+    keyword template decltype(solve_exponential<Scalar>) solve_exponential<Scalar>;                 \
+    keyword template class FrequencySweep<Scalar>;                                                  \
+    keyword template decltype(solve_stability<Scalar>) solve_stability<Scalar>;                     \
+    keyword template decltype(count_unstable<Scalar>) count_unstable<Scalar>;                       \
+    keyword template class TransientModel<Scalar>;                                                  \
+    keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;                 \
+    keyword template decltype(detail::solve_monomial_once<Scalar>) detail::solve_monomial_once<Scalar>;
 
 namespace rollbem {
 
-extern template MatrixX<float> detail::influence_matrix<float>(const Mesh<float>&, const detail::Sampling<float>&,
-                                                               Eigen::Index, Eigen::Index,
-                                                               const detail::KernelView<float>&, detail::Quantity);
-extern template VectorX<float> detail::influence_product<float>(const Mesh<float>&, const detail::Sampling<float>&,
-                                                                Eigen::Index, const detail::KernelView<float>&,
-                                                                detail::Quantity, const VectorX<float>&);
-extern template MatrixX<long double> detail::influence_matrix<long double>(const Mesh<long double>&,
-                                                                           const detail::Sampling<long double>&,
-                                                                           Eigen::Index, Eigen::Index,
-                                                                           const detail::KernelView<long double>&,
-                                                                           detail::Quantity);
-extern template VectorX<long double> detail::influence_product<long double>(
-    const Mesh<long double>&, const detail::Sampling<long double>&, Eigen::Index,
-    const detail::KernelView<long double>&, detail::Quantity, const VectorX<long double>&);
+ROLLBEM_SCALARS(extern, float)
+ROLLBEM_SCALARS(extern, long double)
 
 }  // namespace rollbem

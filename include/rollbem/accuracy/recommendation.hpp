@@ -2,12 +2,15 @@
 // Stands on measured errors, given below; knows no matrices.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -99,7 +102,7 @@ inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
             break;
     }
     const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
-    if (!(tolerance >= smallest && tolerance < 1)) {
+    if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
         const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): no more was measured";
         detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
     }

@@ -2,12 +2,15 @@
 // Knows neither meshes nor matrices.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
 
@@ -30,7 +33,7 @@ struct Extrapolation {
 /// Nothing is checked: p must be known to fit. Throws std::invalid_argument unless `order` p is positive and finite.
 template <class Value>
 Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
-    detail::require(order > 0 && std::isfinite(order), "richardson", "order", order, "be positive and finite");
+    detail::require(detail::is_finite(order) && order > 0, "richardson", "order", order, "be positive and finite");
     return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
 
@@ -45,13 +48,13 @@ auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band
     using Value = std::decay_t<decltype(solve(n))>;
     using Real = typename Extrapolation<Value>::Real;
     detail::require(n >= 1, "extrapolate", "n", n, "be at least 1");
-    detail::require(order > 0 && std::isfinite(order), "extrapolate", "order", order, "be positive and finite");
-    detail::require(band > 0 && std::isfinite(band), "extrapolate", "band", band, "be positive and finite");
+    detail::require(detail::is_finite(order) && order > 0, "extrapolate", "order", order, "be positive and finite");
+    detail::require(detail::is_finite(band) && band > 0, "extrapolate", "band", band, "be positive and finite");
     const Value coarse = solve(n), middle = solve(2 * n), fine = solve(4 * n);
     Extrapolation<Value> result;
     result.value = fine;
     const Real before = std::abs(coarse - middle), last = std::abs(middle - fine);
-    if (!std::isfinite(before) || !std::isfinite(last)) return result;
+    if (!detail::is_finite(before) || !detail::is_finite(last) || !detail::is_finite(fine)) return result;
     const Real rounding = static_cast<Real>(64 * n) * std::numeric_limits<Real>::epsilon() * std::abs(fine);
     if (before <= rounding && last <= rounding) {
         result.error_estimate = rounding;
@@ -62,7 +65,8 @@ auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band
     result.status = Status::order_differs;
     const Value extrapolated = richardson(middle, fine, static_cast<Real>(order));
     result.error_estimate = std::abs(extrapolated - richardson(coarse, middle, static_cast<Real>(order)));
-    if (!(std::abs(result.observed_order - static_cast<Real>(order)) <= static_cast<Real>(band))) return result;
+    const Real difference = std::abs(result.observed_order - static_cast<Real>(order));
+    if (!detail::is_finite(difference) || !(difference <= static_cast<Real>(band))) return result;
     result.value = extrapolated;
     result.status = Status::ok;
     return result;

@@ -2,12 +2,16 @@
 // The unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <Eigen/LU>
 
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "stability.hpp"
 #include "stability_count.hpp"
 
@@ -42,7 +46,8 @@ public:
         const ElementSystem<Scalar> system = rolling_system(mesh_, scheme_of_(alpha_T), kernel_);
         const UnstableCount<Scalar> count = count_unstable<Scalar>(system);
         if (count.status == Status::ok && count.unstable_count == 0) {
-            const Scalar rcond = Eigen::PartialPivLU<MatrixX<Scalar>>(system.G()).rcond();
+            const Scalar rcond =
+                reciprocal_condition(Eigen::PartialPivLU<MatrixX<Scalar>>(system.G()), one_norm(system.G()));
             return {false, count.flattest_cosine, rcond > Scalar(1e-6)};
         }
         return {verdict<Scalar>(system).certainly_unstable(), 0, false};
@@ -62,9 +67,13 @@ private:
 template <class Scalar, class SchemeOf, LineKernel Kernel>
 std::optional<double> critical_alpha_T(const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
                                        const CriticalAlphaOptions& options = {}) {
-    detail::require(options.last >= options.first, "critical_alpha_T", "last", options.last, "be at least first");
-    detail::require(options.step > 0, "critical_alpha_T", "step", options.step, "be positive");
-    detail::require(options.tolerance > 0, "critical_alpha_T", "tolerance", options.tolerance, "be positive");
+    detail::require(detail::is_finite(options.first), "critical_alpha_T", "first", options.first, "be finite");
+    detail::require(detail::is_finite(options.last) && options.last >= options.first, "critical_alpha_T", "last",
+                    options.last, "be finite and at least first");
+    detail::require(detail::is_finite(options.step) && options.step > 0, "critical_alpha_T", "step", options.step,
+                    "be positive and finite");
+    detail::require(detail::is_finite(options.tolerance) && options.tolerance > 0, "critical_alpha_T", "tolerance",
+                    options.tolerance, "be positive and finite");
     detail::require(options.largest_stride >= 1, "critical_alpha_T", "largest_stride", options.largest_stride,
                     "be at least 1");
     const detail::CriticalAlphaSearch<Scalar, Kernel, SchemeOf> search(mesh, scheme_of, kernel);

@@ -2,6 +2,8 @@
 // One LU per frequency, or for sweeps one reduction to Hessenberg form and then O(n^2) per frequency.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -14,6 +16,8 @@
 #include <Eigen/LU>
 
 #include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
 #include "detail/consistency.hpp"
 #include "detail/pencil.hpp"
@@ -44,8 +48,8 @@ namespace detail {
 
 template <class Scalar>
 void require_growth(const char* who, const std::complex<Scalar>& s) {
-    require(std::isfinite(s.real()), who, "Re(s)", s.real(), "be finite");
-    require(std::isfinite(s.imag()), who, "Im(s)", s.imag(), "be finite");
+    require(is_finite(s.real()), who, "Re(s)", s.real(), "be finite");
+    require(is_finite(s.imag()), who, "Im(s)", s.imag(), "be finite");
 }
 
 /// What equations in G' - s G are divided by, so that no finite s overflows.
@@ -54,12 +58,20 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
     return std::max({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
 }
 
+template <class Scalar>
+Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = is_finite(rcond) && rcond > rounding && is_finite(residual) && residual <= 100 * rounding;
+    return trusted ? Status::ok : Status::ill_conditioned;
+}
+
 }  // namespace detail
 
 /// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme converges
 /// (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not finite.
 template <class Scalar>
-HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system, std::complex<Scalar> s) {
+HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
+                                           std::type_identity_t<std::complex<Scalar>> s) {
     using Complex = std::complex<Scalar>;
     detail::require_growth("solve_exponential", s);
     const Eigen::Index n = system.size();
@@ -69,18 +81,18 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system, 
     MatrixX<Complex> A(n, n);
     A.real() = system.G_prime() / scale - ratio.real() * system.G();
     A.imag() = -ratio.imag() * system.G();
-    const Scalar norm = A.cwiseAbs().rowwise().sum().maxCoeff();
+    const ArrayX<Scalar> row_sums = A.cwiseAbs().rowwise().sum();
+    const Scalar norm = row_sums.maxCoeff();
     const VectorX<Complex> xi = VectorX<Complex>::Constant(n, 1 / scale);
     const Eigen::PartialPivLU<MatrixX<Complex>> lu(A);
     solution.traction = lu.solve(xi);
     solution.c11 = -(system.weights() * solution.traction.array()).sum();
-    if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
+    const bool finite = detail::all_finite(row_sums) && detail::all_finite(solution.traction);
+    if (!finite || !detail::is_finite(solution.c11)) return solution;
     solution.residual = (A * solution.traction - xi).cwiseAbs().maxCoeff() /
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1 / scale);
-    solution.rcond = lu.rcond();
-    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = solution.rcond > rounding && solution.residual <= 100 * rounding;
-    solution.status = trusted ? Status::ok : Status::ill_conditioned;
+    solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(A));
+    solution.status = detail::harmonic_status(n, solution.rcond, solution.residual);
     return solution;
 }
 
@@ -88,7 +100,7 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system, 
 /// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument for a z that is not finite.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
-    detail::require(std::isfinite(z), "solve_harmonic", "omega a/V", z, "be finite");
+    detail::require(detail::is_finite(z), "solve_harmonic", "omega a/V", z, "be finite");
     HarmonicSolution<Scalar> solution = solve_exponential(system, std::complex<Scalar>(0, z));
     if (solution.status != Status::ok || !system.unknowns_are_tractions()) return solution;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
@@ -120,7 +132,7 @@ public:
 
     /// Response at z = omega a/V, of either sign. Throws std::invalid_argument for a z that is not finite.
     SweepPoint<Scalar> operator()(Scalar z) const {
-        detail::require(std::isfinite(z), "FrequencySweep", "omega a/V", z, "be finite");
+        detail::require(detail::is_finite(z), "FrequencySweep", "omega a/V", z, "be finite");
         return at(Complex(0, z));
     }
 
@@ -176,8 +188,10 @@ FrequencySweep<Scalar_>::FrequencySweep(RollingSystem<Scalar> system) : system_(
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system_.G_prime());
     const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(system_.size()));
     consistent_ = !system_.unknowns_are_tractions() || detail::opposes_creepage<Scalar>(steady, system_.weights());
-    if (!(lu.rcond() > Scalar(detail::least_rcond_of_G_prime))) return;
+    const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(system_.G_prime()));
+    if (!detail::is_finite(rcond) || !(rcond > Scalar(detail::least_rcond_of_G_prime))) return;
     const MatrixX<Scalar> M = lu.solve(system_.G());
+    if (!detail::all_finite(M)) return;
     const Eigen::HessenbergDecomposition<MatrixX<Scalar>> hessenberg(M);
     Reduced reduced;
     reduced.H = hessenberg.matrixH();
@@ -252,7 +266,7 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     const Eigen::Index n = H.rows(), below = n - 1;
     SweepPoint<Scalar> point;
     point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
-    if (!std::isfinite(norm_1(point.c11))) return point;
+    if (!detail::is_finite(point.c11)) return point;
     Column product(n);  // H y
     product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
     product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
@@ -265,9 +279,7 @@ auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scal
     const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
     point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
     point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
-    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = point.rcond > rounding && point.residual <= 100 * rounding;
-    point.status = trusted ? Status::ok : Status::ill_conditioned;
+    point.status = detail::harmonic_status(n, point.rcond, point.residual);
     return point;
 }
 

@@ -1,10 +1,13 @@
 // How steps in time are taken, and under which promise about the scheme's eigenvalues.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cstddef>
 #include <vector>
 
 #include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
@@ -61,8 +64,9 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
             "be 0: rounding leaves open whether a mode grows");
     if (!system.unknowns_are_tractions()) return;
     const Scalar share = assisting_share<Scalar>(steady_unknowns(system).array(), system.weights());
-    require(share <= Scalar(largest_assisting_share), who, "share of steady traction that pushes with the creepage",
-            share, "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
+    require(is_finite(share) && share <= Scalar(largest_assisting_share), who,
+            "share of steady traction that pushes with the creepage", share,
+            "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
 }
 
 }  // namespace detail

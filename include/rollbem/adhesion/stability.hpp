@@ -2,6 +2,8 @@
 // signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,6 +15,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
 #include "stability_verdict.hpp"
 
 namespace rollbem {
@@ -70,7 +73,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
 template <class Scalar>
 Scalar two_norm_condition(const MatrixX<Scalar>& G) {
     const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(G).inverse();
-    if (!inverse.allFinite()) return std::numeric_limits<Scalar>::infinity();
+    if (!all_finite(inverse)) return std::numeric_limits<Scalar>::infinity();
     return two_norm(G) * two_norm(inverse);
 }
 
@@ -162,7 +165,7 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
         const Scalar lengths = std::hypot(Scalar(1), v.head(i).norm()) * std::hypot(Scalar(1), w.tail(after).norm());
         const Scalar bound =
             beta > 0 ? static_cast<Scalar>(n) * (rounding / beta) * (lengths / std::abs(T(i, i))) : infinity;
-        uncertainty[i] = std::isnan(bound) ? infinity : bound;  // overflow in v or w
+        uncertainty[i] = is_nan(bound) ? infinity : bound;  // overflow in v or w
         if (pair.is_pair(i)) {
             uncertainty[i + 1] = uncertainty[i];
             ++i;
@@ -198,6 +201,11 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
         result.beta[i] = beta;
     }
 
+    if (!detail::all_finite(result.alpha) || !detail::all_finite(result.beta)) {
+        result.status = Status::not_finite;
+        return result;
+    }
+
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     result.spectral_abscissa = -infinity;
     Scalar largest = 0, smallest = infinity;
@@ -205,7 +213,7 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
         result.spectral_radius = std::max(result.spectral_radius, std::abs(nu));
         largest = std::max(largest, std::abs(nu.real()));
         smallest = std::min(smallest, std::abs(nu.real()));
-        if (nu.real() == infinity) continue;
+        if (!detail::is_finite(nu.real())) continue;
         result.spectral_abscissa = std::max(result.spectral_abscissa, nu.real());
         if (nu.real() > 0) ++result.unstable_count;
     }

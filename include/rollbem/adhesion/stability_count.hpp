@@ -2,6 +2,8 @@
 // the QZ algorithm of stability.hpp, and much faster to compile; no vectors, no look at rounding.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <complex>
 
@@ -9,6 +11,8 @@
 #include <Eigen/LU>
 
 #include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
 #include "detail/pencil.hpp"
 
@@ -31,12 +35,13 @@ UnstableCount<Scalar> count_unstable(const RollingSystem<Scalar>& system) {
     UnstableCount<Scalar> result;
     result.n = system.size();
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
-    result.rcond = lu.rcond();
+    result.rcond = detail::reciprocal_condition(lu, detail::one_norm(system.G_prime()));
     result.status = Status::ill_conditioned;
-    if (!(result.rcond > Scalar(detail::least_rcond_of_G_prime))) return result;
+    if (!detail::is_finite(result.rcond) || !(result.rcond > Scalar(detail::least_rcond_of_G_prime))) return result;
     const MatrixX<Scalar> M = lu.solve(system.G());
+    if (!detail::all_finite(M)) return result;
     const Eigen::EigenSolver<MatrixX<Scalar>> solver(M, false);
-    if (solver.info() != Eigen::Success) return result;
+    if (solver.info() != Eigen::Success || !detail::all_finite(solver.eigenvalues())) return result;
     for (const std::complex<Scalar>& mu : solver.eigenvalues()) {
         if (mu.real() > 0) ++result.unstable_count;
         const Scalar size = std::abs(mu);

@@ -2,6 +2,8 @@
 // A small value type, apart from the headers that compute it.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <Eigen/Core>
 
 #include "../status.hpp"

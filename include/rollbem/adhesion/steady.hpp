@@ -2,15 +2,20 @@
 // Builds G' alone and factorises it in place.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
@@ -45,30 +50,68 @@ struct SteadySolution {
 
 namespace detail {
 
-/// Factorises G' in place and solves G' p = 1. product(p) is the original G' times p.
 template <class Scalar>
-UnitSteadySolution<Scalar> solve_steady_in_place(
-    Eigen::Ref<MatrixX<Scalar>> G_prime, const ArrayX<Scalar>& widths,
-    const std::function<VectorX<Scalar>(const VectorX<Scalar>&)>& product) {
+struct FactorisedSteady {
+    UnitSteadySolution<Scalar> solution;  ///< but for residual and status
+    Scalar norm;                          ///< |G'| in the maximum norm
+    bool finite;                          ///< all of G' and of the tractions
+};
+
+/// Factorises G' in place and solves G' p = 1.
+template <class Scalar>
+FactorisedSteady<Scalar> factorise_steady(MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& widths) {
     const Eigen::Index n = G_prime.rows();
-    UnitSteadySolution<Scalar> solution;
-    ArrayX<Scalar> row_sums = ArrayX<Scalar>::Zero(n);
-    for (Eigen::Index m = 0; m < n; ++m) row_sums += G_prime.col(m).array().abs();
-    const Scalar norm = row_sums.maxCoeff(), norm_1 = G_prime.colwise().template lpNorm<1>().maxCoeff();
+    FactorisedSteady<Scalar> result;
+    UnitSteadySolution<Scalar>& solution = result.solution;
+    VectorX<Scalar> row_sums(n), ones(n);
+    for (Eigen::Index l = 0; l < n; ++l) {
+        row_sums[l] = 0;
+        ones[l] = 1;
+    }
+    for (Eigen::Index m = 0; m < n; ++m) {
+        for (Eigen::Index l = 0; l < n; ++l) row_sums[l] += std::abs(G_prime(l, m));
+    }
+    result.norm = row_sums.maxCoeff();
+    const Scalar norm_1 = one_norm(G_prime);
     const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Scalar>>> lu(G_prime);
-    solution.traction = lu.solve(VectorX<Scalar>::Ones(n));
-    solution.c11 = -(widths * solution.traction.array()).sum();
-    if (!std::isfinite(norm) || !solution.traction.allFinite()) return solution;
-    solution.residual = (product(solution.traction).array() - 1).abs().maxCoeff() /
-                        (norm * solution.traction.cwiseAbs().maxCoeff() + 1);
-    // 1 / (last pivot) is an entry of the inverse. The estimate alone misses two equal rows, which have no part in it.
-    solution.rcond = std::min(lu.rcond(), std::abs(G_prime(n - 1, n - 1)) / norm_1);
+    solution.traction = lu.solve(ones);
+    solution.c11 = -dot(widths.data(), solution.traction.data(), n);
+    result.finite = all_finite(row_sums) && all_finite(solution.traction) && is_finite(solution.c11);
+    if (!result.finite) return result;
+    solution.rcond = reciprocal_condition(lu, norm_1);
+    return result;
+}
+
+/// The solution with residual and status. `product` is the original G' times the tractions.
+template <class Scalar>
+UnitSteadySolution<Scalar> judge_steady(FactorisedSteady<Scalar> factorised, const ArrayX<Scalar>& widths,
+                                        const VectorX<Scalar>& product) {
+    const Eigen::Index n = widths.size();
+    UnitSteadySolution<Scalar> solution = std::move(factorised.solution);
+    Scalar largest_residual = 0, largest_traction = 0;
+    for (Eigen::Index l = 0; l < n; ++l) {
+        largest_residual = std::max(largest_residual, std::abs(product[l] - 1));
+        largest_traction = std::max(largest_traction, std::abs(solution.traction[l]));
+    }
+    solution.residual = all_finite(product) ? largest_residual / (factorised.norm * largest_traction + 1)
+                                            : std::numeric_limits<Scalar>::infinity();
     const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = solution.rcond > 100 * rounding && solution.residual <= 100 * rounding;
+    const bool trusted = is_finite(solution.rcond) && solution.rcond > 100 * rounding && is_finite(solution.residual) &&
+                         solution.residual <= 100 * rounding;
     solution.status = !trusted                                              ? Status::ill_conditioned
                       : opposes_creepage<Scalar>(solution.traction, widths) ? Status::ok
                                                                             : Status::inconsistent;
     return solution;
+}
+
+/// Factorises G' in place and solves G' p = 1. product(p) is the original G' times p.
+template <class Scalar, class Product>
+UnitSteadySolution<Scalar> solve_steady_in_place(MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& widths,
+                                                 const Product& product) {
+    FactorisedSteady<Scalar> factorised = factorise_steady(G_prime, widths);
+    if (!factorised.finite) return std::move(factorised.solution);
+    const VectorX<Scalar> original_times_p = product(factorised.solution.traction);
+    return judge_steady(std::move(factorised), widths, original_times_p);
 }
 
 /// Unknowns up to which a copy of G' gives the residual; above, computing its rows anew costs less than a tenth of LU
@@ -104,25 +147,24 @@ UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& 
 }
 
 /// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
-/// Throws as assemble_G_prime does; a creepage that is not finite gives Status::not_finite.
+/// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
 template <class Scalar, class Scheme>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                                    Scalar creepage) {
+                                    std::type_identity_t<Scalar> creepage) {
     const UnitSteadySolution<Scalar> unit = solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
     SteadySolution<Scalar> solution;
-    solution.traction.setZero(mesh.size());
-    solution.traction.head(unit.traction.size()) = contact.shear_modulus() * creepage * unit.traction;
+    solution.traction.resize(mesh.size());
+    for (Eigen::Index i = 0; i < mesh.size(); ++i) {
+        solution.traction[i] =
+            i < unit.traction.size() ? contact.shear_modulus() * creepage * unit.traction[i] : Scalar(0);
+    }
     solution.force_per_width = -contact.half_length() * contact.shear_modulus() * unit.c11 * creepage;
     solution.c11 = unit.c11;
     solution.residual = unit.residual;
     solution.rcond = unit.rcond;
-    solution.status = std::isfinite(creepage) ? unit.status : Status::not_finite;
+    const bool finite = detail::all_finite(solution.traction) && detail::is_finite(solution.force_per_width);
+    solution.status = detail::is_finite(creepage) && finite ? unit.status : Status::not_finite;
     return solution;
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template UnitSteadySolution<double> detail::solve_steady_in_place<double>(
-    Eigen::Ref<MatrixX<double>>, const ArrayX<double>&, const std::function<VectorX<double>(const VectorX<double>&)>&);
-#endif
 
 }  // namespace rollbem

@@ -2,6 +2,8 @@
 // A force element for somebody else's time loop: const model, plain state, no exception and no allocation in a step.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +16,7 @@
 #include <Eigen/Core>
 
 #include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
@@ -169,7 +172,8 @@ private:
         result.force = areas_.dot(to.traction);
         result.force_per_width = result.force / width_;
         result.tangent = travel.shift_per_end * force_per_shift + travel.ramp_per_end * force_per_ramp;
-        if (std::isfinite(result.force) && std::isfinite(result.tangent)) return result;
+        result.status = StepStatus::ok;
+        if (detail::is_finite(result.force) && detail::is_finite(result.tangent)) return result;
         to.traction = from.traction;
         return failed(StepStatus::not_finite);
     }
@@ -218,7 +222,7 @@ TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, RollingS
 
 template <class Scalar_>
 auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
-    detail::require(std::isfinite(creepage), "TransientModel", "creepage", creepage, "be finite");
+    detail::require(detail::is_finite(creepage), "TransientModel", "creepage", creepage, "be finite");
     MatrixX<Scalar> traction(size(), 1);
     traction.setConstant(creepage * traction_scale_ * half_length_);
     solve(system_.G_prime(), traction);
@@ -227,7 +231,7 @@ auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
 
 template <class Scalar_>
 auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
-    detail::require(dq >= 0 && std::isfinite(dq), "TransientModel", "dq", dq, "be finite and not negative");
+    detail::require(detail::is_finite(dq) && dq >= 0, "TransientModel", "dq", dq, "be finite and not negative");
     const Eigen::Index n = size();
     const int doublings = count_doublings(dq / half_length_);
     const Scalar h = std::ldexp(dq / half_length_, -doublings);
@@ -291,7 +295,7 @@ auto TransientModel<Scalar_>::count_doublings(Scalar h) const -> int {
     MatrixX<Scalar> rates = system_.G_prime();
     solve(system_.G(), rates);
     const Scalar norm = 16 * h * rates.cwiseAbs().colwise().sum().maxCoeff();
-    return std::isfinite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
+    return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
 }
 
 template <class Scalar_>

@@ -2,12 +2,16 @@
 // Everything after this stage sees only these matrices and the widths of the elements.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Core>
 
+#include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -38,9 +42,9 @@ struct Sampling {
 
 template <class Scalar>
 QuadratureRule<Scalar> single_point() {
-    QuadratureRule<Scalar> rule;
-    rule.nodes.setZero(1);
-    rule.weights.setConstant(1, Scalar(2));
+    QuadratureRule<Scalar> rule{ArrayX<Scalar>(1), ArrayX<Scalar>(1)};
+    rule.nodes[0] = 0;
+    rule.weights[0] = 2;
     return rule;
 }
 
@@ -102,10 +106,12 @@ Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar positio
 
 template <class Scalar>
 RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const Sampling<Scalar>& sampling, Scalar node) {
-    const ArrayX<Scalar> position = interpolate_alpha(mesh, sampling.alpha_L, sampling.alpha_T) + node / 2;
-    RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), position * mesh.widths(), mesh.widths() / 2};
-    if (sampling.guard) {
-        for (Eigen::Index l = 0; l < mesh.size(); ++l) rows.offset[l] = guarded_offset(mesh, l, position[l]);
+    const ArrayX<Scalar> alpha = interpolate_alpha(mesh, sampling.alpha_L, sampling.alpha_T);
+    RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), ArrayX<Scalar>(mesh.size()),
+                           halved(mesh.widths())};
+    for (Eigen::Index l = 0; l < mesh.size(); ++l) {
+        const Scalar position = alpha[l] + node / 2;
+        rows.offset[l] = sampling.guard ? guarded_offset(mesh, l, position) : position * mesh.widths()[l];
     }
     return rows;
 }
@@ -114,51 +120,60 @@ RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const Sampling<Scalar>& s
 // many points. Equations from `first` on, as many as `out` has rows.
 template <class Scalar>
 void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Scalar width, Scalar offset,
-                   Eigen::Index first, Eigen::Ref<MatrixX<Scalar>> out) {
+                   Eigen::Index first, MatrixX<Scalar>& out) {
     const Eigen::Index columns = out.cols(), count = out.rows() + columns - 1;
-    RowPoints<Scalar> rows;  // distances from the element instead of from an edge: exact multiples of the width
-    rows.from_trailing =
-        ArrayX<Scalar>::LinSpaced(count, Scalar(first + 1 - columns), Scalar(first + out.rows() - 1)) * width;
-    rows.from_leading = -rows.from_trailing;
-    rows.offset.setConstant(count, offset);
-    rows.half.setConstant(count, width / 2);
-    ColumnElements<Scalar> column;
-    column.from_trailing.setZero(1);
-    column.from_leading.setZero(1);
-    column.half.setConstant(1, width / 2);
+    RowPoints<Scalar> rows{ArrayX<Scalar>(count), ArrayX<Scalar>(count), ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        // distances from the element instead of from an edge: exact multiples of the width
+        rows.from_trailing[i] = static_cast<Scalar>(first + 1 - columns + i) * width;
+        rows.from_leading[i] = -rows.from_trailing[i];
+        rows.offset[i] = offset;
+        rows.half[i] = width / 2;
+    }
+    ColumnElements<Scalar> column{ArrayX<Scalar>(1), ArrayX<Scalar>(1), ArrayX<Scalar>(1)};
+    column.from_trailing[0] = column.from_leading[0] = 0;
+    column.half[0] = width / 2;
     MatrixX<Scalar> entries(count, 1);
     LineIntegrals<Scalar>(kernel, quantity, averages, rows, column, true).fill(entries);
-    for (Eigen::Index m = 0; m < columns; ++m) out.col(m) = entries.col(0).segment(columns - 1 - m, out.rows());
+    for (Eigen::Index m = 0; m < columns; ++m) {
+        std::copy_n(entries.data() + columns - 1 - m, out.rows(), out.data() + m * out.rows());
+    }
 }
 
 // Equations from `first` on for the tractions of elements from 0 on, as many as `out` has rows and columns.
 template <class Scalar>
 void influence_rows(const Mesh<Scalar>& mesh, const Sampling<Scalar>& samples, Eigen::Index first,
-                    const KernelView<Scalar>& kernel, Quantity quantity, Eigen::Ref<MatrixX<Scalar>> out) {
+                    const KernelView<Scalar>& kernel, Quantity quantity, MatrixX<Scalar>& out) {
     const Eigen::Index count = out.rows();
-    const ColumnElements<Scalar> columns{mesh.from_trailing().head(out.cols()), mesh.from_leading().head(out.cols()),
-                                         mesh.widths().head(out.cols()) / 2};
-    const auto fill = [&](Scalar node, Eigen::Ref<MatrixX<Scalar>> result) {
-        RowPoints<Scalar> rows = row_points(mesh, samples, node);
+    const ColumnElements<Scalar> columns{segment(mesh.from_trailing(), 0, out.cols()),
+                                         segment(mesh.from_leading(), 0, out.cols()),
+                                         segment(halved(mesh.widths()), 0, out.cols())};
+    const auto fill = [&](Scalar node, MatrixX<Scalar>& result) {
+        const RowPoints<Scalar> rows = row_points(mesh, samples, node);
         // the guard can move the points of the outermost rows elsewhere than those of the others
-        if (mesh.is_uniform() && (rows.offset - rows.offset[0]).abs().maxCoeff() <=
-                                     64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
+        Scalar spread = 0;
+        for (Eigen::Index l = 0; l < mesh.size(); ++l) {
+            spread = std::max(spread, std::abs(rows.offset[l] - rows.offset[0]));
+        }
+        if (mesh.is_uniform() && spread <= 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
             fill_toeplitz<Scalar>(kernel, quantity, samples.averages, mesh.widths()[0], rows.offset[0], first, result);
             return;
         }
-        rows = {rows.from_trailing.segment(first, count), rows.from_leading.segment(first, count),
-                rows.offset.segment(first, count), rows.half.segment(first, count)};
-        LineIntegrals<Scalar>(kernel, quantity, samples.averages, rows, columns, mesh.is_uniform()).fill(result);
+        const RowPoints<Scalar> asked{segment(rows.from_trailing, first, count),
+                                      segment(rows.from_leading, first, count), segment(rows.offset, first, count),
+                                      segment(rows.half, first, count)};
+        LineIntegrals<Scalar>(kernel, quantity, samples.averages, asked, columns, mesh.is_uniform()).fill(result);
     };
     if (samples.rule.nodes.size() == 1) {
         fill(samples.rule.nodes[0], out);
         return;
     }
-    out.setZero();
+    std::fill_n(out.data(), out.size(), Scalar(0));
     MatrixX<Scalar> sample(count, out.cols());
     for (Eigen::Index k = 0; k < samples.rule.nodes.size(); ++k) {
         fill(samples.rule.nodes[k], sample);
-        out += samples.rule.weights[k] / 2 * sample;
+        const Scalar weight = samples.rule.weights[k] / 2;
+        for (Eigen::Index i = 0; i < out.size(); ++i) out.data()[i] += weight * sample.data()[i];
     }
 }
 
@@ -186,11 +201,13 @@ VectorX<Scalar> influence_product(const Mesh<Scalar>& mesh, const Sampling<Scala
     constexpr Eigen::Index block = 32;
     const Eigen::Index n = p.size();
     VectorX<Scalar> product(n);
-    MatrixX<Scalar> rows(block, n);
+    MatrixX<Scalar> rows;
+    VectorX<Scalar> part;
     for (Eigen::Index l = 0; l < n; l += block) {
-        const Eigen::Index count = std::min(block, n - l);
-        influence_rows<Scalar>(mesh, samples, first + l, kernel, quantity, rows.topRows(count));
-        product.segment(l, count).noalias() = rows.topRows(count) * p;
+        rows.resize(std::min(block, n - l), n);
+        influence_rows<Scalar>(mesh, samples, first + l, kernel, quantity, rows);
+        part.noalias() = rows * p;
+        std::copy_n(part.data(), part.size(), product.data() + l);
     }
     return product;
 }
@@ -217,7 +234,7 @@ template <class Scalar, class Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     MatrixX<Scalar> G = detail::influence_matrix<Scalar>(mesh, scheme, detail::KernelView<Scalar>(kernel),
                                                          detail::Quantity::displacement);
-    detail::require(std::isfinite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
+    detail::require(detail::is_finite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
                     "be finite: an infinite aspect is for steady problems only");
     return G;
 }
@@ -227,14 +244,5 @@ template <class Scalar, class Scheme, LineKernel Kernel>
 InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                 Eigen::Index, Eigen::Index,
-                                                                 const detail::KernelView<double>&, detail::Quantity);
-extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                  Eigen::Index, const detail::KernelView<double>&,
-                                                                  detail::Quantity, const VectorX<double>&);
-#endif
 
 }  // namespace rollbem

@@ -2,14 +2,19 @@
 // force. Everything that is not steady takes it, and sees nothing of meshes, schemes and kernels.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <Eigen/Core>
 
 #include "../detail/fingerprint.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -35,10 +40,10 @@ public:
         : G_(std::move(G)), G_prime_(std::move(G_prime)), weights_(std::move(weights)) {
         const Eigen::Index n = weights_.size();
         detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
-        require_entries("RollingSystem: G", G_, n);
-        require_entries("RollingSystem: G_prime", G_prime_, n);
+        require_entries("G", G_, n);
+        require_entries("G_prime", G_prime_, n);
         for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require(std::isfinite(weights_[i]), "RollingSystem", "weight", weights_[i], "be finite");
+            detail::require(detail::is_finite(weights_[i]), "RollingSystem", "weight", weights_[i], "be finite");
         }
     }
 
@@ -67,10 +72,13 @@ protected:
     std::optional<Scalar> aspect_;
 
 private:
-    static void require_entries(const char* who, const MatrixX<Scalar>& matrix, Eigen::Index n) {
-        detail::require(matrix.rows() == n, who, "number of rows", matrix.rows(), "equal the number of weights");
-        detail::require(matrix.cols() == n, who, "number of columns", matrix.cols(), "equal the number of weights");
-        detail::require_finite(who, matrix);
+    static void require_entries(const char* name, const MatrixX<Scalar>& matrix, Eigen::Index n) {
+        const std::string of = std::string(" of ") + name;
+        detail::require(matrix.rows() == n, "RollingSystem", ("number of rows" + of).c_str(), matrix.rows(),
+                        "equal the number of weights");
+        detail::require(matrix.cols() == n, "RollingSystem", ("number of columns" + of).c_str(), matrix.cols(),
+                        "equal the number of weights");
+        detail::require_finite("RollingSystem", name, matrix);
     }
 
     MatrixX<Scalar> G_, G_prime_;
@@ -136,7 +144,7 @@ std::uint64_t fingerprint_of(const Contact<Scalar>& contact, std::uint64_t syste
 /// Throws std::invalid_argument where a system was made for another b/a than the contact's, or the contact's is infinite.
 template <class Scalar>
 void require_same_aspect(const char* who, const Contact<Scalar>& contact, const RollingSystem<Scalar>& system) {
-    require(std::isfinite(contact.half_width()), who, "half_width", contact.half_width(),
+    require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),
             "be finite: an infinite one is for steady problems only");
     if (!system.aspect()) return;
     const Scalar ratio = *system.aspect() / contact.aspect();

@@ -2,12 +2,15 @@
 // Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
 // the creep coefficient, and the compliance number Lambda of the plane model. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <numbers>
 #include <string>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 namespace rollbem {
@@ -16,8 +19,8 @@ namespace detail {
 
 template <std::floating_point Scalar>
 void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
-    require(poisson_ratio >= Scalar(0) && poisson_ratio <= Scalar(0.5), who, "poisson_ratio", poisson_ratio,
-            "lie in [0, 0.5]");
+    require(is_finite(poisson_ratio) && poisson_ratio >= Scalar(0) && poisson_ratio <= Scalar(0.5), who,
+            "poisson_ratio", poisson_ratio, "lie in [0, 0.5]");
 }
 
 }  // namespace detail
@@ -44,7 +47,7 @@ Scalar ellipse_limit_c11(Scalar poisson_ratio) {
 template <std::floating_point Scalar>
 Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
     detail::require_poisson_ratio("plane_lambda", poisson_ratio);
-    detail::require(aspect > Scalar(0) && std::isfinite(aspect), "plane_lambda", "aspect", aspect,
+    detail::require(detail::is_finite(aspect) && aspect > Scalar(0), "plane_lambda", "aspect", aspect,
                     "be positive and finite (only steady problems have a limit for an infinite aspect)");
     return std::log(4 * aspect) + poisson_ratio / (1 - poisson_ratio);
 }
@@ -86,8 +89,10 @@ template <std::floating_point Scalar>
 Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_ratio) {
     using std::abs, std::sqrt;
     detail::require_poisson_ratio("carter_traction", poisson_ratio);
-    detail::require(position.trailing >= Scalar(0), "carter_traction", "trailing", position.trailing, "be at least 0");
-    detail::require(position.leading >= Scalar(0), "carter_traction", "leading", position.leading, "be at least 0");
+    detail::require(detail::is_finite(position.trailing) && position.trailing >= Scalar(0), "carter_traction",
+                    "trailing", position.trailing, "be at least 0");
+    detail::require(detail::is_finite(position.leading) && position.leading >= Scalar(0), "carter_traction", "leading",
+                    position.leading, "be at least 0");
     const Scalar sum = position.trailing + position.leading;
     detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_traction",
                     "trailing + leading", sum, "be 2");
@@ -97,8 +102,8 @@ Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_rat
 /// Carter's traction p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
 template <std::floating_point Scalar>
 Scalar carter_traction(Scalar x_over_a, Scalar poisson_ratio) {
-    detail::require(x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_traction", "x/a", x_over_a,
-                    "lie in [-1, 1]");
+    detail::require(detail::is_finite(x_over_a) && x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_traction",
+                    "x/a", x_over_a, "lie in [-1, 1]");
     return carter_traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a}, poisson_ratio);
 }
 
@@ -108,11 +113,12 @@ template <std::floating_point Scalar>
 Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar poisson_ratio) {
     using std::abs, std::atan2, std::sqrt;
     detail::require_poisson_ratio("carter_mean_traction", poisson_ratio);
-    detail::require(interval.trailing >= Scalar(0), "carter_mean_traction", "trailing", interval.trailing,
-                    "be at least 0");
-    detail::require(interval.leading >= Scalar(0), "carter_mean_traction", "leading", interval.leading,
-                    "be at least 0");
-    detail::require(interval.width > Scalar(0), "carter_mean_traction", "width", interval.width, "be positive");
+    detail::require(detail::is_finite(interval.trailing) && interval.trailing >= Scalar(0), "carter_mean_traction",
+                    "trailing", interval.trailing, "be at least 0");
+    detail::require(detail::is_finite(interval.leading) && interval.leading >= Scalar(0), "carter_mean_traction",
+                    "leading", interval.leading, "be at least 0");
+    detail::require(detail::is_finite(interval.width) && interval.width > Scalar(0), "carter_mean_traction", "width",
+                    interval.width, "be positive");
     const Scalar sum = interval.trailing + interval.width + interval.leading;
     detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_mean_traction",
                     "trailing + width + leading", sum, "be 2");
@@ -147,9 +153,10 @@ Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar pois
 /// -1 <= x1 < x2 <= 1.
 template <std::floating_point Scalar>
 Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_ratio) {
-    detail::require(x1_over_a >= Scalar(-1) && x1_over_a < x2_over_a, "carter_mean_traction", "x1/a", x1_over_a,
-                    "lie in [-1, x2/a)");
-    detail::require(x2_over_a <= Scalar(1), "carter_mean_traction", "x2/a", x2_over_a, "lie in (x1/a, 1]");
+    detail::require(detail::is_finite(x1_over_a) && x1_over_a >= Scalar(-1) && x1_over_a < x2_over_a,
+                    "carter_mean_traction", "x1/a", x1_over_a, "lie in [-1, x2/a)");
+    detail::require(detail::is_finite(x2_over_a) && x2_over_a <= Scalar(1), "carter_mean_traction", "x2/a", x2_over_a,
+                    "lie in (x1/a, 1]");
     return carter_mean_traction(ContactInterval<Scalar>{1 + x1_over_a, x2_over_a - x1_over_a, 1 - x2_over_a},
                                 poisson_ratio);
 }

@@ -2,11 +2,14 @@
 // Coulomb friction under Hertz pressure p0 sqrt(1 - x^2/a^2), in elementary functions: Carter's steady rolling with
 // partial slip and Cattaneo's shift from rest. Dimensionless: x in a, tractions in mu p0, forces in mu N.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "carter.hpp"
 
@@ -16,7 +19,8 @@ namespace rollbem {
 /// beyond, odd in delta. delta = xi G/(2 (1-nu) mu p0) is the creepage ratio. Throws std::invalid_argument for a nan.
 template <std::floating_point Scalar>
 Scalar carter_force_ratio(Scalar creepage_ratio) {
-    detail::require(!std::isnan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio, "be a number");
+    detail::require(!detail::is_nan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio,
+                    "be a number");
     const Scalar delta = std::min(std::abs(creepage_ratio), Scalar(1));
     return std::copysign(delta * (2 - delta), creepage_ratio);
 }
@@ -25,8 +29,8 @@ Scalar carter_force_ratio(Scalar creepage_ratio) {
 /// std::invalid_argument unless |force_ratio| <= 1.
 template <std::floating_point Scalar>
 Scalar carter_creepage_ratio(Scalar force_ratio) {
-    detail::require(std::abs(force_ratio) <= Scalar(1), "carter_creepage_ratio", "force_ratio", force_ratio,
-                    "lie in [-1, 1]");
+    detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "carter_creepage_ratio",
+                    "force_ratio", force_ratio, "lie in [-1, 1]");
     return force_ratio / (1 + std::sqrt(1 - std::abs(force_ratio)));
 }
 
@@ -34,7 +38,7 @@ Scalar carter_creepage_ratio(Scalar force_ratio) {
 /// leading edge; slip lies behind. Throws std::invalid_argument for a nan.
 template <std::floating_point Scalar>
 Scalar carter_stick_border(Scalar creepage_ratio) {
-    detail::require(!std::isnan(creepage_ratio), "carter_stick_border", "creepage_ratio", creepage_ratio,
+    detail::require(!detail::is_nan(creepage_ratio), "carter_stick_border", "creepage_ratio", creepage_ratio,
                     "be a number");
     return std::min(2 * std::abs(creepage_ratio), Scalar(2)) - 1;
 }
@@ -44,8 +48,8 @@ Scalar carter_stick_border(Scalar creepage_ratio) {
 template <std::floating_point Scalar>
 Scalar carter_friction_traction(Scalar x_over_a, Scalar creepage_ratio) {
     using std::sqrt;
-    detail::require(x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_friction_traction", "x/a", x_over_a,
-                    "lie in [-1, 1]");
+    detail::require(detail::is_finite(x_over_a) && x_over_a >= Scalar(-1) && x_over_a <= Scalar(1),
+                    "carter_friction_traction", "x/a", x_over_a, "lie in [-1, 1]");
     const Scalar border = carter_stick_border(creepage_ratio);
     const Scalar trailing = sqrt(1 + x_over_a);
     const Scalar leading = sqrt(1 - x_over_a);
@@ -60,8 +64,8 @@ Scalar carter_friction_traction(Scalar x_over_a, Scalar creepage_ratio) {
 /// absolute value. Throws std::invalid_argument unless |force_ratio| <= 1.
 template <std::floating_point Scalar>
 Scalar cattaneo_stick_half_length(Scalar force_ratio) {
-    detail::require(std::abs(force_ratio) <= Scalar(1), "cattaneo_stick_half_length", "force_ratio", force_ratio,
-                    "lie in [-1, 1]");
+    detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "cattaneo_stick_half_length",
+                    "force_ratio", force_ratio, "lie in [-1, 1]");
     return std::sqrt(1 - std::abs(force_ratio));
 }
 
@@ -94,7 +98,8 @@ Scalar cattaneo_traction(Scalar x_over_a, Scalar force_ratio) {
 template <std::floating_point Scalar>
 Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = plane_lambda(poisson_ratio, aspect);
-    detail::require(std::abs(force_ratio) <= Scalar(1), "cattaneo_shift", "force_ratio", force_ratio, "lie in [-1, 1]");
+    detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "cattaneo_shift",
+                    "force_ratio", force_ratio, "lie in [-1, 1]");
     // c^2 = 1 - f; written in f so that a small force keeps its digits. The last term vanishes at c = 0.
     const Scalar f = std::abs(force_ratio);
     const Scalar logarithm = f < 1 ? (1 - f) / 2 * std::log1p(-f) : Scalar(0);
@@ -107,7 +112,7 @@ Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
 template <std::floating_point Scalar>
 Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = stable_plane_lambda("cattaneo_force_ratio", poisson_ratio, aspect);
-    detail::require(!std::isnan(shift), "cattaneo_force_ratio", "shift", shift, "be a number");
+    detail::require(!detail::is_nan(shift), "cattaneo_force_ratio", "shift", shift, "be a number");
     const Scalar target = std::abs(shift);
     if (target >= cattaneo_shift(Scalar(1), poisson_ratio, aspect)) {
         return std::copysign(Scalar(1), shift);

@@ -2,6 +2,8 @@
 // Depends on the values alone, so that it is the same in another process.
 #pragma once
 
+#include "language.hpp"
+
 #include <bit>
 #include <concepts>
 #include <cstdint>

@@ -2,6 +2,8 @@
 // Nodes by Newton's method on the three-term recurrence, from the classical starting values.
 #pragma once
 
+#include "language.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -2,6 +2,8 @@
 // Eigen's keeps its permutation on the heap, or in a type of its own for every bound on the size.
 #pragma once
 
+#include "language.hpp"
+
 #include <utility>
 
 #include <Eigen/Core>

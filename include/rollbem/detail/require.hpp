@@ -2,18 +2,24 @@
 // Used where objects are constructed; never in a time loop.
 #pragma once
 
-#include <cmath>
+#include "language.hpp"
+
+#include <cstddef>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+
+#include "finite.hpp"
 
 namespace rollbem::detail {
 
 /// A number as a user would type it: 12 significant digits (float: 6), no trailing zeros.
 template <class Value>
 std::string to_text(Value value) {
-    if (value != value) return "nan";
+    if constexpr (std::is_floating_point_v<Value>) {
+        if (is_nan(value)) return "nan";
+    }
     const int digits = std::is_same_v<Value, float> ? 6 : 12;
     char text[64];
     std::snprintf(text, sizeof text, "%.*Lg", digits, static_cast<long double>(value));
@@ -30,14 +36,15 @@ void require(bool holds, const char* who, const char* quantity, Value value, con
     }
 }
 
-/// Throws std::invalid_argument naming the first entry of a matrix that is not finite.
+/// Throws std::invalid_argument naming the first entry of a matrix that is not finite, by row and column from 0.
 template <class Matrix>
-void require_finite(const char* who, const Matrix& matrix) {
-    for (auto j = 0 * matrix.cols(); j < matrix.cols(); ++j) {
-        for (auto i = 0 * matrix.rows(); i < matrix.rows(); ++i) {
-            if (std::isfinite(matrix(i, j))) continue;
-            const std::string entry = "entry (" + std::to_string(i) + ", " + std::to_string(j) + ")";
-            require(false, who, entry.c_str(), matrix(i, j), "be finite");
+void require_finite(const char* who, const char* name, const Matrix& matrix) {
+    if (all_finite(matrix)) return;
+    for (std::ptrdiff_t j = 0; j < matrix.cols(); ++j) {
+        for (std::ptrdiff_t i = 0; i < matrix.rows(); ++i) {
+            if (is_finite(matrix(i, j))) continue;
+            const std::string entry = std::string(name) + '(' + to_text(i) + ", " + to_text(j) + ')';
+            require(false, who, entry.c_str(), matrix(i, j), "be finite (row and column counted from 0)");
         }
     }
 }

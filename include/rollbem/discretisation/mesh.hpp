@@ -2,6 +2,8 @@
 // Elements are numbered from the trailing edge (index 0) to the leading edge (index n-1).
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 namespace rollbem {
@@ -38,14 +41,21 @@ public:
         detail::require(n >= 1, "Mesh", "number of elements", n, "be at least 1");
         detail::require(data_.edges_from_trailing.size() == n + 1 && data_.edges_from_leading.size() == n + 1, "Mesh",
                         "number of edges", data_.edges_from_trailing.size(), "be one more than the number of elements");
+        require_finite(data_.widths, "element width", "be positive and finite");
+        require_finite(data_.edges_from_trailing, "1 + x of an edge", "be finite");
+        require_finite(data_.edges_from_leading, "1 - x of an edge", "be finite");
         for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require(data_.widths[i] > 0 && std::isfinite(data_.widths[i]), "Mesh", "element width",
-                            data_.widths[i], "be positive and finite");
+            detail::require(data_.widths[i] > 0, "Mesh", "element width", data_.widths[i], "be positive and finite");
         }
         check_edges(data_.edges_from_trailing, data_.edges_from_leading);
-        from_trailing_ = (data_.edges_from_trailing.head(n) + data_.edges_from_trailing.tail(n)) / 2;
-        from_leading_ = (data_.edges_from_leading.head(n) + data_.edges_from_leading.tail(n)) / 2;
-        centres_ = (from_trailing_ - from_leading_) / 2;
+        from_trailing_.resize(n);
+        from_leading_.resize(n);
+        centres_.resize(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            from_trailing_[i] = (data_.edges_from_trailing[i] + data_.edges_from_trailing[i + 1]) / 2;
+            from_leading_[i] = (data_.edges_from_leading[i] + data_.edges_from_leading[i + 1]) / 2;
+            centres_[i] = (from_trailing_[i] - from_leading_[i]) / 2;
+        }
     }
 
     Eigen::Index size() const { return data_.widths.size(); }  ///< n
@@ -59,6 +69,12 @@ public:
     Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
 
 private:
+    // All at once, which is fast; one by one only to name the first that is not finite.
+    static void require_finite(const Array& values, const char* quantity, const char* rule) {
+        if (detail::all_finite(values)) return;
+        for (const Scalar& value : values) detail::require(detail::is_finite(value), "Mesh", quantity, value, rule);
+    }
+
     // Near one edge of the contact the distance from the other may round to one number for neighbours.
     static void check_edges(const Array& trailing, const Array& leading) {
         const Eigen::Index n = trailing.size() - 1;
@@ -69,9 +85,9 @@ private:
             const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
                                  (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
             detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
-            const Scalar sum = trailing[j] + leading[j];
-            detail::require(std::abs(sum - 2) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
-                            "(1 + x) + (1 - x) of an edge", sum, "be 2");
+            const Scalar excess = trailing[j] + leading[j] - 2;
+            detail::require(std::abs(excess) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
+                            "(1 + x) + (1 - x) - 2 of an edge", excess, "be 0 to rounding");
         }
     }
 
@@ -120,7 +136,7 @@ Mesh<Scalar> uniform_mesh(Eigen::Index n) {
 template <class Scalar = double>
 Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
     detail::require_elements("geometric_mesh", n, 2, "be at least 2");
-    detail::require(size_ratio > 0 && std::isfinite(size_ratio), "geometric_mesh", "size_ratio", size_ratio,
+    detail::require(detail::is_finite(size_ratio) && size_ratio > 0, "geometric_mesh", "size_ratio", size_ratio,
                     "be positive and finite");
     // width i is proportional to exp(i * growth); expm1 keeps the sums accurate when growth is small
     const Scalar growth = -std::log(size_ratio) / static_cast<Scalar>(n - 1);
@@ -139,7 +155,8 @@ Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
 template <class Scalar = double>
 Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("knothe_mesh", n, 3, "be at least 3");
-    detail::require(epsilon > 0 && std::isfinite(epsilon), "knothe_mesh", "epsilon", epsilon, "be positive and finite");
+    detail::require(detail::is_finite(epsilon) && epsilon > 0, "knothe_mesh", "epsilon", epsilon,
+                    "be positive and finite");
     const Scalar inner = 2 / (static_cast<Scalar>(n - 2) + 2 * epsilon);
     const auto edge = [=](Eigen::Index j) {
         return j == 0 ? Scalar(0) : j == n ? Scalar(2) : inner * (epsilon + static_cast<Scalar>(j - 1));
@@ -154,7 +171,7 @@ Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
 template <class Scalar = double>
 Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("modified_knothe_mesh", n, 2, "be at least 2");
-    detail::require(epsilon > 0 && std::isfinite(epsilon), "modified_knothe_mesh", "epsilon", epsilon,
+    detail::require(detail::is_finite(epsilon) && epsilon > 0, "modified_knothe_mesh", "epsilon", epsilon,
                     "be positive and finite");
     const Scalar inner = 2 / (static_cast<Scalar>(n - 1) + epsilon);
     return Mesh<Scalar>(detail::mesh_data<Scalar>(
@@ -186,15 +203,23 @@ template <class Scalar, class Derived>
 Mesh<Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
     const Eigen::Index n = edges.size() - 1;
     detail::require(n >= 1, "mesh_from_edges", "number of edges", edges.size(), "be at least 2");
-    detail::require(edges(0) == Scalar(-1), "mesh_from_edges", "first edge", edges(0), "be -1");
-    detail::require(edges(n) == Scalar(1), "mesh_from_edges", "last edge", edges(n), "be 1");
+    const auto first = edges(0), last = edges(n);
+    detail::require(detail::is_finite(first) && first == Scalar(-1), "mesh_from_edges", "first edge", first, "be -1");
+    detail::require(detail::is_finite(last) && last == Scalar(1), "mesh_from_edges", "last edge", last, "be 1");
     for (Eigen::Index j = 0; j < n; ++j) {
-        detail::require(edges(j + 1) > edges(j), "mesh_from_edges", "edge", edges(j + 1),
+        const auto next = edges(j + 1);
+        detail::require(detail::is_finite(next) && next > edges(j), "mesh_from_edges", "edge", next,
                         "be larger than the edge before it");
     }
     return Mesh<Scalar>(detail::mesh_data<Scalar>(
         n, [&](Eigen::Index j) { return 1 + edges(j); }, [&](Eigen::Index j) { return 1 - edges(j); },
         [&](Eigen::Index i) { return edges(i + 1) - edges(i); }));
+}
+
+/// The same in the scalar type of the edges.
+template <class Derived>
+Mesh<typename Derived::Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
+    return mesh_from_edges<typename Derived::Scalar>(edges);
 }
 
 }  // namespace rollbem

@@ -2,10 +2,14 @@
 // Collocation, Galerkin, and collocation with Knothe and Gross-Thebing's boundary conditions.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 
 #include <Eigen/Core>
 
+#include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "mesh.hpp"
 
@@ -48,9 +52,12 @@ namespace detail {
 
 template <class Scheme>
 void check_alphas(const Scheme& scheme, const char* who, Eigen::Index n) {
-    require(std::abs(scheme.alpha_L) <= 2, who, "alpha_L", scheme.alpha_L, "lie in [-2, 2]");
-    require(std::abs(scheme.alpha_T) <= 2, who, "alpha_T", scheme.alpha_T, "lie in [-2, 2]");
-    require(scheme.lambda >= 0 && scheme.lambda <= 1, who, "lambda", scheme.lambda, "lie in [0, 1]");
+    require(is_finite(scheme.alpha_L) && std::abs(scheme.alpha_L) <= 2, who, "alpha_L", scheme.alpha_L,
+            "lie in [-2, 2]");
+    require(is_finite(scheme.alpha_T) && std::abs(scheme.alpha_T) <= 2, who, "alpha_T", scheme.alpha_T,
+            "lie in [-2, 2]");
+    require(is_finite(scheme.lambda) && scheme.lambda >= 0 && scheme.lambda <= 1, who, "lambda", scheme.lambda,
+            "lie in [0, 1]");
     require(n > 1 || scheme.alpha_L == scheme.alpha_T, who, "n", n, "be at least 2 where alpha_L and alpha_T differ");
 }
 
@@ -74,12 +81,15 @@ typename Mesh<Scalar>::Array interpolate_alpha(const Mesh<Scalar>& mesh, double 
     using Array = typename Mesh<Scalar>::Array;
     const Scalar first = static_cast<Scalar>(alpha_T);
     const Scalar last = static_cast<Scalar>(alpha_L);
-    if (first == last) return Array::Constant(n, first);
+    Array alpha(n);
     const Array& from_trailing = mesh.from_trailing();
     const Array& from_leading = mesh.from_leading();
     const Scalar span = from_trailing[n - 1] - from_trailing[0];
-    Array alpha =
-        last * (from_trailing - from_trailing[0]) / span + first * (from_leading - from_leading[n - 1]) / span;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        alpha[i] = first == last ? first
+                                 : last * (from_trailing[i] - from_trailing[0]) / span +
+                                       first * (from_leading[i] - from_leading[n - 1]) / span;
+    }
     alpha[0] = first;  // exactly: an alpha of 0.5 must not fall on the other side of an edge
     alpha[n - 1] = last;
     return alpha;
@@ -93,7 +103,7 @@ inline Eigen::Index unknown_count(const KnotheBoundary&, Eigen::Index n) { retur
 /// The widths of the unknown elements: the weights that turn tractions into a force.
 template <class Scalar, class Scheme>
 typename Mesh<Scalar>::Array unknown_widths(const Mesh<Scalar>& mesh, const Scheme& scheme) {
-    return mesh.widths().head(unknown_count(scheme, mesh.size()));
+    return detail::segment(mesh.widths(), 0, unknown_count(scheme, mesh.size()));
 }
 
 }  // namespace rollbem

@@ -2,6 +2,9 @@
 // StripKernel for a finite half-width b, PlaneKernel for its limit b >> a; both know no mesh.
 #pragma once
 
+#include "../detail/language.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -10,6 +13,8 @@
 
 #include <Eigen/Core>
 
+#include "../detail/array_functions.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "../types.hpp"
@@ -53,17 +58,26 @@ concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, cons
 namespace detail {
 
 /// ln|x|, with ln 0 replaced by a finite number so that x ln|x| is 0 at x = 0.
-template <class Derived>
-auto finite_log(const Eigen::ArrayBase<Derived>& x) {
-    return x.abs().max(std::numeric_limits<typename Derived::Scalar>::min()).log();
+template <class Scalar>
+ArrayX<Scalar> finite_log(const ArrayX<Scalar>& x) {
+    ArrayX<Scalar> result(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        result[i] = std::max(std::abs(x[i]), std::numeric_limits<Scalar>::min());
+    }
+    log_in_place(result);
+    return result;
 }
 
-/// ln(1 + u) for u >= 0 to full relative accuracy, by whole-array operations: ln(w) u / (w - 1) with w = 1 + u rounded
-/// cancels the rounding of w; where w = 1, the result is u.
+/// ln(1 + u) for u >= 0 to full relative accuracy: ln(w) u / (w - 1) with w = 1 + u rounded cancels the rounding of w;
+/// where w = 1, the result is u.
 template <class Scalar>
 ArrayX<Scalar> log1p_array(const ArrayX<Scalar>& u) {
-    const ArrayX<Scalar> w = u + 1;
-    return (w == Scalar(1)).select(u, w.log() * (u / (w - 1)));
+    ArrayX<Scalar> result(u.size());
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+        const Scalar w = u[i] + 1;
+        result[i] = w == 1 ? u[i] : std::log(w) * (u[i] / (w - 1));
+    }
+    return result;
 }
 
 }  // namespace detail
@@ -79,11 +93,13 @@ public:
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
     /// finite.
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
-        : strength_(2 * c1 / std::numbers::pi_v<Scalar>),
+        : b_(half_width),
+          strength_(2 * c1 / std::numbers::pi_v<Scalar>),
           constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
-        detail::require(half_width > 0, "PlaneKernel", "half_width", half_width, "be positive");
-        detail::require(std::isfinite(c1), "PlaneKernel", "c1", c1, "be finite");
-        detail::require(std::isfinite(c2), "PlaneKernel", "c2", c2, "be finite");
+        detail::require(!detail::is_nan(half_width) && half_width > 0, "PlaneKernel", "half_width", half_width,
+                        "be positive");
+        detail::require(detail::is_finite(c1), "PlaneKernel", "c1", c1, "be finite");
+        detail::require(detail::is_finite(c2), "PlaneKernel", "c2", c2, "be finite");
     }
 
     static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
@@ -93,15 +109,31 @@ public:
         return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
     }
 
-    Array g(const Array& x) const { return constant_ - strength_ * x.abs().log(); }
-    Array H(const Array& x) const { return x * (constant_ + strength_ - strength_ * detail::finite_log(x)); }
+    Scalar half_width() const { return b_; }  ///< b in units of a
+
+    Array g(const Array& x) const {
+        Array result(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = std::abs(x[i]);
+        detail::log_in_place(result);
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = constant_ - strength_ * result[i];
+        return result;
+    }
+    Array H(const Array& x) const {
+        Array result = detail::finite_log(x);
+        const Scalar sum = constant_ + strength_;
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * (sum - strength_ * result[i]);
+        return result;
+    }
     Array H_integral(const Array& x) const {
-        return x.square() * ((2 * constant_ + 3 * strength_) / 4 - strength_ / 2 * detail::finite_log(x));
+        Array result = detail::finite_log(x);
+        const Scalar sum = (2 * constant_ + 3 * strength_) / 4;
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * x[i] * (sum - strength_ / 2 * result[i]);
+        return result;
     }
     std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
 
 private:
-    Scalar strength_, constant_;
+    Scalar b_, strength_, constant_;
 };
 
 /// Cerruti's solution, Eq. (3), integrated over -b <= y <= b and seen from y = 0:
@@ -115,9 +147,10 @@ public:
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
     /// finite.
     StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
-        detail::require(half_width > 0, "StripKernel", "half_width", half_width, "be positive");
-        detail::require(std::isfinite(c1), "StripKernel", "c1", c1, "be finite");
-        detail::require(std::isfinite(c2), "StripKernel", "c2", c2, "be finite");
+        detail::require(!detail::is_nan(half_width) && half_width > 0, "StripKernel", "half_width", half_width,
+                        "be positive");
+        detail::require(detail::is_finite(c1), "StripKernel", "c1", c1, "be finite");
+        detail::require(detail::is_finite(c2), "StripKernel", "c2", c2, "be finite");
     }
 
     static StripKernel longitudinal(const Contact<Scalar>& contact) {
@@ -127,17 +160,33 @@ public:
         return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
     }
 
-    Array g(const Array& x) const { return scale() * (c1_ * asinh_of_inverse(x) + c2_ * b_ / radius(x)); }
+    Scalar half_width() const { return b_; }  ///< b in units of a
+
+    Array g(const Array& x) const {
+        const Array r = radius(x);
+        Array result = asinh_of_inverse(x, r);
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = scale() * (c1_ * result[i] + c2_ * b_ / r[i]);
+        return result;
+    }
 
     Array H(const Array& x) const {
-        return scale() * (c1_ * x * asinh_of_inverse(x) + (c1_ + c2_) * b_ * asinh_of_ratio(x));
+        const Array r = radius(x), ratio = asinh_of_ratio(x, r);
+        Array result = asinh_of_inverse(x, r);
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            result[i] = scale() * (c1_ * x[i] * result[i] + (c1_ + c2_) * b_ * ratio[i]);
+        }
+        return result;
     }
 
     /// Zero at x = 0: b (r - b) is written as b x^2 / (r + b), so that small x lose nothing to the size of b.
     Array H_integral(const Array& x) const {
-        const Array rise = b_ * x.square() / (radius(x) + b_);
-        return scale() * (c1_ / 2 * (x.square() * asinh_of_inverse(x) + rise) +
-                          (c1_ + c2_) * (b_ * x * asinh_of_ratio(x) - rise));
+        const Array r = radius(x), ratio = asinh_of_ratio(x, r);
+        Array result = asinh_of_inverse(x, r);
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            const Scalar square = x[i] * x[i], rise = b_ * square / (r[i] + b_);
+            result[i] = scale() * (c1_ / 2 * (square * result[i] + rise) + (c1_ + c2_) * (b_ * x[i] * ratio[i] - rise));
+        }
+        return result;
     }
 
     /// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with
@@ -172,42 +221,71 @@ public:
     /// g' = -(2b/pi) [c1/(x r) + c2 x/r^3]; the series of 1/r and 1/r^3 about x follow from
     /// (r^2) y' + x y = 0 and (r^2) z' + 3 x z = 0, scaled by x^k so that no power overflows.
     Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic> taylor(const Array& x, Eigen::Index order) const {
-        const Array r = radius(x);
-        const Array kappa = x.square() / r.square();
-        Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic> result(x.size(), order + 1);
-        result.col(0) = g(x);
-        Array y = 1 / r, y_before = Array::Zero(x.size());
-        Array z = y * y * y, z_before = Array::Zero(x.size());
-        Array y_over_x = y;  // series of x y/(x + tau), times x
-        for (Eigen::Index k = 0; k < order; ++k) {
-            const Scalar i = static_cast<Scalar>(k);
-            // coefficient k of x g', then integrated to coefficient k + 1 of g
-            const Array x_times_z = x.square() * (z + z_before);
-            result.col(k + 1) = -scale() * b_ / (i + 1) * (c1_ * y_over_x + c2_ * x_times_z);
-            const Array y_next = -kappa * ((2 * i + 1) * y + i * y_before) / (i + 1);
-            const Array z_next = -kappa * ((2 * i + 3) * z + (i + 2) * z_before) / (i + 1);
-            y_before = y;
-            y = y_next;
-            z_before = z;
-            z = z_next;
-            y_over_x = y - y_over_x;
+        const Eigen::Index size = x.size();
+        const Array r = radius(x), value = g(x);
+        Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic> result(size, order + 1);
+        std::copy_n(value.data(), size, result.data());
+        constexpr Eigen::Index tile = 8;  // points at once: their series stay in registers
+        for (Eigen::Index first = 0; first < size; first += tile) {
+            const Eigen::Index count = std::min(tile, size - first);
+            Scalar square[tile], kappa[tile], y[tile], z[tile];
+            Scalar y_before[tile] = {}, z_before[tile] = {};
+            Scalar y_over_x[tile];  // series of x y/(x + tau), times x
+            for (Eigen::Index j = 0; j < tile; ++j) {
+                const Eigen::Index i = first + std::min(j, count - 1);
+                square[j] = x[i] * x[i];
+                kappa[j] = square[j] / (r[i] * r[i]);
+                y[j] = y_over_x[j] = 1 / r[i];
+                z[j] = y[j] * y[j] * y[j];
+            }
+            for (Eigen::Index k = 0; k < order; ++k) {
+                const Scalar i = static_cast<Scalar>(k), factor = -scale() * b_ / (i + 1);
+                Scalar coefficient[tile];
+                for (Eigen::Index j = 0; j < tile; ++j) {
+                    // coefficient k of x g', then integrated to coefficient k + 1 of g
+                    const Scalar x_times_z = square[j] * (z[j] + z_before[j]);
+                    coefficient[j] = factor * (c1_ * y_over_x[j] + c2_ * x_times_z);
+                    const Scalar y_next = -kappa[j] * ((2 * i + 1) * y[j] + i * y_before[j]) / (i + 1);
+                    const Scalar z_next = -kappa[j] * ((2 * i + 3) * z[j] + (i + 2) * z_before[j]) / (i + 1);
+                    y_before[j] = y[j];
+                    y[j] = y_next;
+                    z_before[j] = z[j];
+                    z[j] = z_next;
+                    y_over_x[j] = y_next - y_over_x[j];
+                }
+                std::copy_n(coefficient, count, result.data() + (k + 1) * size + first);
+            }
         }
         return result;
     }
 
 private:
     static constexpr Scalar scale() { return 2 / std::numbers::pi_v<Scalar>; }
-    Array radius(const Array& x) const { return (x.square() + b_ * b_).sqrt(); }
+    // r = sqrt(x^2 + b^2)
+    Array radius(const Array& x) const {
+        Array result(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * x[i] + b_ * b_;
+        detail::sqrt_in_place(result);
+        return result;
+    }
 
     // asinh(b/|x|) = ln(1 + (b + b^2/(r + |x|)) / |x|)
-    Array asinh_of_inverse(const Array& x) const {
-        const Array size = x.abs().max(std::numeric_limits<Scalar>::min() * 8 * (1 + b_));  // b/size stays finite
-        return detail::log1p_array<Scalar>((b_ + b_ * b_ / (radius(x) + size)) / size);
+    Array asinh_of_inverse(const Array& x, const Array& r) const {
+        const Scalar least = std::numeric_limits<Scalar>::min() * 8 * (1 + b_);  // b/size stays finite
+        Array u(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            const Scalar size = std::max(std::abs(x[i]), least);
+            u[i] = (b_ + b_ * b_ / (r[i] + size)) / size;
+        }
+        return detail::log1p_array(u);
     }
     // asinh(x/b) = sign(x) ln(1 + (|x| + x^2/(r + b)) / b)
-    Array asinh_of_ratio(const Array& x) const {
-        const Array size = x.abs();
-        return x.sign() * detail::log1p_array<Scalar>((size + size.square() / (radius(x) + b_)) / b_);
+    Array asinh_of_ratio(const Array& x, const Array& r) const {
+        Array u(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) u[i] = (std::abs(x[i]) + x[i] * x[i] / (r[i] + b_)) / b_;
+        Array result = detail::log1p_array(u);
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] < 0 ? -result[i] : result[i];
+        return result;
     }
 
     Scalar b_, c1_, c2_;

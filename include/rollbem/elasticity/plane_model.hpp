@@ -2,8 +2,11 @@
 // Asked by every problem that is not steady.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <numbers>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "line_kernel.hpp"
@@ -27,7 +30,7 @@ void require_stable_model(const Kernel&) {}
 template <class Scalar>
 void require_stable_model(const PlaneKernel<Scalar>& kernel) {
     const Scalar Lambda = plane_compliance(kernel);
-    detail::require(Lambda > 0, "PlaneKernel", "Lambda = ln(4b/a) + c2/c1", Lambda,
+    detail::require(!detail::is_nan(Lambda) && Lambda > 0, "PlaneKernel", "Lambda = ln(4b/a) + c2/c1", Lambda,
                     "be positive where the problem is not steady: the plane model itself is unstable for so small a "
                     "b/a; use the strip kernel");
 }

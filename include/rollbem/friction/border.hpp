@@ -2,15 +2,19 @@
 // For one slip zone at the trailing edge and stick from there to the leading edge, as under Hertz's pressure.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/LU>
 
+#include "../detail/finite.hpp"
 #include "steady.hpp"
 
 namespace rollbem {
@@ -28,8 +32,8 @@ template <class Scalar>
 Mesh<Scalar> border_mesh(Eigen::Index slip_count, Eigen::Index stick_count, Scalar border_from_trailing) {
     detail::require(slip_count >= 1, "border_mesh", "slip_count", slip_count, "be at least 1");
     detail::require(stick_count >= 1, "border_mesh", "stick_count", stick_count, "be at least 1");
-    detail::require(border_from_trailing > 0 && border_from_trailing < 2, "border_mesh", "border_from_trailing",
-                    border_from_trailing, "lie between 0 and 2");
+    detail::require(detail::is_finite(border_from_trailing) && border_from_trailing > 0 && border_from_trailing < 2,
+                    "border_mesh", "border_from_trailing", border_from_trailing, "lie between 0 and 2");
     const Scalar behind = border_from_trailing, ahead = 2 - border_from_trailing;
     const Mesh<Scalar> slip = cosine_mesh<Scalar>(slip_count), stick = cosine_mesh<Scalar>(stick_count);
     typename Mesh<Scalar>::Data data;
@@ -165,7 +169,7 @@ FittedLevel<Scalar> fit_border(Problem& problem, Scalar creepage, Scalar guess, 
         ++evaluations;
         const auto point = problem.evaluate(y);
         const Scalar excess = point.creepage - creepage;
-        if (!std::isfinite(excess)) break;
+        if (!is_finite(excess)) break;
         const bool narrow = high - low <= smallest * std::min(low, 2 - high);
         if (std::abs(excess) <= 16 * smallest * creepage || narrow) {
             level.border_from_trailing = y;
@@ -203,8 +207,9 @@ FittedLevel<Scalar> fit_border(Problem& problem, Scalar creepage, Scalar guess, 
 /// assemble_G_prime.
 template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 FittedFrictionSolution<Scalar> solve_fitted_friction(const Contact<Scalar>& contact, Eigen::Index n,
-                                                     const Kernel& kernel, Scalar friction_coefficient,
-                                                     const Pressure& pressure, Scalar creepage,
+                                                     const Kernel& kernel,
+                                                     std::type_identity_t<Scalar> friction_coefficient,
+                                                     const Pressure& pressure, std::type_identity_t<Scalar> creepage,
                                                      const Collocation& scheme = {.alpha_L = 0, .alpha_T = 0.5}) {
     detail::require(n >= 10 && n % 2 == 0, "solve_fitted_friction", "n", n, "be even and at least 10");
     const auto bound = [&](const Mesh<Scalar>& mesh) {
@@ -214,7 +219,7 @@ FittedFrictionSolution<Scalar> solve_fitted_friction(const Contact<Scalar>& cont
     FittedFrictionSolution<Scalar> result{.mesh = cosine_mesh<Scalar>(n), .traction = {}, .slip = {}};
     result.traction.setZero(n);
     result.slip.setZero(n);
-    if (!std::isfinite(creepage)) return result;
+    if (!detail::is_finite(creepage)) return result;
     const Scalar sign = creepage < 0 ? Scalar(-1) : Scalar(1);
 
     using Problem = detail::BorderProblem<Scalar, Collocation, Kernel, decltype(bound)>;
@@ -242,8 +247,9 @@ FittedFrictionSolution<Scalar> solve_fitted_friction(const Contact<Scalar>& cont
     const Scalar excess = (fine.traction().cwiseAbs() - fine.bound()).maxCoeff() / fine.bound().maxCoeff();
     const Scalar wrong_slip = -slip.head(slipping).minCoeff() / std::abs(creepage);
     result.complementarity_residual = std::max({excess, wrong_slip, Scalar(0)});
-    result.fitted =
-        before.found && last.found && std::isfinite(force) && result.complementarity_residual <= Scalar(0.05);
+    const bool finite = detail::is_finite(result.force_per_width) && detail::is_finite(result.tangent_per_width) &&
+                        detail::is_finite(excess) && detail::is_finite(wrong_slip);
+    result.fitted = before.found && last.found && finite && result.complementarity_residual <= Scalar(0.05);
     result.status = StepStatus::ok;
     if (result.fitted) return result;
 

@@ -2,6 +2,8 @@
 // Umbrella of the friction headers.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include "../normal/hertz.hpp"
 #include "../normal/pressure_table.hpp"
 #include "border.hpp"

@@ -1,10 +1,11 @@
 // Coulomb's law of friction on the elements of a mesh.
 #pragma once
 
-#include <cmath>
+#include "../detail/language.hpp"
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
 
@@ -24,12 +25,12 @@ namespace detail {
 template <class Scalar>
 VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& friction, Eigen::Index mesh_size,
                                Eigen::Index count, Scalar shear_modulus) {
-    require(friction.friction_coefficient >= 0 && std::isfinite(friction.friction_coefficient), who,
-            "friction_coefficient", friction.friction_coefficient, "be finite and not negative");
+    require(is_finite(friction.friction_coefficient) && friction.friction_coefficient >= 0, who, "friction_coefficient",
+            friction.friction_coefficient, "be finite and not negative");
     require(friction.normal_pressure.size() == mesh_size, who, "length of normal_pressure",
             friction.normal_pressure.size(), "equal the number of elements");
     for (Eigen::Index i = 0; i < mesh_size; ++i) {
-        require(friction.normal_pressure[i] >= 0 && std::isfinite(friction.normal_pressure[i]), who, "normal_pressure",
+        require(is_finite(friction.normal_pressure[i]) && friction.normal_pressure[i] >= 0, who, "normal_pressure",
                 friction.normal_pressure[i], "be finite and not negative");
     }
     require(friction.normal_pressure.maxCoeff() > 0, who, "largest normal_pressure",

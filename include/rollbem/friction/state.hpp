@@ -1,6 +1,8 @@
 // What a friction problem carries from step to step, and what a step returns: plain data.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <vector>

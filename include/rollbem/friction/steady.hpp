@@ -2,6 +2,8 @@
 // One model for a whole creep curve; each point starts from the one before.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cstdint>
 #include <utility>
 
@@ -81,7 +83,7 @@ private:
                         "equal the number of widths");
         detail::require(G_prime_.cols() == n, "SteadyFrictionModel", "number of columns of G_prime", G_prime_.cols(),
                         "equal the number of widths");
-        detail::require_finite("SteadyFrictionModel: G_prime", G_prime_);
+        detail::require_finite("SteadyFrictionModel", "G_prime", G_prime_);
     }
 
     static std::uint64_t fingerprint_of(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& widths) {

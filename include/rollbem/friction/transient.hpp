@@ -2,6 +2,8 @@
 // s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cstdint>
 #include <numbers>
 #include <utility>

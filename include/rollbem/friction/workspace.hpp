@@ -1,6 +1,8 @@
 // The factors and the scratch memory of a friction problem: what makes steps fast and changes no result.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <cstdint>
 #include <limits>
 

@@ -2,10 +2,13 @@
 // For a friction problem under a pressure that is not Hertz's.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../types.hpp"
@@ -26,14 +29,15 @@ public:
         detail::require(x_.size() == pressure_.size(), "PressureTable", "number of pressures", pressure_.size(),
                         "equal that of places");
         for (Eigen::Index i = 0; i < x_.size(); ++i) {
-            detail::require(x_[i] >= -1 && x_[i] <= 1, "PressureTable", "x/a", x_[i], "lie in [-1, 1]");
+            detail::require(detail::is_finite(x_[i]) && x_[i] >= -1 && x_[i] <= 1, "PressureTable", "x/a", x_[i],
+                            "lie in [-1, 1]");
             detail::require(i == 0 || x_[i] >= x_[i - 1], "PressureTable", "x/a", x_[i],
                             "not lie behind the place before");
-            detail::require(pressure_[i] >= 0 && std::isfinite(pressure_[i]), "PressureTable", "pressure", pressure_[i],
-                            "be finite and not negative");
+            detail::require(detail::is_finite(pressure_[i]) && pressure_[i] >= 0, "PressureTable", "pressure",
+                            pressure_[i], "be finite and not negative");
         }
         const Scalar load = integral();
-        detail::require(load > 0 && std::isfinite(load), "PressureTable", "load", load, "be positive and finite");
+        detail::require(detail::is_finite(load) && load > 0, "PressureTable", "load", load, "be positive and finite");
     }
 
     /// Integral of the pressure over x/a: the load per width over a.

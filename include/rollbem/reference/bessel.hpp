@@ -2,6 +2,8 @@
 // Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
 // GSL; includes nothing of the discretised problem, so that it cannot share its errors. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +21,7 @@
 #include <gsl/gsl_sf_bessel.h>
 
 #include "../closed_form/carter.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 /// Independent references. With u = A e^{sx} - xi/s the zero-slip condition du/dx - s u = xi holds for any A; the
@@ -250,7 +253,7 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
 /// std::runtime_error where GSL reports an error (an argument too large for its trigonometric functions).
 inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::harmonic_c11", poisson_ratio, aspect);
-    detail::require(std::isfinite(omega), "reference::harmonic_c11", "omega", omega, "be finite");
+    detail::require(rollbem::detail::is_finite(omega), "reference::harmonic_c11", "omega", omega, "be finite");
     gsl_sf_result j0{};
     gsl_sf_result j1{};
     for (const int status : {gsl_sf_bessel_J0_e(omega, &j0), gsl_sf_bessel_J1_e(omega, &j1)}) {
@@ -267,8 +270,8 @@ inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, dou
 /// poisson_ratio or aspect, or Lambda <= 0.
 inline std::complex<double> laplace_c11(std::complex<double> s, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::laplace_c11", poisson_ratio, aspect);
-    detail::require(std::isfinite(s.real()), "reference::laplace_c11", "Re s", s.real(), "be finite");
-    detail::require(std::isfinite(s.imag()), "reference::laplace_c11", "Im s", s.imag(), "be finite");
+    detail::require(rollbem::detail::is_finite(s.real()), "reference::laplace_c11", "Re s", s.real(), "be finite");
+    detail::require(rollbem::detail::is_finite(s.imag()), "reference::laplace_c11", "Im s", s.imag(), "be finite");
     return std::complex<double>(detail::laplace_c11(detail::Complex(s.real(), s.imag()), poisson_ratio, lambda));
 }
 

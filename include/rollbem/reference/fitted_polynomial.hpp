@@ -2,6 +2,8 @@
 // B of Eq. (19) fitted by least squares to the integral of Eq. (20), as the paper obtains it: GSL quadrature with the
 // logarithm and the root singularities in the weight. Independent of the closed form in spectral/polynomial.hpp.
 
+#include "../detail/language.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <memory>

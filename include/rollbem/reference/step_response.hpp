@@ -2,6 +2,8 @@
 // Exact force histories of the plane model: the response to a step, a ramp, a sine and piecewise linear creepage in the
 // distance rolled q = V t/a, by the modal series and Taylor's series; de Hoog's method as an independent second route.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "../closed_form/carter.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "bessel.hpp"
 
@@ -22,7 +25,8 @@ namespace rollbem::reference {
 template <typename Transform>
 double invert_laplace(const Transform& transform, double q, int terms = 40) {
     using detail::Complex;
-    detail::require(q > 0 && std::isfinite(q), "reference::invert_laplace", "q/a", q, "be positive and finite");
+    detail::require(rollbem::detail::is_finite(q) && q > 0, "reference::invert_laplace", "q/a", q,
+                    "be positive and finite");
     detail::require(terms > 0, "reference::invert_laplace", "terms", terms, "be positive");
     const long double period = 2 * static_cast<long double>(q);
     const long double abscissa = std::log(1e14L) / (2 * period);
@@ -138,7 +142,8 @@ public:
     /// -F/(a G amplitude) at q/a for creepage amplitude * sin(omega q) from rest; omega in V/a. Throws
     /// std::invalid_argument unless omega is positive and finite.
     double sine(double omega, double q_over_a) const {
-        detail::require(omega > 0 && std::isfinite(omega), "StepResponse", "omega", omega, "be positive and finite");
+        detail::require(rollbem::detail::is_finite(omega) && omega > 0, "StepResponse", "omega", omega,
+                        "be positive and finite");
         if (!(q_over_a > 0)) {
             return 0;
         }

@@ -2,6 +2,8 @@
 // Creep coefficient of the strip of finite half-width, steady or harmonic, by a spectral method of its own: traction in
 // Chebyshev polynomials over sqrt(1 - x^2). Shares nothing with the assembly. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +14,7 @@
 #include <Eigen/LU>
 
 #include "../closed_form/carter.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 namespace rollbem::reference {
@@ -81,7 +84,7 @@ Number strip_c11_once(Number s, double c1, double c2, double b, Eigen::Index ord
 /// |s| <= 1000, 0 <= poisson_ratio <= 0.5 and 0.005 <= aspect < inf.
 inline StripC11 strip_c11(std::complex<double> s, double poisson_ratio, double aspect) {
     rollbem::detail::require_poisson_ratio("reference::strip_c11", poisson_ratio);
-    detail::require(aspect >= 0.005 && std::isfinite(aspect), "reference::strip_c11", "aspect", aspect,
+    detail::require(rollbem::detail::is_finite(aspect) && aspect >= 0.005, "reference::strip_c11", "aspect", aspect,
                     "be at least 0.005 and finite");
     detail::require(std::abs(s) <= 1000, "reference::strip_c11", "|s|", std::abs(s), "be at most 1000");
     const double c1 = 1 - poisson_ratio, c2 = poisson_ratio;

@@ -2,9 +2,11 @@
 // Half-length a, half-width b, shear modulus G and Poisson's ratio nu, checked once and then trusted.
 #pragma once
 
-#include <cmath>
+#include "../detail/language.hpp"
+
 #include <limits>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 namespace rollbem {
@@ -28,19 +30,20 @@ public:
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
     explicit Contact(const Parameters& parameters) : parameters_(parameters) {
         const Parameters& p = parameters_;
-        detail::require(p.half_length > 0 && std::isfinite(p.half_length), "Contact", "half_length", p.half_length,
+        detail::require(detail::is_finite(p.half_length) && p.half_length > 0, "Contact", "half_length", p.half_length,
                         "be positive and finite");
-        detail::require(p.half_width > 0, "Contact", "half_width", p.half_width, "be positive");
-        detail::require(p.shear_modulus > 0 && std::isfinite(p.shear_modulus), "Contact", "shear_modulus",
+        detail::require(!detail::is_nan(p.half_width) && p.half_width > 0, "Contact", "half_width", p.half_width,
+                        "be positive");
+        detail::require(detail::is_finite(p.shear_modulus) && p.shear_modulus > 0, "Contact", "shear_modulus",
                         p.shear_modulus, "be positive and finite");
-        detail::require(p.poisson_ratio >= 0 && p.poisson_ratio <= Scalar(0.5), "Contact", "poisson_ratio",
-                        p.poisson_ratio, "lie in [0, 0.5]");
+        detail::require(detail::is_finite(p.poisson_ratio) && p.poisson_ratio >= 0 && p.poisson_ratio <= Scalar(0.5),
+                        "Contact", "poisson_ratio", p.poisson_ratio, "lie in [0, 0.5]");
         detail::require(aspect() > 0, "Contact", "half_width / half_length", aspect(), "be positive");
     }
 
     /// The contact with a = G = 1 and b = `aspect`.
     static Contact dimensionless(Scalar aspect, Scalar poisson_ratio) {
-        detail::require(aspect > 0, "Contact", "aspect", aspect, "be positive");
+        detail::require(!detail::is_nan(aspect) && aspect > 0, "Contact", "aspect", aspect, "be positive");
         return Contact({.half_length = 1, .half_width = aspect, .shear_modulus = 1, .poisson_ratio = poisson_ratio});
     }
 

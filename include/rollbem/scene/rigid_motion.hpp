@@ -1,8 +1,9 @@
 // What the bodies do relative to each other, as rigid bodies, while the contact rolls on.
 #pragma once
 
-#include <cmath>
+#include "../detail/language.hpp"
 
+#include "../detail/finite.hpp"
 #include "../status.hpp"
 
 namespace rollbem {
@@ -28,8 +29,8 @@ public:
 
     /// Whether it can go with a distance rolled of dq, in any unit: ok, invalid_step or not_finite.
     StepStatus check(Scalar dq) const noexcept {
-        if (!(is_shift() ? dq >= 0 : dq > 0) || !std::isfinite(dq)) return StepStatus::invalid_step;
-        return std::isfinite(start_) && std::isfinite(end_) ? StepStatus::ok : StepStatus::not_finite;
+        if (!detail::is_finite(dq) || !(is_shift() ? dq >= 0 : dq > 0)) return StepStatus::invalid_step;
+        return detail::is_finite(start_) && detail::is_finite(end_) ? StepStatus::ok : StepStatus::not_finite;
     }
 
 private:

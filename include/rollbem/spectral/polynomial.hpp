@@ -2,6 +2,8 @@
 // Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel: in monomials as in the paper, and in Chebyshev
 // polynomials, where it costs O(order) and reaches machine precision. Dimensionless: a = G = V = 1.
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,6 +15,7 @@
 #include <Eigen/LU>
 
 #include "../closed_form/carter.hpp"
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
 
@@ -39,7 +42,8 @@ inline const char* advice(Status status) {
 template <std::floating_point Scalar>
 Eigen::Index default_polynomial_order(std::complex<Scalar> s) {
     const Scalar modulus = std::abs(s);
-    detail::require(modulus <= Scalar(1e8), "default_polynomial_order", "|s|", modulus, "be at most 1e8");
+    detail::require(detail::is_finite(modulus) && modulus <= Scalar(1e8), "default_polynomial_order", "|s|", modulus,
+                    "be at most 1e8");
     const Scalar digits = Scalar(std::numeric_limits<Scalar>::digits) / 53;
     return static_cast<Eigen::Index>(std::ceil(modulus + digits * (12 * std::cbrt(modulus) + 20)));
 }
@@ -49,7 +53,7 @@ template <std::floating_point Scalar>
 struct PolynomialC11 {
     std::complex<Scalar> c11;  ///< Eq. (30): force per unit width over -a G xi
     Scalar error_estimate;     ///< relative, of truncation and rounding together; an upper estimate, not a bound
-    Status status;
+    Status status = Status::not_finite;
 };
 
 /// Traction and displacement under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case.
@@ -64,15 +68,15 @@ struct PolynomialSolution {
     Vector displacement_coefficients;  ///< u/(a xi), of x^l (Eq. 22) or of T_l
     Scalar error_estimate;             ///< of c11, relative
     Scalar condition;                  ///< monomial: estimated 1-norm condition; Chebyshev: 1, no matrix is inverted
-    Status status;
+    Status status = Status::not_finite;
 
     /// p/(G xi), Eq. (17). Throws std::invalid_argument for distances that are negative or do not add up to 2.
     Complex traction(const EdgeDistances<Scalar>& position) const {
         using std::abs, std::sqrt;
-        detail::require(position.trailing >= Scalar(0), "PolynomialSolution", "trailing", position.trailing,
-                        "be at least 0");
-        detail::require(position.leading >= Scalar(0), "PolynomialSolution", "leading", position.leading,
-                        "be at least 0");
+        detail::require(detail::is_finite(position.trailing) && position.trailing >= Scalar(0), "PolynomialSolution",
+                        "trailing", position.trailing, "be at least 0");
+        detail::require(detail::is_finite(position.leading) && position.leading >= Scalar(0), "PolynomialSolution",
+                        "leading", position.leading, "be at least 0");
         const Scalar sum = position.trailing + position.leading;
         detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "PolynomialSolution",
                         "trailing + leading", sum, "be 2");
@@ -81,13 +85,15 @@ struct PolynomialSolution {
 
     /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
     Complex traction(Scalar x_over_a) const {
-        detail::require(std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a", x_over_a, "lie in [-1, 1]");
+        detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a",
+                        x_over_a, "lie in [-1, 1]");
         return traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a});
     }
 
     /// u/(a xi) at x/a, Eq. (21). Throws std::invalid_argument unless -1 <= x/a <= 1.
     Complex displacement(Scalar x_over_a) const {
-        detail::require(std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a", x_over_a, "lie in [-1, 1]");
+        detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a",
+                        x_over_a, "lie in [-1, 1]");
         const Vector& u = displacement_coefficients;
         Complex next = 0;
         Complex current = 0;
@@ -133,8 +139,8 @@ namespace detail {
 template <std::floating_point Scalar>
 Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
                          Eigen::Index order) {
-    require(std::isfinite(s.real()), who, "Re s", s.real(), "be finite");
-    require(std::isfinite(s.imag()), who, "Im s", s.imag(), "be finite");
+    require(is_finite(s.real()), who, "Re s", s.real(), "be finite");
+    require(is_finite(s.imag()), who, "Im s", s.imag(), "be finite");
     require(order >= 1, who, "order", order, "be at least 1");
     return s == std::complex<Scalar>(0) ? plane_lambda(poisson_ratio, aspect)
                                         : stable_plane_lambda(who, poisson_ratio, aspect);
@@ -165,10 +171,10 @@ std::complex<Scalar> chebyshev_sum(std::complex<Scalar> s, Eigen::Index order, s
 
 template <std::floating_point Scalar>
 Status polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar tolerance) {
-    if (!std::isfinite(c11.real()) || !std::isfinite(c11.imag())) {
+    if (!is_finite(c11)) {
         return Status::not_finite;
     }
-    return error_estimate <= tolerance ? Status::ok : Status::not_converged;
+    return is_finite(error_estimate) && error_estimate <= tolerance ? Status::ok : Status::not_converged;
 }
 
 /// Chebyshev: at a sufficient order only rounding is left, so half the digits tell it from truncation.
@@ -378,7 +384,8 @@ PolynomialSolution<Scalar> solve_monomial(
         detail::solve_monomial_once<Scalar>(s, displacement_matrix(order + 10, poisson_ratio, aspect));
     solution.error_estimate = std::abs(solution.c11 - higher.c11) / std::abs(solution.c11);
     solution.status = detail::polynomial_status(solution.c11, solution.error_estimate, options.tolerance);
-    if (solution.status != Status::not_finite && !(solution.condition <= options.largest_condition)) {
+    if (solution.status != Status::not_finite &&
+        !(detail::is_finite(solution.condition) && solution.condition <= options.largest_condition)) {
         solution.status = Status::ill_conditioned;
     }
     return solution;

@@ -2,6 +2,11 @@
 // No user includes this by itself.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "../../detail/finite.hpp"
+#include "../../detail/language.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 
@@ -16,15 +21,20 @@ inline constexpr double largest_assisting_share = 0.05;
 /// With the collocation points on or behind the elements' centres, or more than one width ahead of them, a small
 /// residual and a good condition come with the singularity at the wrong edge, or one of a higher order: c11 of 0, -1 or
 /// 3 times the exact one.
-template <class Scalar>
-Scalar assisting_share(const ArrayX<Scalar>& traction, const ArrayX<Scalar>& widths) {
-    const Scalar assisting = (widths * traction.max(Scalar(0))).sum();
-    return assisting > 0 ? assisting / (widths * traction.abs()).sum() : Scalar(0);
+template <class Scalar, class Traction>
+Scalar assisting_share(const Traction& traction, const ArrayX<Scalar>& widths) {
+    Scalar assisting = 0, all = 0;
+    for (Eigen::Index i = 0; i < traction.size(); ++i) {
+        assisting += widths[i] * std::max(traction[i], Scalar(0));
+        all += widths[i] * std::abs(traction[i]);
+    }
+    return assisting > 0 ? assisting / all : Scalar(0);
 }
 
-template <class Scalar>
-bool opposes_creepage(const ArrayX<Scalar>& traction, const ArrayX<Scalar>& widths) {
-    return assisting_share(traction, widths) <= Scalar(largest_assisting_share);
+template <class Scalar, class Traction>
+bool opposes_creepage(const Traction& traction, const ArrayX<Scalar>& widths) {
+    const Scalar share = assisting_share<Scalar>(traction, widths);
+    return is_finite(share) && share <= Scalar(largest_assisting_share);
 }
 
 }  // namespace rollbem::detail

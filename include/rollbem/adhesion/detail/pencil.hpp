@@ -2,6 +2,8 @@
 // No user includes this by itself.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 namespace rollbem::detail {
 
 /// Below this rcond(G') no result is taken from G'^-1 G: it could have lost more than four digits.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -12,7 +11,9 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/array_functions.hpp"
 #include "../../detail/gauss_legendre.hpp"
+#include "../../detail/language.hpp"
 #include "../../elasticity/line_kernel.hpp"
 
 namespace rollbem::detail {
@@ -43,27 +44,48 @@ enum class Quantity {
 };
 
 /// A kernel behind functions of arrays, so that the integrals below are compiled once for a scalar type and not for
-/// every kernel; a call costs nothing beside the array it works on. Refers to the kernel.
+/// every kernel; a call costs nothing beside the array it works on. Refers to the kernel. Pointers to functions instead
+/// of std::function, for the sake of the user's compiler.
 template <class Scalar>
 struct KernelView {
     using Array = ArrayX<Scalar>;
     using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-    std::function<Array(int level, const Array& x)> antiderivative;          ///< g (0), H (1), H_integral (2)
-    std::function<std::optional<LogSplit<Scalar>>(Scalar reach)> log_split;  ///< empty where there is none
-    std::function<Table(const Array& x, Eigen::Index order)> taylor;         ///< empty where there is none
-
     template <LineKernel Kernel>
     KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor): a view of any kernel
-        : antiderivative([&kernel](int level, const Array& x) -> Array {
-              if (level == 0) return kernel.g(x);
-              return level == 1 ? Array(kernel.H(x)) : Array(kernel.H_integral(x));
+        : kernel_(&kernel), antiderivative_([](const void* self, int level, const Array& x) -> Array {
+              const Kernel& k = *static_cast<const Kernel*>(self);
+              if (level == 0) return k.g(x);
+              if (level == 1) return k.H(x);
+              return k.H_integral(x);
           }) {
-        if constexpr (SplitKernel<Kernel>) log_split = [&kernel](Scalar reach) { return kernel.log_split(reach); };
+        if constexpr (SplitKernel<Kernel>) {
+            log_split_ = [](const void* self, Scalar reach) {
+                return static_cast<const Kernel*>(self)->log_split(reach);
+            };
+        }
         if constexpr (TaylorKernel<Kernel>) {
-            taylor = [&kernel](const Array& x, Eigen::Index order) -> Table { return kernel.taylor(x, order); };
+            taylor_ = [](const void* self, const Array& x, Eigen::Index order) -> Table {
+                return static_cast<const Kernel*>(self)->taylor(x, order);
+            };
         }
     }
+
+    /// g (level 0), H (1), H_integral (2).
+    Array antiderivative(int level, const Array& x) const { return antiderivative_(kernel_, level, x); }
+    /// Empty where there is none.
+    std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
+        if (!log_split_) return std::nullopt;
+        return log_split_(kernel_, reach);
+    }
+    bool has_taylor() const { return taylor_ != nullptr; }
+    Table taylor(const Array& x, Eigen::Index order) const { return taylor_(kernel_, x, order); }
+
+private:
+    const void* kernel_;
+    Array (*antiderivative_)(const void*, int, const Array&);
+    std::optional<LogSplit<Scalar>> (*log_split_)(const void*, Scalar) = nullptr;
+    Table (*taylor_)(const void*, const Array&, Eigen::Index) = nullptr;
 };
 
 /// Fills matrices of line integrals. Near entries take differences of the kernel's antiderivatives, sharing evaluations
@@ -80,19 +102,20 @@ public:
     /// `equal_widths`: every h and delta are one number, and neighbours are 2h apart.
     LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
                   const ColumnElements<Scalar>& columns, bool equal_widths)
-        : kernel_(std::move(kernel)),
+        : kernel_(kernel),
           quantity_(quantity),
           averages_(averages),
           equal_widths_(equal_widths),
           rows_(padded(rows)),
           columns_(columns),
           count_(rows.half.size()) {
-        if (kernel_.log_split) {
-            split_ = kernel_.log_split(
-                (rows_.from_leading.max(rows_.from_trailing) + rows_.offset.abs() + Scalar(averages) * rows_.half)
-                    .maxCoeff() +
-                columns_.half.maxCoeff());
+        Scalar reach = 0, widest = 0;
+        for (Eigen::Index l = 0; l < count_; ++l) {
+            reach = std::max(reach, std::max(rows_.from_leading[l], rows_.from_trailing[l]) +
+                                        std::abs(rows_.offset[l]) + Scalar(averages) * rows_.half[l]);
         }
+        for (Eigen::Index m = 0; m < columns_.half.size(); ++m) widest = std::max(widest, columns_.half[m]);
+        split_ = kernel_.log_split(reach + widest);
         // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d, and a
         // Taylor series, which costs more a term than the other, of fewer terms
         const bool short_series = !split_ && equal_widths_;
@@ -103,10 +126,10 @@ public:
     }
 
     /// Writes the integral for every row l and element m to out(l, m).
-    void fill(Eigen::Ref<Matrix> out) const {
+    void fill(Matrix& out) const {
         if (split_) {
             split_series(out);
-        } else if (kernel_.taylor) {
+        } else if (kernel_.has_taylor()) {
             taylor_series(out);
         }
         near_differences(out);
@@ -122,13 +145,13 @@ private:
         const Eigen::Index full = (count + chunk - 1) / chunk * chunk;
         const auto pad = [&](const Array& values) {
             Array result(full);
-            result << values, Array::Constant(full - count, values[count - 1]);
+            for (Eigen::Index l = 0; l < full; ++l) result[l] = values[std::min(l, count - 1)];
             return result;
         };
         return {pad(rows.from_trailing), pad(rows.from_leading), pad(rows.offset), pad(rows.half)};
     }
 
-    bool has_series() const { return split_.has_value() || kernel_.taylor; }
+    bool has_series() const { return split_.has_value() || kernel_.has_taylor(); }
     Scalar distance(Eigen::Index l, Eigen::Index m) const {
         const Scalar between = columns_.from_trailing[m] <= 1 ? rows_.from_trailing[l] - columns_.from_trailing[m]
                                                               : columns_.from_leading[m] - rows_.from_leading[l];
@@ -150,24 +173,34 @@ private:
 
     // the antiderivative of the singular part, or of the whole kernel; what is constant for the slope is left out
     Array antiderivative(const Array& x) const {
-        if (split_) {
-            const Scalar s = split_->strength;
-            switch (level()) {
-                case 0: return -s * x.abs().log();
-                case 1:
-                    return quantity_ == Quantity::slope ? Array(-s * x * finite_log(x))
-                                                        : Array(x * (split_->constant + s - s * finite_log(x)));
-                case 2:
-                    return quantity_ == Quantity::slope
-                               ? Array(-s / 2 * x.square() * finite_log(x))
-                               : Array(x.square() * ((2 * split_->constant + 3 * s) / 4 - s / 2 * finite_log(x)));
-                default: break;
+        if (!split_ || level() > 2) return kernel_.antiderivative(level(), x);
+        const Scalar s = split_->strength;
+        const bool slope = quantity_ == Quantity::slope;
+        if (level() == 1) {
+            const Scalar constant = split_->constant + s;
+            Array result = finite_log(x);
+            for (Eigen::Index i = 0; i < x.size(); ++i) {
+                result[i] = slope ? -s * x[i] * result[i] : x[i] * (constant - s * result[i]);
             }
+            return result;
         }
-        return kernel_.antiderivative(level(), x);
+        if (level() == 2) {
+            const Scalar constant = (2 * split_->constant + 3 * s) / 4;
+            Array result = finite_log(x);
+            for (Eigen::Index i = 0; i < x.size(); ++i) {
+                const Scalar square = x[i] * x[i];
+                result[i] = slope ? -s / 2 * square * result[i] : square * (constant - s / 2 * result[i]);
+            }
+            return result;
+        }
+        Array result(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = std::abs(x[i]);
+        log_in_place(result);
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] *= -s;
+        return result;
     }
 
-    void near_differences(Eigen::Ref<Matrix> result) const {
+    void near_differences(Matrix& result) const {
         const Eigen::Index n = columns_.half.size();
         const Scalar spread = Scalar(averages_ + 1) / (2 * std::sqrt(far_ratio_));
         std::vector<Run> runs;
@@ -223,11 +256,11 @@ private:
         }
     }
 
-    void evaluate_runs(const std::vector<Run>& runs, const std::vector<Scalar>& arguments,
-                       Eigen::Ref<Matrix> result) const {
+    void evaluate_runs(const std::vector<Run>& runs, const std::vector<Scalar>& arguments, Matrix& result) const {
         if (arguments.empty()) return;
-        const Array values =
-            antiderivative(Eigen::Map<const Array>(arguments.data(), static_cast<Eigen::Index>(arguments.size())));
+        Array x(static_cast<Eigen::Index>(arguments.size()));
+        std::copy(arguments.begin(), arguments.end(), x.data());
+        const Array values = antiderivative(x);
         for (const Run& run : runs) {
             Scalar divisor = 1;
             for (int i = 0; i < averages_; ++i) divisor *= 2 * rows_.half[run.row];
@@ -303,68 +336,71 @@ private:
 
     // the logarithmic part: g' = -strength/d, so that g^{(2j+1)}/(2j)! = -strength/d^(2j+1)
     template <bool SingleRatio>
-    Chunk log_series(const Chunk& d, Scalar h, const Chunk& delta) const {
-        const Chunk inverse = d.inverse();
+    Chunk log_series(const Chunk& d, Scalar h, const Scalar* delta) const {
         const Scalar size = Scalar(averages_ > 0 ? 2 : 1) * h;
-        Chunk A, B = Chunk::Zero();
-        if constexpr (SingleRatio) {
-            A = (size * inverse).square().min(far_ratio_);
-        } else {
-            A = ((h + delta) * inverse).square().min(far_ratio_);
-            B = ((h - delta) * inverse).square().min(far_ratio_);
-        }
-        const Scalar scale = 2 * h * split_->strength;
-        const Chunk sum = moment_sum<SingleRatio>(A, B);
-        if (quantity_ == Quantity::slope) return -scale * inverse * sum;
-        return 2 * h * split_->constant + scale * (sum - d.abs().log());
-    }
-
-    void split_series(Eigen::Ref<Matrix> result) const {
-        if (averages_ == 2) {
-            twice_averaged_series(result);
-        } else if (averages_ == 0 || equal_widths_) {
-            for_each_chunk(
-                result, [this](const Chunk& d, Scalar h, const Chunk& delta) { return log_series<true>(d, h, delta); });
-        } else {
-            for_each_chunk(result, [this](const Chunk& d, Scalar h, const Chunk& delta) {
-                return log_series<false>(d, h, delta);
-            });
-        }
-    }
-
-    void twice_averaged_series(Eigen::Ref<Matrix> result) const {
-        const QuadratureRule<Scalar> rule = second_average();
-        for_each_chunk(result, [&](const Chunk& d, Scalar h, const Chunk& delta) {
-            Chunk sum = Chunk::Zero();
-            for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
-                sum += rule.weights[k] / 2 * log_series<false>(d + rule.nodes[k] * delta, h, delta);
+        Chunk inverse, A, B;
+        for (Eigen::Index i = 0; i < chunk; ++i) {
+            inverse[i] = 1 / d[i];
+            const Scalar sum = (SingleRatio ? size : h + delta[i]) * inverse[i];
+            A[i] = sum * sum;
+            if constexpr (!SingleRatio) {
+                const Scalar difference = (h - delta[i]) * inverse[i];
+                B[i] = difference * difference;
             }
-            return sum;
-        });
+        }
+        A = A.min(far_ratio_);
+        if constexpr (!SingleRatio) B = B.min(far_ratio_);
+        const Scalar scale = 2 * h * split_->strength;
+        Chunk result = moment_sum<SingleRatio>(A, B);
+        if (quantity_ == Quantity::slope) {
+            for (Eigen::Index i = 0; i < chunk; ++i) result[i] *= -scale * inverse[i];
+            return result;
+        }
+        Chunk logarithm;
+        for (Eigen::Index i = 0; i < chunk; ++i) logarithm[i] = std::abs(d[i]);
+        logarithm = logarithm.log();
+        const Scalar constant = 2 * h * split_->constant;
+        for (Eigen::Index i = 0; i < chunk; ++i) result[i] = constant + scale * (result[i] - logarithm[i]);
+        return result;
     }
 
-    template <class Series>
-    void for_each_chunk(Eigen::Ref<Matrix> result, Series series) const {
+    Chunk twice_averaged(const QuadratureRule<Scalar>& rule, const Chunk& d, Scalar h, const Scalar* delta) const {
+        Chunk sum;
+        for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = 0;
+        for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+            Chunk shifted;
+            for (Eigen::Index i = 0; i < chunk; ++i) shifted[i] = d[i] + rule.nodes[k] * delta[i];
+            const Chunk value = log_series<false>(shifted, h, delta);
+            for (Eigen::Index i = 0; i < chunk; ++i) sum[i] += rule.weights[k] / 2 * value[i];
+        }
+        return sum;
+    }
+
+    void split_series(Matrix& result) const {
+        const bool twice = averages_ == 2, single_ratio = averages_ == 0 || equal_widths_;
+        const QuadratureRule<Scalar> rule = second_average();
         const Eigen::Index degree = row_series_.cols();
         Table powers = common_powers_;
         for (Eigen::Index m = 0; m < columns_.half.size(); ++m) {
             const Scalar h = columns_.half[m];
             const bool trailing = columns_.from_trailing[m] <= 1;
             const Scalar origin = trailing ? columns_.from_trailing[m] : columns_.from_leading[m];
+            const Scalar* from = trailing ? rows_.from_trailing.data() : rows_.from_leading.data();
+            const Scalar sign = trailing ? 1 : -1;
             if (!equal_widths_) polynomial_coefficients(m, powers);
             for (Eigen::Index l = 0; l < count_; l += chunk) {
-                Chunk d = rows_.offset.template segment<chunk>(l);
-                if (trailing) {
-                    d += rows_.from_trailing.template segment<chunk>(l) - origin;
-                } else {
-                    d += origin - rows_.from_leading.template segment<chunk>(l);
-                }
-                Chunk value = series(d, h, Chunk(rows_.half.template segment<chunk>(l)));
-                if (degree > 0) value += polynomial_chunk(powers, d, l);
+                Chunk d;
+                for (Eigen::Index i = 0; i < chunk; ++i) d[i] = rows_.offset[l + i] + sign * (from[l + i] - origin);
+                const Scalar* delta = rows_.half.data() + l;
+                Chunk value = twice          ? twice_averaged(rule, d, h, delta)
+                              : single_ratio ? log_series<true>(d, h, delta)
+                                             : log_series<false>(d, h, delta);
+                if (degree > 0) add_polynomial(powers, d, l, value);
+                Scalar* out = result.data() + m * result.rows() + l;
                 if (l + chunk <= count_) {
-                    result.col(m).template segment<chunk>(l).array() = value;
+                    for (Eigen::Index i = 0; i < chunk; ++i) out[i] = value[i];
                 } else {
-                    result.col(m).segment(l, count_ - l).array() = value.head(count_ - l);
+                    std::copy_n(value.data(), count_ - l, out);
                 }
             }
         }
@@ -379,7 +415,7 @@ private:
         const Eigen::Index terms = split_->even.size();
         const Eigen::Index length = terms == 0 ? 0 : terms + 1 - q;
         // falling(i, j): contribution of sigma_j to the power i, k = i + j + q
-        Table falling = Table::Zero(length, length);
+        Table falling = zeros(length, length);
         for (Eigen::Index i = 0; i < length; ++i) {
             for (Eigen::Index j = i + q == 0 ? 1 : 0; i + j < length; ++j) {
                 const Eigen::Index k = i + j + q;
@@ -388,35 +424,45 @@ private:
             }
         }
         // row l: coefficients of sinhc(delta_l t)^averages; with equal widths one row serves all
-        const Table average = sinhc_series(equal_widths_ ? Array(rows_.half.head(1)) : rows_.half, length);
-        row_series_.setZero(average.rows(), length);
-        if (length > 0) row_series_.col(0).setOnes();
-        for (int a = 0; a < averages_; ++a) {
-            for (Eigen::Index j = length - 1; j > 0; --j) {
-                for (Eigen::Index i = 0; i < j; ++i) row_series_.col(j) += row_series_.col(i) * average.col(j - i);
+        const Table average = sinhc_series(rows_.half, equal_widths_ ? 1 : rows_.half.size(), length);
+        row_series_ = zeros(average.rows(), length);
+        for (Eigen::Index l = 0; l < average.rows() && length > 0; ++l) {
+            row_series_(l, 0) = 1;
+            for (int a = 0; a < averages_; ++a) {
+                for (Eigen::Index j = length - 1; j > 0; --j) {
+                    for (Eigen::Index i = 0; i < j; ++i) row_series_(l, j) += row_series_(l, i) * average(l, j - i);
+                }
             }
         }
         // what factor k of a row contributes to the power i, for every element; with equal widths one serves all
-        const Array element_half = equal_widths_ ? Array(columns_.half.head(1)) : columns_.half;
-        const Table element = sinhc_series(element_half, length);
-        element_factors_.setZero(element.rows(), length * length);
+        const Table element = sinhc_series(columns_.half, equal_widths_ ? 1 : columns_.half.size(), length);
+        element_factors_ = zeros(element.rows(), length * length);
         for (Eigen::Index i = 0; i < length; ++i) {
             for (Eigen::Index k = 0; i + k < length; ++k) {
                 for (Eigen::Index j = k; i + j < length; ++j) {
-                    element_factors_.col(i * length + k) += 2 * falling(i, j) * element_half * element.col(j - k);
+                    const Scalar factor = 2 * falling(i, j);
+                    for (Eigen::Index m = 0; m < element.rows(); ++m) {
+                        element_factors_(m, i * length + k) += factor * columns_.half[m] * element(m, j - k);
+                    }
                 }
             }
         }
         if (equal_widths_) polynomial_coefficients(0, common_powers_);
     }
 
-    static Table sinhc_series(const Array& half, Eigen::Index length) {
-        Table series(half.size(), length);
+    static Table zeros(Eigen::Index rows, Eigen::Index columns) {
+        Table table(rows, columns);
+        std::fill_n(table.data(), table.size(), Scalar(0));
+        return table;
+    }
+
+    // of the first `count` widths
+    static Table sinhc_series(const Array& half, Eigen::Index count, Eigen::Index length) {
+        Table series(count, length);
         for (Eigen::Index i = 0; i < length; ++i) {
-            if (i == 0) {
-                series.col(0).setOnes();
-            } else {
-                series.col(i) = series.col(i - 1) * half.square() / Scalar(2 * i * (2 * i + 1));
+            for (Eigen::Index l = 0; l < count; ++l) {
+                series(l, i) =
+                    i == 0 ? Scalar(1) : series(l, i - 1) * (half[l] * half[l]) / Scalar(2 * i * (2 * i + 1));
             }
         }
         return series;
@@ -425,30 +471,45 @@ private:
     // row l of `powers`: coefficients of d^2i for element m seen from row l
     void polynomial_coefficients(Eigen::Index m, Table& powers) const {
         const Eigen::Index length = row_series_.cols();
-        powers.setZero(row_series_.rows(), length);
+        const Eigen::Index rows = row_series_.rows();
+        powers.resize(rows, length);
         for (Eigen::Index i = 0; i < length; ++i) {
+            Scalar* power = powers.data() + i * rows;
+            std::fill_n(power, rows, Scalar(0));
             for (Eigen::Index k = 0; i + k < length; ++k) {
-                powers.col(i) += element_factors_(m, i * length + k) * row_series_.col(k);
+                const Scalar factor = element_factors_(m, i * length + k);
+                const Scalar* row = row_series_.data() + k * rows;
+                for (Eigen::Index l = 0; l < rows; ++l) power[l] += factor * row[l];
             }
         }
     }
 
-    Chunk polynomial_chunk(const Table& powers, const Chunk& d, Eigen::Index l) const {
-        const Chunk square = d.square();
-        Chunk sum = Chunk::Zero();
-        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: one expression stays in registers
-            sum = (powers(0, 2) * square + powers(0, 1)) * square + powers(0, 0);
-        } else {
-            for (Eigen::Index j = powers.cols() - 1; j >= 0; --j) {
-                if (equal_widths_) {
-                    sum = sum * square + powers(0, j);
-                } else {
-                    sum = sum * square + powers.template block<chunk, 1>(l, j);
-                }
+    void add_polynomial(const Table& powers, const Chunk& d, Eigen::Index l, Chunk& value) const {
+        Chunk sum;
+        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: one loop stays in registers
+            const Scalar constant = powers(0, 0), linear = powers(0, 1), quadratic = powers(0, 2);
+            for (Eigen::Index i = 0; i < chunk; ++i) {
+                const Scalar square = d[i] * d[i];
+                sum[i] = (quadratic * square + linear) * square + constant;
+            }
+            if (quantity_ == Quantity::slope) {
+                for (Eigen::Index i = 0; i < chunk; ++i) sum[i] *= d[i];
+            }
+            for (Eigen::Index i = 0; i < chunk; ++i) value[i] += sum[i];
+            return;
+        }
+        const Eigen::Index last = powers.cols() - 1;
+        for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = equal_widths_ ? powers(0, last) : powers(l + i, last);
+        for (Eigen::Index j = last - 1; j >= 0; --j) {
+            if (equal_widths_) {
+                const Scalar power = powers(0, j);
+                for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = sum[i] * (d[i] * d[i]) + power;
+            } else {
+                const Scalar* power = powers.data() + j * powers.rows() + l;
+                for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = sum[i] * (d[i] * d[i]) + power[i];
             }
         }
-        if (quantity_ == Quantity::slope) sum *= d;
-        return sum;
+        for (Eigen::Index i = 0; i < chunk; ++i) value[i] += quantity_ == Quantity::slope ? sum[i] * d[i] : sum[i];
     }
 
     Scalar polynomial(Eigen::Index l, Eigen::Index m) const {
@@ -471,7 +532,7 @@ private:
 
     // --- far entries of a kernel with a Taylor series ------------------------------------------------------------------
 
-    void taylor_series(Eigen::Ref<Matrix> result) const {
+    void taylor_series(Matrix& result) const {
         const QuadratureRule<Scalar> rule = second_average();
         std::vector<Eigen::Index> far;
         for (Eigen::Index m = 0; m < columns_.half.size(); ++m) {
@@ -485,11 +546,15 @@ private:
                 d[i] = distance(far[static_cast<std::size_t>(i)], m);
                 delta[i] = rows_.half[far[static_cast<std::size_t>(i)]];
             }
-            Array sum = Array::Zero(d.size());
+            for (const Eigen::Index l : far) result(l, m) = 0;
+            Array shifted(d.size());
             for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
-                sum += rule.weights[k] / 2 * taylor_sum(d + rule.nodes[k] * delta, columns_.half[m], delta);
+                for (Eigen::Index i = 0; i < d.size(); ++i) shifted[i] = d[i] + rule.nodes[k] * delta[i];
+                const Array sum = taylor_sum(shifted, columns_.half[m], delta);
+                for (Eigen::Index i = 0; i < d.size(); ++i) {
+                    result(far[static_cast<std::size_t>(i)], m) += rule.weights[k] / 2 * sum[i];
+                }
             }
-            for (Eigen::Index i = 0; i < d.size(); ++i) result(far[static_cast<std::size_t>(i)], m) = sum[i];
         }
     }
 
@@ -497,24 +562,38 @@ private:
     Array taylor_sum(const Array& d, Scalar h, const Array& delta) const {
         const Eigen::Index q = quantity_ == Quantity::slope ? 1 : 0;
         const Table series = kernel_.taylor(d, 2 * last_taylor_ + q);
-        const Array A = ((averages_ > 0 ? Array(h + delta) : Array::Constant(d.size(), h)) / d).square();
-        const Array B = averages_ > 0 ? Array(((h - delta) / d).square()) : Array::Zero(d.size());
-        Array sum = Array::Zero(d.size()), moment = Array::Ones(d.size()), power = B;
+        const Eigen::Index size = d.size();
+        Array A(size), B(size), sum(size), moment(size), power(size);
+        for (Eigen::Index i = 0; i < size; ++i) {
+            const Scalar outer = (averages_ > 0 ? h + delta[i] : h) / d[i], inner = (h - delta[i]) / d[i];
+            A[i] = outer * outer;
+            B[i] = averages_ > 0 ? inner * inner : Scalar(0);
+            sum[i] = 0;
+            moment[i] = 1;
+            power[i] = B[i];
+        }
         for (Eigen::Index j = 0; j <= last_taylor_; ++j) {
             const Scalar factor = averages_ > 0 ? 1 / Scalar((2 * j + 1) * (j + 1)) : 1 / Scalar(2 * j + 1);
-            sum += (q == 1 ? Scalar(2 * j + 1) : Scalar(1)) * factor * moment * series.col(2 * j + q);
-            moment = moment * A + power;
-            power *= B;
+            const Scalar weight = (q == 1 ? Scalar(2 * j + 1) : Scalar(1)) * factor;
+            const Scalar* term = series.data() + (2 * j + q) * size;
+            for (Eigen::Index i = 0; i < size; ++i) {
+                sum[i] += weight * moment[i] * term[i];
+                moment[i] = moment[i] * A[i] + power[i];
+                power[i] *= B[i];
+            }
         }
-        if (q == 1) sum /= d;
-        return 2 * h * sum;
+        for (Eigen::Index i = 0; i < size; ++i) sum[i] = 2 * h * (q == 1 ? sum[i] / d[i] : sum[i]);
+        return sum;
     }
 
     // The second average is taken by quadrature: about a far point the integrand is analytic far beyond the interval,
     // where seven points reach double's rounding and nine long double's.
     QuadratureRule<Scalar> second_average() const {
         if (averages_ == 2) return gauss_legendre<Scalar>(std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);
-        return {Array::Zero(1), Array::Constant(1, Scalar(2))};
+        QuadratureRule<Scalar> point{Array(1), Array(1)};
+        point.nodes[0] = 0;
+        point.weights[0] = 2;
+        return point;
     }
 
     KernelView<Scalar> kernel_;

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/finite.hpp"
+#include "../../detail/language.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
@@ -167,7 +169,7 @@ private:
         for (int attempt = 0;; ++attempt) {
             find_slip();
             if (creep_ <= 4 * slip_scale_) return true;
-            if (attempt == 2 || !std::isfinite(creep_)) return creep_ <= 1000 * slip_scale_;
+            if (attempt == 2 || !is_finite(creep_)) return is_finite(creep_) && creep_ <= 1000 * slip_scale_;
             right_ = -slip_;
             equations_.solve(right_, correction_);
             traction_ += correction_;
@@ -203,7 +205,9 @@ private:
         const Scalar wrong_slip = std::max({creep_, wrong_slip_, Scalar(0)});
         outcome.residual = imposed_ > 0 ? wrong_slip / imposed_ : wrong_slip;
         if (excess_ > 0) outcome.residual = std::max(outcome.residual, excess_ / bound.maxCoeff());
-        outcome.status = outcome.residual <= 10000 * rounding() ? StepStatus::ok : StepStatus::no_solution;
+        outcome.status = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding()
+                             ? StepStatus::ok
+                             : StepStatus::no_solution;
         return outcome;
     }
 

@@ -10,7 +10,9 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
+#include "../../detail/language.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -76,9 +78,9 @@ public:
         for (int pivot = 1; pivot <= limit; ++pivot) {
             if (!find_direction(M, driven, drives_traction, direction)) return pivot;
             const Scalar t_direction = direction_[n];
-            Scalar step = t_direction < 0 ? -t / t_direction : infinity;
+            Scalar step = t_direction < 0 ? -t / t_direction : endless;
             const Index blocking = find_blocking(bound, step);
-            if (!(step < infinity)) return pivot;
+            if (!(step < endless)) return pivot;
             traction_ += step * direction_.head(n);
             slip_ += step * change_;
             t += step * t_direction;
@@ -98,14 +100,14 @@ public:
     }
 
 private:
-    static constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
+    static constexpr Scalar endless = std::numeric_limits<Scalar>::max();
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
     // The first condition to be met within `step`, which is cut short there; -1 where there is none.
     Index find_blocking(const Vector& bound, Scalar& step) const {
         Index blocking = -1;
         for (Index i = 0; i < bound.size(); ++i) {
-            Scalar room = infinity;
+            Scalar room = endless;
             if (sign_[i] == 0) {
                 const Scalar change = direction_[i];
                 if (change != 0) {
@@ -160,7 +162,7 @@ private:
         factorise_in_place<Scalar>(system_, swaps_.data());
         inverse_.setIdentity();
         for (Index k = 0; k <= n; ++k) solve_in_place<Scalar>(system_, swaps_.data(), inverse_.col(k));
-        return inverse_.allFinite();
+        return all_finite(inverse_);
     }
 
     // The inverse after a pivot, by updates of rank one. False when one of them would be singular.

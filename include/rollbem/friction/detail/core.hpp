@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -10,6 +9,8 @@
 #include <Eigen/Core>
 
 #include "../../assembly/rolling_system.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/language.hpp"
 #include "../../scene/contact.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
@@ -75,7 +76,7 @@ public:
     Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, State& to,
                       Workspace& workspace) const noexcept {
         if (!fits(from, to, workspace)) return failed(StepStatus::wrong_state);
-        if (!std::isfinite(creepage)) return failed(StepStatus::not_finite);
+        if (!is_finite(creepage)) return failed(StepStatus::not_finite);
         if (MatrixX<Scalar>* matrix = claim(steadily, workspace)) *matrix = -G_prime;
         workspace.solver_.constant().setConstant(creepage);
         return solve_last(from, {.zones = from.zones}, {.first = 0, .last = 1}, 1, to, workspace);
@@ -139,7 +140,10 @@ public:
         set_slip(workspace);
         const Scalar total_work = before.work + work(workspace);
         to.system = fingerprint_;
-        if (!std::isfinite(force) || !std::isfinite(total_work)) {
+        const Scalar force_per_width = half_length_ * shear_modulus_ * force;
+        const Scalar work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
+            !all_finite(solver.slip())) {
             workspace.slip_.setZero();
             to.traction = from.traction;
             to.zones = from.zones;
@@ -151,9 +155,9 @@ public:
         to.traction = shear_modulus_ * solver.traction();
         Step step;
         step.stick_count = solver.stick_count();
-        step.force_per_width = half_length_ * shear_modulus_ * force;
+        step.force_per_width = force_per_width;
         step.force = width_ * step.force_per_width;
-        step.slip_work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        step.slip_work_per_width = work_per_width;
         if (before.tangent_exists && outcome.tangent_exists) {
             step.tangent_per_width = half_length_ * shear_modulus_ * tangent(gain, workspace);
             step.tangent = width_ * step.tangent_per_width;
@@ -186,7 +190,9 @@ private:
             workspace.carried_tangent_ = widths_.dot(workspace.response_);
             workspace.tangent_revision_ = solver.revision();
         }
-        return gain.last * workspace.unit_tangent_ + gain.first * workspace.carried_tangent_;
+        // without a first stage, nothing is carried, whatever an earlier step has left there
+        const Scalar last = gain.last * workspace.unit_tangent_;
+        return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
     }
 
     Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]

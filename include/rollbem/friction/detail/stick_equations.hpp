@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
+#include "../../detail/language.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -82,13 +83,11 @@ public:
         }
         pivoted_count_ = count_;
         factorise_in_place<Scalar>(pivoted_.topLeftCorner(count_, count_), swaps_.data());
-        Scalar smallest = std::numeric_limits<Scalar>::infinity(), sum = 0;
+        pivoted_finite_ = true;
         for (Index k = 0; k < count_; ++k) {
-            const Scalar size = std::abs(pivoted_(k, k));
-            smallest = size < smallest ? size : smallest;
-            sum += size;
+            pivoted_finite_ = pivoted_finite_ && is_finite(pivoted_(k, k)) && pivoted_(k, k) != 0;
         }
-        return pivoted_finite_ = count_ == 0 || (smallest > 0 && sum < std::numeric_limits<Scalar>::infinity());
+        return pivoted_finite_;
     }
     bool uses_pivoted() const { return uses_pivoted_; }
 
@@ -134,7 +133,8 @@ private:
                 scale = std::max(scale, std::abs(right_[j]));
                 multiplier = std::max(multiplier, std::abs(row_[j]));
             }
-            if (!(std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier)) return false;
+            const bool sound = std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier;
+            if (!sound || !is_finite(pivot)) return false;
             right_.head(k).noalias() = lower_.topLeftCorner(k, k).transpose() * row_.head(k);
             multiply(upper_, k, solution_, row_);
             for (Index j = 0; j < k; ++j) {

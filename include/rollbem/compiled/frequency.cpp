@@ -1,5 +1,4 @@
-// The harmonic solution compiled for double.
-#include <rollbem/adhesion/frequency.hpp>
+#include "frequency.hpp"
 
 namespace rollbem {
 

@@ -1,0 +1,53 @@
+// Names of files: what is read by an option, where writing to a name ends, and whether two names are one file.
+// As input and as output, - is the standard stream.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace study {
+
+class Options;
+
+/// All of the file that --name gives. Throws BadInput.
+std::string contents(const Options& options, const std::string& name);
+
+/// The lines of the file that --name gives, without blanks at their ends. An empty last line is none.
+class Lines {
+public:
+    /// Throws BadInput when the file cannot be read.
+    Lines(const Options& options, const std::string& name);
+
+    /// Goes to the next line, the first at first; false where there is none.
+    bool next();
+
+    const std::string& text() const;
+    std::size_t number() const;  ///< counted from 1
+    std::string where() const;   ///< "--name = file: line 3", for messages
+
+private:
+    std::string said_, contents_, text_;
+    std::size_t next_ = 0, number_ = 0;
+};
+
+/// The end of a chain of symbolic links, whether a file is there or not. A chain that does not end is returned as it is.
+std::string behind_links(const std::string& path);
+
+/// Whether `path` is a stream that is open already, such as /dev/fd/3, or anything else that is no regular file.
+bool is_stream(const std::string& path);
+
+/// Where an option reads or writes.
+struct Place {
+    std::string said;     ///< for messages
+    std::string path;     ///< - for a standard stream
+    int descriptor = -1;  ///< of the standard stream
+
+    static Place input(const std::string& said, const std::string& path);
+    static Place output(const std::string& said, const std::string& path);
+};
+
+/// Whether both are the same file, pipe or standard stream, by whatever names. A device that is named twice is not.
+bool same_place(const Place& first, const Place& second);
+
+}  // namespace study

@@ -1,0 +1,54 @@
+// Whole-array operations in one place: each Eigen expression of its own type costs a user's compiler time, so that what
+// needs no vector instructions is a plain loop, and the rest is here.
+#pragma once
+
+#include "language.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Core>
+
+namespace rollbem::detail {
+
+// By vector instructions, which std::log does not have.
+template <class Scalar>
+void log_in_place(Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+    x = x.log();
+}
+
+template <class Scalar>
+void sqrt_in_place(Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+    x = x.sqrt();
+}
+
+/// Sum of a_i b_i, i < size.
+template <class Scalar>
+Scalar dot(const Scalar* a, const Scalar* b, Eigen::Index size) {
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    return Eigen::Map<const Vector>(a, size).dot(Eigen::Map<const Vector>(b, size));
+}
+
+/// Sum of |a_i|, i < size.
+template <class Scalar>
+Scalar sum_of_magnitudes(const Scalar* a, Eigen::Index size) {
+    return Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>(a, size).abs().sum();
+}
+
+/// Entries first ... first + count - 1.
+template <class Scalar>
+Eigen::Array<Scalar, Eigen::Dynamic, 1> segment(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x, Eigen::Index first,
+                                                Eigen::Index count) {
+    Eigen::Array<Scalar, Eigen::Dynamic, 1> result(count);
+    std::copy_n(x.data() + first, count, result.data());
+    return result;
+}
+
+/// x / 2.
+template <class Scalar>
+Eigen::Array<Scalar, Eigen::Dynamic, 1> halved(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+    Eigen::Array<Scalar, Eigen::Dynamic, 1> result(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] / 2;
+    return result;
+}
+
+}  // namespace rollbem::detail

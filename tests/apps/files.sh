@@ -1,0 +1,126 @@
+#!/bin/sh
+# apps/support, seen from outside: configuration files, standard streams as files, and files of one run that are the same.
+# Usage: files.sh FOLDER-OF-PROGRAMS
+. "$(dirname "$0")/functions.sh"
+steady=$programs/steady_study
+printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
+
+# a configuration file that is malformed: its name, the line, and what is wrong
+# malformed LINE TEXT CONTENT: refused at that line
+malformed() {
+    printf "$3" >"$scratch/malformed.toml"
+    bad "--config = $scratch/malformed.toml: line $1 = " "$steady" --config "$scratch/malformed.toml" --output x.csv
+    bad "$2" "$steady" --config "$scratch/malformed.toml"
+}
+malformed 1 'must be a list [VALUE, VALUE], with its ] at the end' 'n=[100'
+malformed 1 'n=[100,200 must be a list' 'n=[100,200'
+malformed 2 'n=[10 must be a list' 'quiet = true\nn=[10\nmesh = cosine\n'
+malformed 2 'n=[10, must be a list' '\nn=[10,\nmesh = cosine\n'
+malformed 1 'must be a list' 'n = [10 20]\n'
+malformed 1 'must be a list' 'n = [10,,20]\n'
+malformed 1 'must be a list' 'n = []\n'
+malformed 1 'must be a list' 'n = [[10]]\n'
+malformed 1 'must end after its value' 'n = [10] 20\n'
+malformed 1 'must end after its value' 'mesh = "cosine" "uniform"\n'
+malformed 1 'must be NAME = VALUE' 'n'
+malformed 1 'must be NAME = VALUE' 'quiet\n'
+malformed 1 'must be NAME = VALUE' 'n 10\n'
+malformed 1 'must be NAME = VALUE' '= 10\n'
+malformed 1 'must be NAME = VALUE: there are no sections' '[section]\nn = 10\n'
+malformed 2 'must have a value' '\nn =\n'
+malformed 3 'mesh = "cosine must close its quotes' '# one\n; two\nmesh = "cosine\nn = 10\n'
+malformed 1 'must close its quotes' "mesh = 'cosine"
+malformed 1 'must not have an escape' 'mesh = "cos\\qine"\n'
+malformed 1 'must not have an escape' 'mesh = "cos\\u00"\n'
+malformed 1 'must not have an escape' 'mesh = "cos\\u0000ine"\n'
+malformed 1 'must not have an escape' 'mesh = "cos\\ud800ine"\n'
+malformed 1 'must have quotes around a value' 'n = 10 20\n'
+malformed 1 'must have quotes around a value' 'n = 10]\n'
+malformed 1 'must have quotes around a value' 'n = 10 = 20\n'
+malformed 1 'must not have control characters' 'mesh = "cos\001ine"\n'
+malformed 1 'must' 'n = 10\000\n'
+malformed 3 'must not give n a second time' 'n = 10\nquiet = true\nn = 20\n'
+malformed 2 'must name an option of steady_study' 'n = 10\nbogus = 1\n'
+malformed 1 'must name an option of steady_study' 'config = x\n'
+malformed 1 'must be true or false' 'quiet = yes\n'
+malformed 1 'must be true or false' 'quiet = [true, false]\n'
+
+# a configuration file; the command line wins
+printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
+good 5 "$steady" --config c.toml
+good 3 "$steady" --config c.toml --n 30
+printf '# one\n; two\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=0.5 , 0.6# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
+good 5 "$steady" --config c.toml
+check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 == 20) && ($6 == 0.5 || $6 > 0.59)'
+"$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
+cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
+
+# - is a standard stream, and no file
+mkdir streams
+(cd streams && "$steady" --n 10 --output - | cut -d, -f1-10 >../out && "$steady" --edges - <"$scratch/edges" >../err) ||
+    fail "standard streams"
+"$steady" --n 10 | cut -d, -f1-10 | cmp -s - out || fail "--output -"
+[ "$(wc -l <err)" -eq 2 ] || fail "--edges -"
+[ -z "$(ls -A streams)" ] || fail "files in place of standard streams: $(ls -A streams)"
+bad '--config = - must be a file that can be read' sh -c "\"$steady\" --config - <&-"
+bad "--config = $scratch must be a file that can be read" "$steady" --config "$scratch"
+bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scratch"
+"$steady" --n 10 --output - >/dev/full 2>err
+[ $? -eq 4 ] || fail "--output - to a full disk"
+
+# no file of a run is written to twice, or read besides
+# state: all that is in the folder names
+state() {
+    for file in names/*; do
+        echo "$file $(readlink "$file")"
+        [ -h "$file" ] || cat "$file"
+    done
+}
+# taken TEXT ARG...: refused, and nothing has changed
+taken() {
+    text=$1
+    shift
+    before=$(state)
+    (cd names && "$@" >../out 2>../err </dev/null)
+    [ $? -eq 2 ] && [ "$(wc -l <err)" -eq 1 ] && [ ! -s out ] || fail "not refused: $*: $(cat err)"
+    grep -qF -e "$text" err || fail "no '$text' in '$(cat err)': $*"
+    [ "$(state)" = "$before" ] || fail "changed by: $*"
+}
+mkdir names
+cp "$scratch/edges" names/edges
+(cd names && ln edges hard && ln -s edges soft && printf 'n = 10\n' >c.csv.toml && ln -s new link && ln -s ./new other)
+for name in edges ./edges hard soft "$scratch/names/edges" ../names/edges; do
+    taken "--output = $name must not be a file that this run reads: --edges = edges" \
+        "$steady" --edges edges --output "$name"
+done
+taken '--output = edges must not' "$steady" --edges soft --output edges
+cp "$scratch/edges" names/e.svg
+taken '--plot = e.svg must not be a file that this run reads: --edges = e.svg' "$steady" --edges e.svg --plot e.svg
+taken '--output = c.csv.toml must not' "$steady" --config c.csv.toml --output c.csv.toml
+taken '--output = c.csv.toml, written beside it, must not' "$steady" --config c.csv.toml --output c.csv
+taken '--plot = ./p.svg must not be written to as well as --output = p.svg' "$steady" --n 10 --output p.svg --plot ./p.svg
+printf 'output = edges\nedges = edges\n' >names/both.toml
+taken '--output = edges must not' "$steady" --config both.toml
+printf 'q_over_a,creepage\n0,0\n1,1\n' >names/h
+taken '--output = ./h must not be a file that this run reads: --history = h' "$programs/transient_study" --history h --output ./h
+taken '--output = h must not be a file that this run reads: --history = -' \
+    sh -c "\"$programs/transient_study\" --history - --output h <h"
+taken '--edges = - must be a file: standard input is read as --config = -' \
+    sh -c "printf '%s\\n' -1 1 | \"$steady\" --config - --edges -"
+printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' >names/p
+friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
+taken '--output = p must not be a file that this run reads: --pressure = p' $friction --pressure p --output p
+taken '--tractions = ./p must not be a file that this run reads: --pressure = p' $friction --pressure p --tractions ./p
+taken '--tractions = t must not be written to as well as --output = ./t' $friction --tractions t --output ./t
+taken '--tractions = other must not be written to as well as --output = link' $friction --tractions other --output link
+taken '--tractions = o.toml must not be written to as well as --output = o.toml, written beside it' $friction --tractions o.toml --output o
+taken '--tractions = - must not be written to as well as standard output' $friction --tractions -
+taken '--tractions = - must not be written to as well as standard output' sh -c "$friction --tractions - >/dev/null"
+taken '--cheapest = f must not be a file that this run reads: --front = ./f' "$programs/precision_study" --front ./f --cheapest f
+taken '--output = f must not be a file that this run reads: --front = f' "$programs/precision_study" --front f --output f
+good 0 $friction --config /dev/null --output /dev/null --tractions /dev/null
+good 11 $friction --tractions - --output names/new
+header n,creepage_ratio,x_over_a,traction
+rm -rf names
+
+finish

@@ -1,0 +1,92 @@
+// apps/support/csv.hpp
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "support/csv.hpp"
+#include "support/options.hpp"
+
+namespace {
+
+/// The value of a line `key = "basic string"`. Knows no escapes but those that a program has a use for, and throws at
+/// whatever TOML forbids.
+std::string toml_value(const std::string& text, const std::string& key) {
+    const std::string start = "\n" + key + " = \"";
+    std::size_t i = ("\n" + text).find(start);
+    if (i == std::string::npos) throw std::runtime_error("no key " + key);
+    std::string value;
+    for (i += start.size() - 1; text.at(i) != '"'; ++i) {
+        if (static_cast<unsigned char>(text[i]) < 0x20) throw std::runtime_error("control character in a string");
+        if (text[i] != '\\') {
+            value += text[i];
+            continue;
+        }
+        const char escape = text.at(++i);
+        if (escape == '"' || escape == '\\') {
+            value += escape;
+        } else if (escape == 'u') {
+            const int code = std::stoi(text.substr(i + 1, 4), nullptr, 16);
+            if (code > 0x7F) throw std::runtime_error("no ASCII");
+            value += static_cast<char>(code);
+            i += 4;
+        } else {
+            throw std::runtime_error("unknown escape");
+        }
+    }
+    if (text.at(i + 1) != '\n') throw std::runtime_error("text after a string");
+    return value;
+}
+
+/// The words of a command line, by the shell itself.
+std::vector<std::string> shell_words(const std::string& line) {
+    ::setenv("ROLLBEM_TEST_LINE", line.c_str(), 1);
+    std::FILE* const pipe = ::popen(R"(eval "set -- $ROLLBEM_TEST_LINE"; printf '%s\0' "$@")", "r");
+    REQUIRE(pipe != nullptr);
+    std::vector<std::string> words(1);
+    for (int c = 0; (c = std::fgetc(pipe)) != EOF;) {
+        if (c == '\0') {
+            words.emplace_back();
+        } else {
+            words.back() += static_cast<char>(c);
+        }
+    }
+    CHECK(::pclose(pipe) == 0);
+    words.pop_back();
+    return words;
+}
+
+TEST_CASE("A cell with a comma, a quote or the end of a line stands in quotes, its own quotes twice", "[csv]") {
+    CHECK(study::csv_line({"plain", 2, 0.5, study::Cell(), "a'b c\\d"}) == "plain,2,0.5,,a'b c\\d\n");
+    CHECK(study::csv_line({"a,b", 1}) == "\"a,b\",1\n");
+    CHECK(study::csv_line({"say \"no\""}) == "\"say \"\"no\"\"\"\n");
+    CHECK(study::csv_line({"\""}) == "\"\"\"\"\n");
+    CHECK(study::csv_line({"two\nlines", "r\rr"}) == "\"two\nlines\",\"r\rr\"\n");
+}
+
+TEST_CASE("A TOML reader and a shell get the command line back from a sidecar", "[csv]") {
+    const std::vector<std::vector<std::string>> lines{
+        {"study", "--output", "plain.csv", "--n", "10,20"},
+        {"study", "--output", "a\\z.csv"},
+        {"study", "--output", "it's.csv"},
+        {"study", "--output", "'", "--plot", "''\\''.svg"},
+        {"study", "--output", "two words \"quoted\" $HOME `id` *?[a] ~ #no !x;&|<>().csv"},
+        {"study", "--output", "tab\tline\nend", "--mesh", ""},
+        {"study", "--output", "Grüße, δ.csv"},
+    };
+    for (const std::vector<std::string>& words : lines) {
+        study::Options options("study", "purpose");
+        std::vector<const char*> argv;
+        for (const std::string& word : words) argv.push_back(word.c_str());
+        REQUIRE_FALSE(options.parse(static_cast<int>(argv.size()), argv.data()).has_value());
+        const std::string sidecar = study::sidecar_text(options);
+        CAPTURE(sidecar);
+        CHECK(shell_words(toml_value(sidecar, "command_line")) == words);
+        CHECK(toml_value(sidecar, "output") == words[2]);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,244 @@
+// rollbem/rollbem.hpp under -ffast-math, where compilers take every number for finite: no status is ok beside a result
+// that is not a number, and nothing that is not a number is accepted as input.
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "rollbem/accuracy/recommendation.hpp"
+#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/closed_form/friction.hpp"
+#include "rollbem/friction/friction.hpp"
+#include "rollbem/spectral/polynomial.hpp"
+
+#ifndef __FAST_MATH__
+#error "compile this file with -ffast-math"
+#endif
+
+namespace {
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+
+// numbers of which the compiler knows nothing
+double from_bits(std::uint64_t number) {
+    const volatile std::uint64_t hidden = number;
+    const std::uint64_t bits = hidden;
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+const double nan = from_bits(0x7ff8'0000'0000'0000U), infinity = from_bits(0x7ff0'0000'0000'0000U);
+
+bool finite(double value) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return (bits >> 52 & 0x7ffU) != 0x7ffU;
+}
+
+/// What was thrown, "" where nothing was.
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
+const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+constexpr Eigen::Index n = 6;
+
+struct Fixture {
+    Mesh<double> mesh = uniform_mesh(n);
+    ArrayX<double> widths = mesh.widths();
+    InfluenceMatrices<double> good = assemble(mesh, scheme, kernel);
+    CoulombFriction<double> friction{0.3, ArrayX<double>::Ones(n)};
+
+    /// Calls with one entry of G or of G' replaced.
+    void spoil(const std::function<void(const InfluenceMatrices<double>&)>& call) const {
+        for (const double value : {nan, infinity, -infinity}) {
+            for (Eigen::Index k = 0; k < n * n; k += 7) {
+                InfluenceMatrices<double> spoilt = good;
+                spoilt.G(k) = value;
+                call(spoilt);
+                spoilt = good;
+                spoilt.G_prime(k) = value;
+                call(spoilt);
+            }
+        }
+    }
+};
+
+TEST_CASE_METHOD(Fixture, "fast math: steady rolling", "[fast_math]") {
+    CHECK(solve_steady(contact, mesh, scheme, 1e-3).status == Status::ok);
+    for (const double creepage : {nan, infinity, -infinity}) {
+        CHECK(solve_steady(contact, mesh, scheme, creepage).status == Status::not_finite);
+    }
+    const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
+    CHECK(solve_steady(stiff, mesh, scheme, 1e10).status == Status::not_finite);
+    CHECK(solve_steady<double>(good.G_prime, widths).status == Status::ok);
+    for (Eigen::Index k = 0; k < n * n; ++k) {
+        for (const double value : {nan, infinity, -infinity}) {
+            MatrixX<double> spoilt = good.G_prime;
+            spoilt(k) = value;
+            CHECK(solve_steady<double>(spoilt, widths).status == Status::not_finite);
+        }
+    }
+    ArrayX<double> spoilt = widths;
+    spoilt[2] = nan;
+    CHECK(solve_steady<double>(good.G_prime, spoilt).status == Status::not_finite);
+    CHECK(solve_steady<double>(MatrixX<double>::Zero(n, n), widths).status != Status::ok);
+}
+
+TEST_CASE_METHOD(Fixture, "fast math: harmonic creepage and the count of unstable modes", "[fast_math]") {
+    const FrequencySweep<double> sweep(good, widths);
+    REQUIRE(sweep.reduced());
+    CHECK(sweep(1).status == Status::ok);
+    CHECK(solve_harmonic(good, widths, 1).status == Status::ok);
+    CHECK(count_unstable(good).status == Status::ok);
+    CHECK_THAT(refusal([&] { sweep(nan); }), ContainsSubstring("omega a/V = nan must be finite"));
+    CHECK_THAT(refusal([&] { sweep.at({0, infinity}); }), ContainsSubstring("Im(s) = inf must be finite"));
+    CHECK_THAT(refusal([&] { solve_harmonic(good, widths, nan); }), ContainsSubstring("must be finite"));
+    spoil([&](const InfluenceMatrices<double>& spoilt) {
+        CHECK(solve_harmonic(spoilt, widths, 1).status == Status::not_finite);
+        CHECK(FrequencySweep<double>(spoilt, widths)(1).status == Status::not_finite);
+        CHECK(count_unstable(spoilt).status == Status::not_finite);
+    });
+    ArrayX<double> spoilt = widths;
+    spoilt[2] = nan;
+    CHECK(FrequencySweep<double>(good, spoilt)(1).status == Status::not_finite);
+}
+
+TEST_CASE_METHOD(Fixture, "fast math: steps in full adhesion", "[fast_math]") {
+    using Model = TransientModel<double>;
+    const Contact<double> infinite = Contact<double>::dimensionless(infinity, 0.25);
+    CHECK_THAT(refusal([&] { Model(infinite, good, widths, unchecked); }),
+               ContainsSubstring("half_width = inf must be"));
+    spoil([&](const InfluenceMatrices<double>& spoilt) {
+        CHECK_THAT(refusal([&] { Model(contact, spoilt, widths, unchecked); }), ContainsSubstring("must be finite"));
+    });
+    const Model model(contact, good, widths, unchecked);
+    const Model::State now = model.at_rest();
+    Model::State next = now;
+    const Model::Prepared step = model.prepare(0.1);
+    CHECK(model.advance(now, 0.1, 1e-3, next).status == StepStatus::ok);
+    for (const double value : {nan, infinity, -infinity}) {
+        CHECK(model.advance(now, value, 1e-3, next).status == StepStatus::invalid_step);
+        CHECK(model.advance(now, 0.1, value, next).status == StepStatus::not_finite);
+        CHECK(model.advance(now, step, value, next).status == StepStatus::not_finite);
+        CHECK(model.advance(now, step, RigidMotion<double>::linear(1, value), next).status == StepStatus::not_finite);
+        CHECK_THAT(refusal([&] { model.prepare(value); }), ContainsSubstring("must be finite"));
+        CHECK_THAT(refusal([&] { model.steady(value); }), ContainsSubstring("must be finite"));
+        Model::State spoilt = now;
+        spoilt.traction[3] = value;
+        CHECK(model.advance(spoilt, step, 1e-3, next).status == StepStatus::not_finite);
+        CHECK(model.advance(spoilt, 0.1, 1e-3, next).status == StepStatus::not_finite);
+    }
+    const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
+    CHECK(Model(stiff, good, widths, unchecked).advance(now, 0.1, 1e10, next).status == StepStatus::not_finite);
+}
+
+TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {
+    using Model = FrictionModel<double>;
+    spoil([&](const InfluenceMatrices<double>& spoilt) {
+        CHECK_THAT(refusal([&] { Model(contact, spoilt, widths, friction); }), ContainsSubstring("must be finite"));
+    });
+    for (const double value : {nan, infinity, -infinity}) {
+        CoulombFriction<double> law = friction;
+        law.friction_coefficient = value;
+        CHECK_THAT(refusal([&] { Model(contact, good, widths, law); }), ContainsSubstring("friction_coefficient = "));
+        law = friction;
+        law.normal_pressure[2] = value;
+        CHECK_THAT(refusal([&] { Model(contact, good, widths, law); }), ContainsSubstring("normal_pressure = "));
+    }
+    const Model model(contact, good, widths, friction);
+    const SteadyFrictionModel<double> steady(contact, good.G_prime, widths, friction);
+    const Model::State now = model.at_rest(), still = steady.at_rest();
+    Model::State next = now, rolling = still;
+    CHECK(model.advance(now, 0.1, 0.5, next).status == FrictionStatus::ok);
+    CHECK(steady.solve(still, 0.5, rolling).status == FrictionStatus::ok);
+    for (const double value : {nan, infinity, -infinity}) {
+        CHECK(model.advance(now, value, 0.5, next).status == FrictionStatus::invalid_step);
+        CHECK(model.advance(now, 0.1, value, next).status == FrictionStatus::not_finite);
+        CHECK(model.shift(now, value, next).status == FrictionStatus::not_finite);
+        CHECK(model.steady(now, value, next).status == FrictionStatus::not_finite);
+        CHECK(steady.solve(still, value, rolling).status == FrictionStatus::not_finite);
+        CHECK(!finite(steady.solve(still, value, rolling).force_per_width));
+        CHECK(solve_fitted_friction(contact, 10, kernel, 0.3, mean_hertz_pressure<double>, value).status ==
+              FrictionStatus::not_finite);
+    }
+    const FrictionStep<double> far = model.advance(now, 1e3, 1e308, next);
+    CHECK((far.status != FrictionStatus::ok || finite(far.force_per_width)));
+}
+
+TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
+    const auto refuses = [](const std::string& quantity, const std::function<void(double)>& call,
+                            const std::vector<double>& values = {nan, infinity, -infinity}) {
+        for (const double value : values) CHECK_THAT(refusal([&] { call(value); }), ContainsSubstring(quantity));
+    };
+    const std::vector<double> no_numbers{nan, -infinity};
+    refuses("half_length = ", [](double x) { Contact<double>({x, 1, 1, 0.25}); });
+    refuses(
+        "half_width = ",
+        [](double x) {
+            Contact<double>({1, x, 1, 0.25});
+        },
+        no_numbers);
+    refuses("shear_modulus = ", [](double x) { Contact<double>({1, 1, x, 0.25}); });
+    refuses("poisson_ratio = ", [](double x) { Contact<double>({1, 1, 1, x}); });
+    refuses(
+        "half_width = ", [](double x) { StripKernel<double>(x, 1, 0); }, no_numbers);
+    refuses("c1 = ", [](double x) { StripKernel<double>(1, x, 0); });
+    refuses("c2 = ", [](double x) { PlaneKernel<double>(1, 1, x); });
+    refuses("size_ratio = ", [](double x) { geometric_mesh(4, x); });
+    refuses("epsilon = ", [](double x) { knothe_mesh(4, x); });
+    refuses("edge = ", [](double x) { mesh_from_edges(Eigen::Array4d(-1, 0.5, x, 1)); });
+    refuses("first edge = ", [](double x) { mesh_from_edges(Eigen::Array4d(x, 0, 0.5, 1)); });
+    refuses("last edge = ", [](double x) { mesh_from_edges(Eigen::Array4d(-1, 0, 0.5, x)); });
+    refuses("element width = ", [](double x) {
+        Mesh<double>({Eigen::Array2d(0.5, x), Eigen::Array3d(0, 0.5, 2), Eigen::Array3d(2, 1.5, 0)});
+    });
+    refuses("of an edge = ", [](double x) {
+        Mesh<double>({Eigen::Array2d(0.5, 1.5), Eigen::Array3d(0, x, 2), Eigen::Array3d(2, 1.5, 0)});
+    });
+    refuses("alpha_L = ", [](double x) { check_scheme(Collocation{.alpha_L = x}, 4); });
+    refuses("alpha_T = ", [](double x) { check_scheme(Galerkin{.alpha_T = x}, 4); });
+    refuses("lambda = ", [](double x) { check_scheme(Collocation{.lambda = x}, 4); });
+    refuses("x/a = ", [](double x) { PressureTable<double>(Eigen::Array3d(-1, x, 1), Eigen::Array3d(1, 1, 1)); });
+    refuses("pressure = ", [](double x) { PressureTable<double>(Eigen::Array3d(-1, 0, 1), Eigen::Array3d(1, x, 1)); });
+    const ElasticBody<double> steel{2e11, 0.28};
+    refuses("load_per_width = ", [&](double x) { HertzLine<double>({x, 0.5, steel, steel}); });
+    refuses("young_modulus = ", [&](double x) { HertzLine<double>({1, 0.5, steel, {x, 0.28}}); });
+    refuses("poisson_ratio = ", [&](double x) { HertzLine<double>({1, 0.5, {2e11, x}, steel}); });
+    refuses("border_from_trailing = ", [](double x) { border_mesh(2, 2, x); });
+    refuses("tolerance = ", [](double x) { recommended_scheme(x, Purpose::steady); });
+    refuses("order = ", [](double x) { richardson(1.0, 2.0, x); });
+    refuses("band = ", [](double x) { extrapolate([](std::ptrdiff_t) { return 1.0; }, 1, 2, x); });
+    refuses("Re s = ", [](double x) { polynomial_c11<double>({x, 1}, 0.25, 10, 20); });
+    refuses("|s| = ", [](double x) { polynomial_c11<double>({0, x}, 0.25, 10); });
+    refuses("aspect = ", [](double x) { polynomial_c11<double>({0, 1}, 0.25, x, 20); });
+    refuses("creepage_ratio = ", [](double x) { carter_force_ratio(x); }, {nan});
+    refuses("x/a = ", [](double x) { carter_traction(x, 0.25); });
+}
+
+TEST_CASE("fast math: extrapolation of what is not a number", "[fast_math]") {
+    CHECK(extrapolate([](std::ptrdiff_t k) { return 1 + 1 / static_cast<double>(k * k); }, 1, 2, 0.5).status ==
+          ExtrapolationStatus::ok);
+    for (const std::ptrdiff_t at : {4, 8, 16}) {
+        for (const double value : {nan, infinity}) {
+            const auto solve = [&](std::ptrdiff_t k) { return k == at ? value : 1.0; };
+            CHECK(extrapolate(solve, 4, 2).status == ExtrapolationStatus::not_finite);
+        }
+    }
+}
+
+}  // namespace

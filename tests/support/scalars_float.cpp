@@ -1,0 +1,7 @@
+#include "scalars.hpp"
+
+namespace rollbem {
+
+ROLLBEM_SCALARS(, float)
+
+}  // namespace rollbem
