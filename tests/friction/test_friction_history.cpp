@@ -59,7 +59,7 @@ struct Task {
     double dq, start, end;
 
     static Task any(Random& random) {
-        constexpr double lengths[] = {0.05, 0.1, 0.1, 0.1, 0.4, 1, 1e-9, 1e6};
+        constexpr double lengths[] = {0.05, 0.1, 0.1, 0.1 * (1 + 1e-9), 0.4, 1, 1e-9, 1e6};
         const double size = random.integer(10) == 0 ? 1e-4 : 1.6;
         return {random.integer(5), lengths[random.integer(8)], creepage(random.uniform(-size, size)),
                 creepage(random.uniform(-size, size))};
