@@ -77,7 +77,7 @@ TEST_CASE("The exact map does not depend on how the way is divided", "[transient
     const Contact<double> contact = plane_contact();
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
     const Model cosine = plane_model(40, Integrator::matrix_exponential);
-    const Model uniform(contact, uniform_mesh<double>(60), Collocation{}, kernel, unchecked,
+    const Model uniform(contact, rolling_system(uniform_mesh<double>(60), Collocation{}, kernel), unchecked,
                         Integrator::matrix_exponential);
     for (const Model* model : {&cosine, &uniform}) {
         for (const double way : {1e-6, 1e-3, 1.0, 30.0}) {
