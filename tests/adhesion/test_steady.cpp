@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../support/catch.hpp"
+#include "../support/observed_order.hpp"
 #include "../support/reference.hpp"
 #include "../support/scalars.hpp"
 #include "rollbem/closed_form/carter.hpp"
@@ -147,8 +148,7 @@ TEST_CASE("Order of convergence of c11: one on uniform, two on cosine meshes", "
         CAPTURE(n, cosine.back());
         CHECK(rounds_to(cosine.back(), value, value > 4.2e-4 ? 2 : 3));
     }
-    const double first = brute_force::observed_order(sizes, uniform),
-                 second = brute_force::observed_order(sizes, cosine);
+    const double first = support::observed_order(sizes, uniform), second = support::observed_order(sizes, cosine);
     CAPTURE(first, second);
     CHECK(std::abs(first - 1) < 0.02);
     CHECK(std::abs(second - 2) < 0.02);
@@ -166,7 +166,7 @@ TEST_CASE("The strip's c11 tends to the plane's as (a/b)^2", "[steady][convergen
         errors.push_back(
             solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, StripKernel<double>(b, 0.75, 0.25)).c11 / plane - 1);
     }
-    const double order = brute_force::observed_order(sizes, errors);
+    const double order = support::observed_order(sizes, errors);
     CAPTURE(order, errors[0]);
     CHECK(std::abs(order - 2) < 0.03);
 }
@@ -188,7 +188,7 @@ TEST_CASE("Tractions tend to Carter's away from the edges", "[steady][convergenc
             sizes.push_back(n);
             errors.push_back(largest);
         }
-        const double order = brute_force::observed_order(sizes, errors);
+        const double order = support::observed_order(sizes, errors);
         CAPTURE(graded, order, errors[0], errors[3]);
         CHECK(order > 0.8);
         CHECK(errors[3] < 1e-2);

@@ -11,6 +11,7 @@
 #include <gsl/gsl_integration.h>
 
 #include "../support/catch.hpp"
+#include "../support/observed_order.hpp"
 #include "../support/reference.hpp"
 #include "rollbem/elasticity/line_kernel.hpp"
 
@@ -140,7 +141,7 @@ TEST_CASE("The strip tends to the plane as (a/b)^2", "[kernel][convergence]") {
             sizes.push_back(b);
             errors.push_back(largest);
         }
-        const double order = brute_force::observed_order(sizes, errors);
+        const double order = support::observed_order(sizes, errors);
         CAPTURE(nu, order);
         CHECK(order > 1.97);
         CHECK(order < 2.03);
