@@ -2,7 +2,7 @@
 
 namespace rollbem {
 
-template HarmonicSolution<double> solve_exponential<double>(const RollingSystem<double>&, std::complex<double>);
+template decltype(solve_exponential<double>) solve_exponential<double>;
 template class FrequencySweep<double>;
 
 }  // namespace rollbem

@@ -8,8 +8,7 @@
 
 namespace rollbem {
 
-extern template HarmonicSolution<double> solve_exponential<double>(const RollingSystem<double>&, const ArrayX<double>&,
-                                                                   std::complex<double>);
+extern template decltype(solve_exponential<double>) solve_exponential<double>;
 extern template class FrequencySweep<double>;
 
 }  // namespace rollbem
