@@ -388,11 +388,16 @@ TEST_CASE("bad input to friction is refused by name, or answered by a status", "
         "SteadyFrictionModel: number of columns of G_prime = 7 must equal the number of widths");
     MatrixX<double> G = one, G_prime = -one;
     G_prime(6, 1) = inf;
-    CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("(6, 1)"));
+    CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("G_prime(6, 1) = "));
     CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, G_prime, scene.mesh.widths(), good),
-                      ContainsSubstring("(6, 1)"));
+                      "SteadyFrictionModel: G_prime(6, 1) = inf must be finite (row and column counted from 0)");
     G(2, 5) = nan;
-    CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("(2, 5)"));
+    CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()),
+                      ContainsSubstring(": G(2, 5) = nan must be finite"));
+    ArrayX<double> width = scene.mesh.widths();
+    width[4] = 0;
+    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, -one, width, good),
+                      "SteadyFrictionModel: width = 0 must be positive and finite");
     CHECK(FrictionStep<double>{}.status == StepStatus::not_finite);
 
     scene.friction = good;
