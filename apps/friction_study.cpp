@@ -196,7 +196,7 @@ void fitted_rows(const study::Options& options, const study::Scene& scene, const
                         solution.fitted ? 0 : 0.5,
                         0.5,
                         ratios[i],
-                        name_of(solution.status),
+                        name(solution.status),
                         solution.mesh,
                         solution.traction,
                         pressure(solution.mesh).matrix(),
