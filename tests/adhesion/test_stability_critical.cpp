@@ -112,7 +112,7 @@ TEST_CASE("Critical alpha_T: ends of the range and bad input", "[stability]") {
     CHECK(critical_alpha_T(mesh, collocation, strip(), one_step).value_or(-1) == Approx(0.8974).margin(6e-5));
     CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.first = 1, .last = 0.5}), std::invalid_argument);
     CHECK_THROWS_WITH(critical_alpha_T(mesh, collocation, strip(), {.step = 0}),
-                      "critical_alpha_T: step = 0 must be positive");
+                      "critical_alpha_T: step = 0 must be positive and finite");
     CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.tolerance = 0}), std::invalid_argument);
     CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.largest_stride = 0}), std::invalid_argument);
     CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, plane(0.1)), std::invalid_argument);

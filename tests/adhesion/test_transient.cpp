@@ -444,9 +444,10 @@ TEST_CASE("Construction refuses bad input by name", "[transient]") {
     CHECK_NOTHROW(Model(contact, rolling_system(mesh, Collocation{1.5, 1.5}, kernel), unchecked));
 
     const Contact<double> infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
-    CHECK_THROWS_WITH(
-        Model(infinite, rolling_system(mesh, halves, StripKernel<double>::longitudinal(infinite)), unchecked),
-        ContainsSubstring("half_width = inf must be finite"));
+    CHECK_THROWS_WITH(Model(infinite, rolling_system(mesh, halves, kernel), unchecked),
+                      ContainsSubstring("half_width = inf must be finite"));
+    CHECK_THROWS_WITH(rolling_system(mesh, halves, StripKernel<double>::longitudinal(infinite)),
+                      ContainsSubstring("an infinite aspect is for steady problems only"));
     const Contact<double> narrow = Contact<double>::dimensionless(0.1, 0.25);
     CHECK_THROWS_WITH(Model(narrow, rolling_system(mesh, halves, PlaneKernel<double>::longitudinal(narrow)), unchecked),
                       ContainsSubstring("Lambda"));

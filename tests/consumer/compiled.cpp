@@ -12,15 +12,16 @@ int main() {
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     const auto kernel = StripKernel<double>::longitudinal(contact);
     const double c11 = solve_steady(mesh, scheme, kernel).c11;
-    const FrequencySweep<double> sweep(mesh, scheme, kernel);
-    const StabilityVerdict stable = verdict(assemble(mesh, scheme, kernel));
-    const TransientModel<double> model(contact, mesh, scheme, kernel, stable);
+    const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
+    const FrequencySweep<double> sweep(system);
+    const TransientModel<double> model(contact, system, verdict(system));
     const SteadyFrictionModel<double> friction(
         contact, mesh, scheme, kernel,
         {.friction_coefficient = 0.3, .normal_pressure = 1e9 * mean_hertz_pressure(mesh)});
     const auto rest = friction.at_rest();
     auto rolling = rest;
-    const double creepage = 1e-9, force = friction.solve(rest, creepage, rolling).force;
+    auto workspace = friction.workspace();
+    const double creepage = 1e-9, force = friction.solve(rest, creepage, rolling, workspace).force;
     // full adhesion in four ways
     const double expected =
         -contact.half_length() * contact.shear_modulus() * 2 * contact.half_width() * c11 * creepage;
