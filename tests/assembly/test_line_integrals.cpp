@@ -11,7 +11,6 @@
 namespace {
 
 using namespace rollbem;
-using detail::Quantity;
 using reference::Real;
 
 // Rows of a fine mesh against long double: a naive second difference loses 8e-8 here.
