@@ -122,7 +122,7 @@ private:
         A = A.min(entries_.far_ratio);
         if constexpr (!SingleRatio) B = B.min(entries_.far_ratio);
         const Scalar scale = 2 * h * split_.strength;
-        Chunk result = moment_sum<SingleRatio>(A, B);
+        Chunk result = moment_sum<SingleRatio>(A, SingleRatio ? A : B);
         if (entries_.slope()) {
             for (Eigen::Index i = 0; i < chunk; ++i) result[i] *= -scale * inverse[i];
             return result;
