@@ -28,7 +28,14 @@ class LogarithmicSeries {
 public:
     LogarithmicSeries(const Entries<Scalar>& entries, const LogSplit<Scalar>& split,
                       const PolynomialPart<Scalar>& polynomial)
-        : entries_(entries), split_(split), polynomial_(polynomial), coefficients_(last + 1) {
+        : entries_(entries),
+          polynomial_(polynomial),
+          averages_(entries.averages),
+          slope_(entries.slope()),
+          far_ratio_(entries.far_ratio),
+          strength_(split.strength),
+          constant_(split.constant),
+          coefficients_(last + 1) {
         for (Eigen::Index j = 0; j <= last; ++j) {
             coefficients_[j] = 1 / Scalar(2 * j + 1);
             if (entries_.averages > 0) coefficients_[j] /= Scalar(j + 1);
@@ -108,7 +115,7 @@ private:
     // the logarithmic part: g' = -strength/d, so that g^{(2j+1)}/(2j)! = -strength/d^(2j+1)
     template <bool SingleRatio>
     Chunk log_series(const Chunk& d, Scalar h, const Scalar* delta) const {
-        const Scalar size = Scalar(entries_.averages > 0 ? 2 : 1) * h;
+        const Scalar size = Scalar(averages_ > 0 ? 2 : 1) * h;
         Chunk inverse, A, B;
         for (Eigen::Index i = 0; i < chunk; ++i) {
             inverse[i] = 1 / d[i];
@@ -119,18 +126,18 @@ private:
                 B[i] = difference * difference;
             }
         }
-        A = A.min(entries_.far_ratio);
-        if constexpr (!SingleRatio) B = B.min(entries_.far_ratio);
-        const Scalar scale = 2 * h * split_.strength;
+        A = A.min(far_ratio_);
+        if constexpr (!SingleRatio) B = B.min(far_ratio_);
+        const Scalar scale = 2 * h * strength_;
         Chunk result = moment_sum<SingleRatio>(A, SingleRatio ? A : B);
-        if (entries_.slope()) {
+        if (slope_) {
             for (Eigen::Index i = 0; i < chunk; ++i) result[i] *= -scale * inverse[i];
             return result;
         }
         Chunk logarithm;
         for (Eigen::Index i = 0; i < chunk; ++i) logarithm[i] = std::abs(d[i]);
         logarithm = logarithm.log();
-        const Scalar constant = 2 * h * split_.constant;
+        const Scalar constant = 2 * h * constant_;
         for (Eigen::Index i = 0; i < chunk; ++i) result[i] = constant + scale * (result[i] - logarithm[i]);
         return result;
     }
@@ -148,8 +155,10 @@ private:
     }
 
     const Entries<Scalar>& entries_;
-    const LogSplit<Scalar>& split_;
     const PolynomialPart<Scalar>& polynomial_;
+    int averages_;  // what the inner loop needs, at hand
+    bool slope_;
+    Scalar far_ratio_, strength_, constant_;
     ArrayX<Scalar> coefficients_;
     Scalar bound_of_4_ = 0, bound_of_6_ = 0;
 };

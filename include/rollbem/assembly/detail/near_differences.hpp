@@ -36,26 +36,27 @@ public:
 
     /// Writes every near entry to result(l, m).
     void fill(MatrixX<Scalar>& result) const {
-        const Eigen::Index n = entries_.columns.half.size();
-        const Scalar spread = Scalar(entries_.averages + 1) / (2 * std::sqrt(entries_.far_ratio));
+        const Entries<Scalar>& entries = entries_;  // into a register
+        const Eigen::Index n = entries.columns.half.size();
+        const Scalar spread = Scalar(entries.averages + 1) / (2 * std::sqrt(entries.far_ratio));
         std::vector<Run> runs;
         std::vector<Scalar> arguments;
-        runs.reserve(static_cast<std::size_t>(entries_.count));
-        arguments.reserve(static_cast<std::size_t>(std::min<Eigen::Index>(16 * entries_.count, 2048)));
-        for (Eigen::Index l = 0; l < entries_.count; ++l) {
-            if (entries_.equal_widths && entries_.far_ratio > 0) {  // the near columns surround the point
-                const Scalar nearest = entries_.distance(l, 0) / (2 * entries_.columns.half[0]);
+        runs.reserve(static_cast<std::size_t>(entries.count));
+        arguments.reserve(static_cast<std::size_t>(std::min<Eigen::Index>(16 * entries.count, 2048)));
+        for (Eigen::Index l = 0; l < entries.count; ++l) {
+            if (entries.equal_widths && entries.far_ratio > 0) {  // the near columns surround the point
+                const Scalar nearest = entries.distance(l, 0) / (2 * entries.columns.half[0]);
                 const Eigen::Index first = clamp_index(std::ceil(nearest - spread), n);
                 const Eigen::Index end = clamp_index(std::floor(nearest + spread) + 1, n);
                 if (end > first) append_run(l, first, end - first, runs, arguments);
             } else {
                 for (Eigen::Index m = 0; m < n; ++m) {
                     const Eigen::Index first = m;
-                    while (m < n && entries_.is_near(l, m)) ++m;
+                    while (m < n && entries.is_near(l, m)) ++m;
                     if (m > first) append_run(l, first, m - first, runs, arguments);
                 }
             }
-            if (arguments.size() > 2048 || l + 1 == entries_.count) {
+            if (arguments.size() > 2048 || l + 1 == entries.count) {
                 evaluate_runs(runs, arguments, result);
                 runs.clear();
                 arguments.clear();
@@ -134,28 +135,30 @@ private:
         Array x(static_cast<Eigen::Index>(arguments.size()));
         std::copy(arguments.begin(), arguments.end(), x.data());
         const Array values = antiderivative(x);
+        const Entries<Scalar>& entries = entries_;
+        const PolynomialPart<Scalar>* polynomial = polynomial_ ? &*polynomial_ : nullptr;
         for (const Run& run : runs) {
             Scalar divisor = 1;
-            for (int i = 0; i < entries_.averages; ++i) divisor *= 2 * entries_.rows.half[run.row];
+            for (int i = 0; i < entries.averages; ++i) divisor *= 2 * entries.rows.half[run.row];
             for (Eigen::Index i = 0; i < run.count; ++i) {
                 Scalar sum = 0;
-                if (entries_.equal_widths) {
+                if (entries.equal_widths) {
                     const Scalar* v = values.data() + run.position + i;
-                    sum = entries_.averages == 0   ? v[0] - v[1]
-                          : entries_.averages == 1 ? (v[0] - v[1]) - (v[1] - v[2])
-                                                   : ((v[0] - v[1]) - (v[1] - v[2])) - ((v[1] - v[2]) - (v[2] - v[3]));
+                    sum = entries.averages == 0   ? v[0] - v[1]
+                          : entries.averages == 1 ? (v[0] - v[1]) - (v[1] - v[2])
+                                                  : ((v[0] - v[1]) - (v[1] - v[2])) - ((v[1] - v[2]) - (v[2] - v[3]));
                 } else {
                     const Eigen::Index stride = run.count + 1;
                     const auto element = [&](Eigen::Index point) {
                         const Scalar* v = values.data() + run.position + point * stride + i;
                         return v[0] - v[1];
                     };
-                    sum = entries_.averages == 0   ? element(0)
-                          : entries_.averages == 1 ? element(0) - element(1)
-                                                   : (element(0) - element(1)) - (element(1) - element(2));
+                    sum = entries.averages == 0   ? element(0)
+                          : entries.averages == 1 ? element(0) - element(1)
+                                                  : (element(0) - element(1)) - (element(1) - element(2));
                 }
                 sum /= divisor;
-                if (polynomial_) sum += polynomial_->at(run.row, run.first + i);
+                if (polynomial) sum += polynomial->at(run.row, run.first + i);
                 result(run.row, run.first + i) = sum;
             }
         }

@@ -24,7 +24,8 @@ public:
     using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     using Chunk = typename Entries<Scalar>::Chunk;
 
-    PolynomialPart(const Entries<Scalar>& entries, const Array& even) : entries_(entries) {
+    PolynomialPart(const Entries<Scalar>& entries, const Array& even)
+        : entries_(entries), equal_widths_(entries.equal_widths), slope_(entries.slope()) {
         const Eigen::Index q = entries_.slope() ? 1 : 0;
         const Eigen::Index terms = even.size();
         const Eigen::Index length = terms == 0 ? 0 : terms + 1 - q;
@@ -89,22 +90,22 @@ public:
     /// Adds the integrals at the distances d of rows from l on, with the coefficients of their element.
     void add(const Table& powers, const Chunk& d, Eigen::Index l, Chunk& value) const {
         Chunk sum;
-        if (entries_.equal_widths && powers.cols() == 3) {  // a wide strip: one loop stays in registers
+        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: one loop stays in registers
             const Scalar constant = powers(0, 0), linear = powers(0, 1), quadratic = powers(0, 2);
             for (Eigen::Index i = 0; i < chunk; ++i) {
                 const Scalar square = d[i] * d[i];
                 sum[i] = (quadratic * square + linear) * square + constant;
             }
-            if (entries_.slope()) {
+            if (slope_) {
                 for (Eigen::Index i = 0; i < chunk; ++i) sum[i] *= d[i];
             }
             for (Eigen::Index i = 0; i < chunk; ++i) value[i] += sum[i];
             return;
         }
         const Eigen::Index last = powers.cols() - 1;
-        for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = entries_.equal_widths ? powers(0, last) : powers(l + i, last);
+        for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = equal_widths_ ? powers(0, last) : powers(l + i, last);
         for (Eigen::Index j = last - 1; j >= 0; --j) {
-            if (entries_.equal_widths) {
+            if (equal_widths_) {
                 const Scalar power = powers(0, j);
                 for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = sum[i] * (d[i] * d[i]) + power;
             } else {
@@ -112,7 +113,7 @@ public:
                 for (Eigen::Index i = 0; i < chunk; ++i) sum[i] = sum[i] * (d[i] * d[i]) + power[i];
             }
         }
-        for (Eigen::Index i = 0; i < chunk; ++i) value[i] += entries_.slope() ? sum[i] * d[i] : sum[i];
+        for (Eigen::Index i = 0; i < chunk; ++i) value[i] += slope_ ? sum[i] * d[i] : sum[i];
     }
 
     /// The integral for row l and element m.
@@ -122,7 +123,7 @@ public:
         Scalar sum = 0;
         for (Eigen::Index i = length - 1; i >= 0; --i) {
             Scalar power = 0;
-            if (entries_.equal_widths) {
+            if (equal_widths_) {
                 power = common_powers_(0, i);
             } else {
                 for (Eigen::Index k = 0; i + k < length; ++k) {
@@ -131,7 +132,7 @@ public:
             }
             sum = sum * d * d + power;
         }
-        return entries_.slope() ? sum * d : sum;
+        return slope_ ? sum * d : sum;
     }
 
 private:
@@ -156,6 +157,7 @@ private:
     }
 
     const Entries<Scalar>& entries_;
+    bool equal_widths_, slope_;  // what the inner loop needs, at hand
     Table row_series_, element_factors_, common_powers_;
 };
 
