@@ -17,10 +17,10 @@
 #include <variant>
 #include <vector>
 
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"

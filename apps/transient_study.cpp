@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "support/non_steady.hpp"

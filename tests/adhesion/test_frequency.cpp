@@ -9,9 +9,9 @@
 #include <gsl/gsl_sf_bessel.h>
 
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/frequency.hpp"
-#include "rollbem/adhesion/steady.hpp"
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/compiled/frequency.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 namespace {
 

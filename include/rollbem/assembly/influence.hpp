@@ -52,12 +52,4 @@ InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& schem
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }
 
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,
-                                                                 const detail::KernelView<double>&, Quantity);
-extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const SchemeRows<double>&,
-                                                                  const detail::KernelView<double>&, Quantity,
-                                                                  const VectorX<double>&);
-#endif
-
 }  // namespace rollbem

@@ -42,6 +42,11 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> constant_array(Eigen::Index size, Scalar
     return result;
 }
 
+template <class Scalar>
+Scalar largest(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+    return x.maxCoeff();
+}
+
 /// Entries first ... first + count - 1.
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> segment(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x, Eigen::Index first,

@@ -81,13 +81,12 @@ struct Entries {
 
     /// The largest |d| + h + averages delta.
     Scalar reach() const {
-        Scalar farthest = 0, widest = 0;
+        Array from(count);
         for (Eigen::Index l = 0; l < count; ++l) {
-            farthest = std::max(farthest, std::max(rows.from_leading[l], rows.from_trailing[l]) +
-                                              std::abs(rows.offset[l]) + Scalar(averages) * rows.half[l]);
+            from[l] = std::max(rows.from_leading[l], rows.from_trailing[l]) + std::abs(rows.offset[l]) +
+                      Scalar(averages) * rows.half[l];
         }
-        for (Eigen::Index m = 0; m < columns.half.size(); ++m) widest = std::max(widest, columns.half[m]);
-        return farthest + widest;
+        return largest(from) + largest(columns.half);
     }
 
 private:

@@ -56,11 +56,12 @@ void influence_rows(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, 
     const auto fill = [&](Scalar offset, MatrixX<Scalar>& result) {
         const RowPoints<Scalar> rows = row_points(mesh, scheme, offset);
         // the guard can move the points of the outermost rows elsewhere than those of the others
-        Scalar spread = 0;
-        for (Eigen::Index l = 0; l < mesh.size(); ++l) {
-            spread = std::max(spread, std::abs(rows.offset[l] - rows.offset[0]));
+        const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0];
+        bool toeplitz = mesh.is_uniform();
+        for (Eigen::Index l = 0; toeplitz && l < mesh.size(); ++l) {
+            toeplitz = std::abs(rows.offset[l] - rows.offset[0]) <= rounding;
         }
-        if (mesh.is_uniform() && spread <= 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
+        if (toeplitz) {
             fill_toeplitz<Scalar>(kernel, quantity, scheme.averages, mesh.widths()[0], rows.offset[0], first, result);
             return;
         }
