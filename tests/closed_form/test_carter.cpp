@@ -9,6 +9,7 @@
 #include <gsl/gsl_integration.h>
 
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/discretisation/mesh.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -144,6 +145,19 @@ TEST_CASE("Carter's functions refuse bad input by name", "[carter]") {
     CHECK_THROWS_AS(carter_mean_traction(ContactInterval<double>{1, 0, 1}, 0.25), std::invalid_argument);
     CHECK_THROWS_AS(plane_lambda(0.25, infinity), std::invalid_argument);
     CHECK_THROWS_AS(plane_lambda(0.25, 0.0), std::invalid_argument);
+}
+
+TEMPLATE_TEST_CASE("Means over the elements of a mesh carry the whole force", "[carter]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar nu(0.28);
+    for (const Mesh<Scalar>& mesh : {cosine_mesh<Scalar>(40), geometric_mesh<Scalar>(7, Scalar(100))}) {
+        const auto means = carter_mean_tractions(mesh, nu);
+        REQUIRE(means.size() == mesh.size());
+        CHECK(std::abs((means * mesh.widths()).sum() / -steady_c11(nu) - 1) <
+              32 * std::numeric_limits<Scalar>::epsilon());
+        const Scalar third = carter_mean_traction(mesh.edges()[2], mesh.edges()[3], nu);
+        CHECK(std::abs(means[2] / third - 1) < 4096 * std::numeric_limits<Scalar>::epsilon());
+    }
 }
 
 }  // namespace
