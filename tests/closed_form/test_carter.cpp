@@ -149,7 +149,7 @@ TEST_CASE("Carter's functions refuse bad input by name", "[carter]") {
 
 TEMPLATE_TEST_CASE("Means over the elements of a mesh carry the whole force", "[carter]", float, double, long double) {
     using Scalar = TestType;
-    const Scalar nu(0.28);
+    const Scalar nu = static_cast<Scalar>(0.28);
     for (const Mesh<Scalar>& mesh : {cosine_mesh<Scalar>(40), geometric_mesh<Scalar>(7, Scalar(100))}) {
         const auto means = carter_mean_tractions(mesh, nu);
         REQUIRE(means.size() == mesh.size());
