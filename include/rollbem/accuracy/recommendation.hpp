@@ -65,8 +65,8 @@ struct MeasuredError {
     double smallest_tolerance;  ///< for which it is the cheapest
 };
 
-/// In the order of preference for each purpose. Measured against the closed forms of the plane kernel for n up to 640, nu
-/// from 0 to 0.5 and (where it matters) b/a from 10 on. For steady rolling at a coarse tolerance, the Toeplitz assembly
+/// For each purpose, the first that is not too coarse for the tolerance. Measured against the closed forms of the plane
+/// kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. For steady rolling at a coarse tolerance, the Toeplitz assembly
 /// on the uniform mesh counts for more than the finer mesh.
 inline constexpr MeasuredError measured_errors[] = {
     {Purpose::steady, Topology::uniform, 1, 0.19, 2.8, 6, 1e-5},  // 1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34 elements

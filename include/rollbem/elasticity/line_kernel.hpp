@@ -66,7 +66,7 @@ void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2)
     require(is_finite(c2), who, "c2", c2, "be finite");
 }
 
-/// Cerruti's constants of Eqs. (3) and (7), for either direction of creepage.
+/// The kernel of a contact, with (c1, c2) for either direction of creepage.
 template <class Kernel>
 Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact) {
     return Kernel(contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
@@ -156,7 +156,7 @@ private:
     Scalar b_, lambda_, strength_, constant_;
 };
 
-/// Cerruti's solution, Eq. (3), integrated over -b <= y <= b and seen from y = 0:
+/// Eqs. (3) and (7): Cerruti's solution, integrated over -b <= y <= b and seen from y = 0:
 /// g = (2/(pi G)) [c1 asinh(b/|x|) + c2 b / sqrt(x^2 + b^2)].
 template <class Scalar_ = double>
 class StripKernel {

@@ -1,4 +1,5 @@
 // The points at which a scheme takes its rows, Eqs. (28) and (29).
+// Kept off the edges of elements where a scheme asks for it.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -39,8 +40,8 @@ Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar positio
     return between + position * widths[e];
 }
 
-// x_l + (alpha_l + offset) dx_l of every element, and the intervals dx_l about these points: what Eq. (29) takes
-// differences over, and Eq. (14) means.
+// x_l + (alpha_l + offset) dx_l of every element, and the intervals dx_l about these points, over which
+// Eq. (29) takes differences and Eq. (14) means.
 template <class Scalar>
 RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, Scalar offset) {
     const ArrayX<Scalar> alpha = interpolate_alpha(mesh, scheme.alpha_L, scheme.alpha_T);
