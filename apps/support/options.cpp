@@ -171,6 +171,11 @@ void Options::refuse(const std::string& name, const std::string& reason) {
     refused_.emplace_back(name, reason);
 }
 
+void Options::refuse_group(const std::string& heading, const std::string& reason,
+                           const std::vector<std::string>& allowed) {
+    for (const std::string& name : members(heading, allowed)) refuse(name, reason);
+}
+
 void Options::footer(const std::string& text) {
     app_->footer(text +
                  "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
@@ -216,6 +221,11 @@ std::string Options::said(const std::string& name) const {
 
 void Options::ignored(const std::string& name, const std::string& reason) const {
     if (given(name)) throw BadInput(said(name) + " has no effect " + reason);
+}
+
+void Options::ignored_group(const std::string& heading, const std::string& reason,
+                            const std::vector<std::string>& allowed) const {
+    for (const std::string& name : members(heading, allowed)) ignored(name, reason);
 }
 
 bool Options::flag(const std::string& name) const {
@@ -339,6 +349,15 @@ void Options::check_files() const {
 }
 
 const Options::Entry& Options::entry(const std::string& name) const { return entries_.at(name); }
+
+std::vector<std::string> Options::members(const std::string& heading, const std::vector<std::string>& allowed) const {
+    std::vector<std::string> names;
+    for (const auto& [name, entry] : entries_) {
+        const bool is_allowed = std::find(allowed.begin(), allowed.end(), name) != allowed.end();
+        if (entry.option->get_group() == heading && !is_allowed) names.push_back(name);
+    }
+    return names;
+}
 
 std::vector<std::string> Options::raw(const std::string& name) const {
     if (entry(name).option->count() > 0) return entry(name).option->results();

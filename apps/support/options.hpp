@@ -81,6 +81,10 @@ public:
     /// Makes --name bad input for this study, with the reason; --help leaves it out.
     void refuse(const std::string& name, const std::string& reason);
 
+    /// The same for all options under a heading but `allowed`.
+    void refuse_group(const std::string& heading, const std::string& reason,
+                      const std::vector<std::string>& allowed = {});
+
     /// Text below the options in --help, exactly as given; the exit codes follow it.
     void footer(const std::string& text);
 
@@ -98,6 +102,10 @@ public:
 
     /// Throws BadInput that `name` is ignored because of `reason`, if it was given.
     void ignored(const std::string& name, const std::string& reason) const;
+
+    /// The same for all options under a heading but `allowed`.
+    void ignored_group(const std::string& heading, const std::string& reason,
+                       const std::vector<std::string>& allowed = {}) const;
 
     /// A flag's state. In a configuration file a flag is true or false.
     bool flag(const std::string& name) const;
@@ -138,6 +146,9 @@ private:
     void check_files() const;
 
     const Entry& entry(const std::string& name) const;
+
+    /// Names of the options under a heading but `allowed`.
+    std::vector<std::string> members(const std::string& heading, const std::vector<std::string>& allowed) const;
 
     std::vector<std::string> raw(const std::string& name) const;
 
