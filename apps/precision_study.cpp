@@ -367,10 +367,7 @@ int main(int argc, char** argv) {
     study::Options options("precision_study",
                            "Error against run time: which scheme gives a required precision at the least cost?");
     const std::string fixed = "the schemes of this study say where and how the equations are taken; see --schemes";
-    for (const char* name :
-         {"mesh", "edges", "method", "quadrature", "alpha-L", "alpha-T", "alpha", "lambda", "derivative"}) {
-        options.refuse(name, fixed);
-    }
+    options.refuse_group("Discretisation", fixed, {"n", "size-ratio", "epsilon"});
     options.set_default("n", "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640");
     options.set_default("kernel", "plane");
     options.set_default("size-ratio", "1.89");

@@ -31,14 +31,10 @@ struct Case {
     std::string says{};
 };
 
-inline std::string text(rollbem::Status status) {
-    switch (status) {
-        case rollbem::Status::ok: return "";
-        case rollbem::Status::ill_conditioned: return "status ill_conditioned";
-        case rollbem::Status::inconsistent: return "status inconsistent";
-        case rollbem::Status::not_finite: break;
-    }
-    return "status not_finite";
+/// What a Status or StepStatus tells: nothing where it is ok.
+template <class AnyStatus>
+std::string told_by(AnyStatus status) {
+    return status == AnyStatus::ok ? std::string() : std::string("status ") + name(status);
 }
 
 /// 1e-06, 1000, inf: for names.

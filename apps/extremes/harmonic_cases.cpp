@@ -40,7 +40,7 @@ Outcome from_sweep(const rollbem::FrequencySweep<double>& sweep, double z, Compl
     Outcome outcome = compare(point.c11, reference, bound);
     outcome.residual = point.residual;
     outcome.condition = 1 / point.rcond;
-    outcome.told = text(point.status);
+    outcome.told = told_by(point.status);
     return outcome;
 }
 
@@ -75,7 +75,7 @@ void add_frequencies(std::vector<Case>& cases) {
                              Outcome outcome = compare(full.c11, reference, 16 * rounding / full.rcond);
                              outcome.residual = full.residual;
                              outcome.condition = 1 / full.rcond;
-                             outcome.told = text(full.status);
+                             outcome.told = told_by(full.status);
                              return outcome;
                          }});
     }

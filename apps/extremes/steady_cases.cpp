@@ -48,7 +48,7 @@ Outcome against(const Problem& p, double reference, double bound) {
             .residual = solution.residual,
             .condition = 1 / solution.rcond,
             .bound = bound,
-            .told = text(solution.status)};
+            .told = told_by(solution.status)};
 }
 
 /// The discretisation's error against the exact solution of the model.
@@ -175,7 +175,7 @@ void add_units(std::vector<Case>& cases) {
                                 .residual = si.residual,
                                 .condition = 1 / si.rcond,
                                 .bound = 100 * rounding,
-                                .told = text(si.status)};
+                                .told = told_by(si.status)};
              }});
     }
 }

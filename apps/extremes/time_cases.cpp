@@ -13,6 +13,7 @@
 #include <rollbem/reference/step_response.hpp>
 
 #include "cases.hpp"
+#include "support/non_steady.hpp"
 
 namespace extremes {
 
@@ -35,10 +36,6 @@ Model stable_model(const rollbem::Contact<double>& contact, Integrator integrato
     return {contact, system, rollbem::verdict<double>(system), integrator};
 }
 
-std::string text(rollbem::StepStatus status) {
-    return status == rollbem::StepStatus::ok ? "" : std::string("status ") + name(status);
-}
-
 /// Force per width after `count` steps of dq [m] at unit creepage, from rest.
 Outcome roll(const Model& model, double dq, int count) {
     Model::State now = model.at_rest(), next = now;
@@ -47,7 +44,7 @@ Outcome roll(const Model& model, double dq, int count) {
     for (int k = 0; k < count; ++k) {
         const rollbem::TransientStep<double> result = model.advance(now, step, 1.0, next);
         outcome.value = result.force_per_width;
-        outcome.told = text(result.status);
+        outcome.told = told_by(result.status);
         std::swap(now, next);
     }
     return outcome;
@@ -60,17 +57,11 @@ Outcome compare(Outcome outcome, double reference, double bound) {
     return outcome;
 }
 
-const char* name_of(Integrator integrator) {
-    return integrator == Integrator::implicit_euler ? "implicit-euler"
-           : integrator == Integrator::sdirk2       ? "sdirk2"
-                                                    : "exponential";
-}
-
 void add_steps(std::vector<Case>& cases) {
     for (const Integrator integrator :
          {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
         for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
-            const std::string where = std::string(", ") + name_of(integrator) + ", b/a = " + shown(aspect);
+            const std::string where = ", " + study::word(integrator) + ", b/a = " + shown(aspect);
             // Far above 1/|nu_max|: the steady force. What is left of the start falls by Lambda a/dq a step or faster.
             for (const double dq : {1e3, 1e6}) {
                 cases.push_back({"dq = " + shown(dq) + where, "force against steady rolling", [=] {
@@ -121,9 +112,8 @@ void add_spectra(std::vector<Case>& cases) {
                  const auto result =
                      rollbem::solve_stability<double>(rollbem::rolling_system(rollbem::cosine_mesh(n), equal, kernel),
                                                       {.settle_signs = true, .condition = true});
-                 Outcome outcome{.value = result.spectral_abscissa,
-                                 .condition = *result.cond_G,
-                                 .told = extremes::text(result.status)};
+                 Outcome outcome{
+                     .value = result.spectral_abscissa, .condition = *result.cond_G, .told = told_by(result.status)};
                  if (!rollbem::verdict(result).stable()) outcome.told = "not certainly stable";
                  return compare(outcome, rollbem::reference::eigenvalues(1, steel, 100)[0].real(),
                                 0.3 / n / std::sqrt(n));
