@@ -29,9 +29,7 @@ enum class Purpose {
 /// A scheme that recommended_scheme() returns: always collocation with finite differences at alpha_L = alpha_T = 0.5,
 /// which no mesh tried made unstable.
 struct RecommendedScheme {
-    enum class Topology { uniform, cosine };
-
-    Topology topology = Topology::cosine;
+    Topology topology = Topology::cosine;  ///< uniform or cosine
     Eigen::Index n = 0;      ///< elements; of the finer mesh where results are extrapolated, and even then
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
     double error_bound = 0;  ///< of the relative error, at most the tolerance asked for
@@ -40,7 +38,7 @@ struct RecommendedScheme {
     /// The recommended mesh with another number of elements. Throws for count < 1.
     template <class Scalar = double>
     Mesh<Scalar> mesh(Eigen::Index count) const {
-        return topology == Topology::uniform ? uniform_mesh<Scalar>(count) : cosine_mesh<Scalar>(count);
+        return make_mesh<Scalar>({.topology = topology, .n = count});
     }
 
     /// solve(mesh), extrapolated where that is recommended; `solve` returns a real or complex number.
@@ -75,7 +73,6 @@ struct RecommendedScheme {
 inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
     constexpr Eigen::Index largest = 640;
     constexpr double cheaper_on_uniform = 1e-5;  // the Toeplitz assembly counts for more than the finer mesh
-    using Topology = RecommendedScheme::Topology;
     RecommendedScheme result;
     double factor = 0, exponent = 0;
     Eigen::Index least = 4;
