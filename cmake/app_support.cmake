@@ -22,7 +22,7 @@ target_include_directories(rollbem_build_info PUBLIC "${generated_dir}")
 target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
 add_library(rollbem_app_support STATIC)
-foreach(part IN ITEMS config_file csv files non_steady options plot program scenes table)
+foreach(part IN ITEMS config_file csv files mesh_names non_steady options plot program scenes table)
     target_sources(rollbem_app_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 target_include_directories(rollbem_app_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")

@@ -9,6 +9,7 @@
 #include "build_info.hpp"
 #include "config_file.hpp"
 #include "files.hpp"
+#include "mesh_names.hpp"
 
 namespace study {
 
@@ -87,11 +88,14 @@ Options::Options(std::string program, const std::string& purpose)
 
     group("Discretisation");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
-    add("mesh", "NAME", "uniform, geometric, knothe, modified-knothe or cosine", "uniform");
+    add("mesh", "NAME", listed(mesh_names(), "or"), "uniform");
     add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
-    add("size-ratio", "R", "geometric mesh: dx_trailing / dx_leading (dimensionless)", "2");
+    add("size-ratio", "R",
+        join(mesh_names(rollbem::Grading::size_ratio), ", ") + " mesh: dx_trailing / dx_leading (dimensionless)", "2");
     add("epsilon", "E",
-        "knothe, modified-knothe mesh: size of the end element over that of an inner one (dimensionless)", "0.4");
+        join(mesh_names(rollbem::Grading::epsilon), ", ") +
+            " mesh: size of the end element over that of an inner one (dimensionless)",
+        "0.4");
     add("method", "NAME", "collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary conditions)",
         "collocation");
     add("quadrature", "N|exact", "galerkin: 1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact");
