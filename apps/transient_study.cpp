@@ -152,6 +152,25 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
     }
 }
 
+/// The force over the distance, and the exact one where there is one.
+study::Plot draw_force(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
+    study::Plot plot{.title = "Rolling from rest",
+                     .x_label = "distance rolled q/a",
+                     .y_label = "-F / (a G {/Symbol x}_{ref})",
+                     .series = {}};
+    const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
+    study::add_series(plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
+    if (rows.empty()) return plot;  // of a shard
+    if (plot.series.size() == 1) plot.series.front().label = "computed";
+    study::Plot exact_plot = plot;
+    study::add_series(exact_plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});
+    plot.series.push_back(exact_plot.series[plot.series.size()]);  // the same for all schemes
+    plot.series.back().label = "exact";
+    plot.series.back().style = 6;  // black and dashed
+    for (study::Series& series : plot.series) series.markers = false;
+    return plot;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -216,24 +235,8 @@ int main(int argc, char** argv) {
             run(scenes[task], models[task], history, steps, exact ? &*exact : nullptr, range, emit);
         };
 
-        // 7. --plot: the force over the distance, and the exact one where there is one.
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            study::Plot plot{.title = "Rolling from rest",
-                             .x_label = "distance rolled q/a",
-                             .y_label = "-F / (a G {/Symbol x}_{ref})",
-                             .series = {}};
-            const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
-            study::add_series(plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
-            if (rows.empty()) return plot;  // of a shard
-            if (plot.series.size() == 1) plot.series.front().label = "computed";
-            study::Plot exact_plot = plot;
-            study::add_series(exact_plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});
-            plot.series.push_back(exact_plot.series[plot.series.size()]);  // the same for all schemes
-            plot.series.back().label = "exact";
-            plot.series.back().style = 6;  // black and dashed
-            for (study::Series& series : plot.series) series.markers = false;
-            return plot;
-        };
+        // 7. --plot.
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(table.columns, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

@@ -7,12 +7,18 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/status.hpp>
 
 namespace extremes {
 
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double rounding = std::numeric_limits<double>::epsilon();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What cases use that do not say otherwise: Poisson's ratio, and the scheme.
+inline constexpr double steel = 0.28;
+inline constexpr rollbem::Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 
 /// What came out. Cells that have no meaning are not numbers.
 struct Outcome {

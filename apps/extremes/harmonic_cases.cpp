@@ -1,7 +1,6 @@
 // Frequency response at the edges of its domain.
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,6 @@ using Complex = std::complex<double>;
 using rollbem::Collocation;
 using rollbem::Topology;
 
-constexpr double steel = 0.28;
-constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 constexpr Collocation recommended{.alpha_L = 0, .alpha_T = 0.63};
 
 rollbem::PlaneKernel<double> plane(double aspect) { return {aspect, 1 - steel, steel}; }
@@ -124,7 +121,6 @@ void add_refusals(std::vector<Case>& cases) {
                      "the plane model itself is unstable"});
     cases.push_back({"z = 1, b/a = inf", "|c11|",
                      [] {
-                         const double infinity = std::numeric_limits<double>::infinity();
                          const rollbem::FrequencySweep<double> sweep(
                              rollbem::rolling_system(rollbem::cosine_mesh(40), equal, plane(infinity)));
                          return from_sweep(sweep, 1, 1, 0);

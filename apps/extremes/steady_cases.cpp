@@ -1,7 +1,6 @@
 // Steady rolling at the edges of its domain.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -19,10 +18,6 @@ namespace {
 
 using rollbem::Collocation;
 using rollbem::Topology;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double steel = 0.28;
-constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 
 struct Problem {
     rollbem::MeshSpecification mesh;

@@ -1,6 +1,5 @@
 // Stability and rolling in time at the edges of their domain.
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +21,6 @@ namespace {
 using Model = rollbem::TransientModel<double>;
 using rollbem::Collocation;
 using rollbem::Integrator;
-
-constexpr double steel = 0.28;
-constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 
 rollbem::Contact<double> contact(double aspect) { return rollbem::Contact<double>::dimensionless(aspect, steel); }
 
@@ -131,7 +127,6 @@ void add_refusals(std::vector<Case>& cases) {
             return roll(model, 1, 1);
         };
     };
-    const double infinity = std::numeric_limits<double>::infinity();
     cases.push_back(
         {"time, alpha = 0, n = 40", "force", build(40, {0, 0}, 1000), "must be 0: a mode of the scheme grows"});
     cases.push_back(

@@ -203,8 +203,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     options.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
     const bool fits = options.flag("fit-border");
     if (fits) require_fittable(options);
-    const study::Rule finite{[](double value) { return std::isfinite(value); }, "be finite"};
-    CreepCurve curve{options, pressure, options.numbers("creepage-ratio", finite), nullptr};
+    CreepCurve curve{options, pressure, options.numbers("creepage-ratio", study::finite()), nullptr};
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
 
     std::optional<study::TableFile> tractions;

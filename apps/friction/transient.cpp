@@ -36,13 +36,11 @@ struct History {
 };
 
 History make_history(const study::Options& options) {
-    const auto is_finite = [](double value) { return std::isfinite(value); };
-    const study::Rule finite{is_finite, "be finite"};
     History history;
-    if (options.given("shift")) history.shift = options.number("shift", finite);
+    if (options.given("shift")) history.shift = options.number("shift", study::finite());
     if (options.given("sine")) {
         options.ignored("creepage-ratio", "with --sine");
-        const study::Sine sine = study::read_sine(options, {is_finite, "finite"});
+        const study::Sine sine = study::read_sine(options, {study::finite().holds, "finite"});
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
         return history;
@@ -50,7 +48,7 @@ History make_history(const study::Options& options) {
     if (!options.given("creepage-ratio")) {
         throw study::BadInput("one of --creepage-ratio and --sine must be given with --transient");
     }
-    history.amplitude = options.number("creepage-ratio", finite);
+    history.amplitude = options.number("creepage-ratio", study::finite());
     return history;
 }
 

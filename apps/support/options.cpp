@@ -57,6 +57,10 @@ Rule between(double low, double high) {
     return {[=](double value) { return value >= low && value <= high; }, text.str()};
 }
 
+Rule finite() {
+    return {[](double value) { return std::isfinite(value); }, "be finite"};
+}
+
 Rule positive() {
     return {[](double value) { return value > 0 && std::isfinite(value); }, "be positive and finite"};
 }
@@ -142,20 +146,16 @@ void Options::add(const std::string& name, const std::string& value, const std::
     set_default(name, default_text);
 }
 
-void Options::add_input(const std::string& name, const std::string& help) {
+void Options::add_file(const std::string& name, const std::string& help, Kind kind) {
     add(name, "FILE", help);
-    entries_[name].kind = Kind::input;
+    entries_[name].kind = kind;
 }
 
-void Options::add_output(const std::string& name, const std::string& help) {
-    add(name, "FILE", help);
-    entries_[name].kind = Kind::output;
-}
+void Options::add_input(const std::string& name, const std::string& help) { add_file(name, help, Kind::input); }
 
-void Options::add_table(const std::string& name, const std::string& help) {
-    add(name, "FILE", help);
-    entries_[name].kind = Kind::table;
-}
+void Options::add_output(const std::string& name, const std::string& help) { add_file(name, help, Kind::output); }
+
+void Options::add_table(const std::string& name, const std::string& help) { add_file(name, help, Kind::table); }
 
 void Options::add_flag(const std::string& name, const std::string& help) {
     CLI::Option* option = app_->add_flag("--" + name, help);
@@ -286,6 +286,21 @@ std::vector<double> Options::numbers(const std::string& name, const Rule& rule) 
 
 std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
     return list<std::ptrdiff_t>(name, [&](const std::string& item) { return to_integer(name, item, low, high); });
+}
+
+std::vector<std::string> Options::choices(const std::string& name, const std::vector<std::string>& known) const {
+    const auto contains = [](const std::vector<std::string>& words, const std::string& word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    const std::vector<std::string> given = list<std::string>(name, [&](const std::string& item) {
+        if (item == "all" || contains(known, item)) return item;
+        throw BadInput("--" + name + " = " + item + " must be all, or some of " + join(known, ","));
+    });
+    std::vector<std::string> result;
+    for (const std::string& word : known) {
+        if (contains(given, "all") || contains(given, word)) result.push_back(word);
+    }
+    return result;
 }
 
 std::vector<std::pair<std::string, std::string>> Options::values() const {

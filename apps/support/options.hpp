@@ -29,6 +29,7 @@ struct Rule {
 };
 
 Rule between(double low, double high);
+Rule finite();
 Rule positive();
 Rule positive_or_infinite();
 
@@ -116,6 +117,9 @@ public:
     /// The one value, which must be among `names`.
     std::string choice(const std::string& name, const std::vector<std::string>& names) const;
 
+    /// A list of some of `known`, or of all where one item is "all"; in the order of `known`.
+    std::vector<std::string> choices(const std::string& name, const std::vector<std::string>& known) const;
+
     double number(const std::string& name, const Rule& rule) const;
 
     std::ptrdiff_t integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
@@ -137,6 +141,8 @@ private:
         Kind kind = Kind::value;
         std::vector<std::string> configured{};  ///< by the configuration file
     };
+
+    void add_file(const std::string& name, const std::string& help, Kind kind);
 
     std::string version() const;
 

@@ -152,14 +152,7 @@ awk -F, 'NR > 1 { d[NR] = $2; f[NR] = $4; if ($7 < work) bad = 1; work = $7 }
               if ((f[i] - f[i - 200]) ^ 2 > 1e-8) bad = 1; if ((f[i] + f[i - 100]) ^ 2 > 1e-8) bad = 1
               area += (d[i] - d[i - 1]) * (f[i] + f[i - 1]) / 2 }
           exit bad || !(area ^ 2 > 0.01) }' out || fail 'hysteresis'
-# halving dq: second order, or first
-for integrator in sdirk2 implicit-euler; do
-    for dq in 0.2 0.1 0.0125; do
-        $rolling --sine 0.9,1 --until 2 --dq $dq --integrator $integrator | tail -n 1 | cut -d, -f4
-    done | awk -v order=$integrator '{ f[NR] = $1 } END { ratio = (f[1] - f[3]) / (f[2] - f[3])
-        exit !(order == "sdirk2" ? ratio > 3.4 && ratio < 4.8 : ratio > 1.8 && ratio < 2.4) }' ||
-        fail "order of $integrator"
-done
+orders 4 $rolling --sine 0.9,1 --until 2
 shards $rolling --n 5,6 --creepage-ratio 0.5 --shift 1 --until 1
 
 # --- plots

@@ -56,6 +56,20 @@ shards() {
     cmp -s whole parts || fail "shards or jobs change rows: $*"
 }
 
+# orders COLUMN PROGRAM ARG...: at the end of the run, halving --dq shows second order with sdirk2 and first with
+# implicit-euler.
+orders() {
+    column=$1
+    shift
+    for integrator in sdirk2 implicit-euler; do
+        for dq in 0.2 0.1 0.0125; do
+            "$@" --dq $dq --integrator $integrator | tail -n 1 | cut -d, -f"$column"
+        done | awk -v order=$integrator '{ f[NR] = $1 } END { ratio = (f[1] - f[3]) / (f[2] - f[3])
+            exit !(order == "sdirk2" ? ratio > 3.4 && ratio < 4.8 : ratio > 1.8 && ratio < 2.4) }' ||
+            fail "order of $integrator: $*"
+    done
+}
+
 # interrupt SIGNAL FILE PROGRAM ARG...: the signal, sent once FILE is being written; leaves the exit code in $code.
 interrupt() {
     signal=$1
