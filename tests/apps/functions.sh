@@ -27,6 +27,23 @@ bad() {
     rm -rf work
 }
 
+# bad_pairs COLUMNS PROGRAM ARG...: what is bad in the file of pairs that the last argument names and that is not there.
+bad_pairs() {
+    columns=$1
+    shift
+    bad 'must be a file that can be read' "$@" "$scratch/pairs"
+    printf 'x,y\n0,1\n' >"$scratch/pairs"
+    bad "line 1 = x,y must be $columns" "$@" "$scratch/pairs"
+    for pair in 0,one 0,nan 0; do
+        printf '%s\n%s\n' "$columns" $pair >"$scratch/pairs"
+        bad "line 2 = $pair must be two finite numbers" "$@" "$scratch/pairs"
+    done
+    printf '%s\n0.5,1\n0,1\n' "$columns" >"$scratch/pairs"
+    bad 'line 3 = 0,1 must not lie before' "$@" "$scratch/pairs"
+    printf '%s\n' "$columns" >"$scratch/pairs"
+    bad 'must have at least one row below its header' "$@" "$scratch/pairs"
+}
+
 # good LINES PROGRAM ARG...: exit 0, so many lines in the file out, nothing on stderr.
 good() {
     lines=$1
