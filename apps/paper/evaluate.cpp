@@ -87,14 +87,11 @@ double c11_ratio(const Case& c) {
 
 Tractions tractions(const Case& c) {
     const Mesh mesh = mesh_of(c);
-    Tractions result{mesh.centres(), steady(c).traction, Eigen::ArrayXd(c.n), Eigen::ArrayXd(c.n)};
+    Tractions result{mesh.centres(), steady(c).traction, Eigen::ArrayXd(c.n),
+                     rollbem::carter_mean_tractions(mesh, poisson_ratio)};
     for (Eigen::Index i = 0; i < c.n; ++i) {
         result.carter[i] = rollbem::carter_traction(
             rollbem::EdgeDistances<double>{mesh.from_trailing()[i], mesh.from_leading()[i]}, poisson_ratio);
-        result.carter_mean[i] = rollbem::carter_mean_traction(
-            rollbem::ContactInterval<double>{mesh.edges_from_trailing()[i], mesh.widths()[i],
-                                             mesh.edges_from_leading()[i + 1]},
-            poisson_ratio);
     }
     return result;
 }

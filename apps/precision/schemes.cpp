@@ -187,15 +187,6 @@ double weighted_norm(const Mesh<double>& mesh, const ArrayX<double>& traction) {
     return std::sqrt((traction.square() * mesh.widths() * rollbem::mean_hertz_pressure(mesh)).sum());
 }
 
-ArrayX<double> carter_means(const Mesh<double>& mesh, double poisson_ratio) {
-    ArrayX<double> means(mesh.size());
-    for (Eigen::Index i = 0; i < mesh.size(); ++i) {
-        means[i] = rollbem::carter_mean_traction<double>(
-            {mesh.edges_from_trailing()[i], mesh.widths()[i], mesh.edges_from_leading()[i + 1]}, poisson_ratio);
-    }
-    return means;
-}
-
 // The same norm for functions: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
 double polynomial_traction_error(double poisson_ratio, double aspect, long order) {
     const auto solution = rollbem::solve_chebyshev(Complex(0), poisson_ratio, aspect, order);
@@ -257,7 +248,7 @@ double element_error(const Scene& scene, const Elements& elements, long n, const
         case Problem::steady: {
             if (quantity.name == "traction") {
                 const Tractions found = tractions(scene, elements, n);
-                const ArrayX<double> exact = carter_means(found.mesh, nu);
+                const ArrayX<double> exact = rollbem::carter_mean_tractions(found.mesh, nu);
                 return weighted_norm(found.mesh, found.values - exact) / weighted_norm(found.mesh, exact);
             }
             const auto c11 = [&](const Mesh<double>& mesh) { return steady_c11(scene, elements, mesh); };

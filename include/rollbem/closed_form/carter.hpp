@@ -161,4 +161,18 @@ Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_r
                                 poisson_ratio);
 }
 
+/// Exact means of Carter's traction p/(G xi) over the n elements of a Mesh, trailing to leading: what the tractions of
+/// steady rolling tend to. Throws std::invalid_argument for a Poisson's ratio outside [0, 0.5].
+template <class AnyMesh>
+typename AnyMesh::Array carter_mean_tractions(const AnyMesh& mesh, typename AnyMesh::Scalar poisson_ratio) {
+    using Scalar = typename AnyMesh::Scalar;
+    typename AnyMesh::Array means(mesh.size());
+    for (decltype(mesh.size()) i = 0; i < mesh.size(); ++i) {
+        const ContactInterval<Scalar> element{mesh.edges_from_trailing()[i], mesh.widths()[i],
+                                              mesh.edges_from_leading()[i + 1]};
+        means[i] = carter_mean_traction(element, poisson_ratio);
+    }
+    return means;
+}
+
 }  // namespace rollbem
