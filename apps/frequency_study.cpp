@@ -13,12 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
+#include "support/polynomial_instances.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"

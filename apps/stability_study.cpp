@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <rollbem/adhesion/critical_alpha.hpp>
-#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/compiled/stability.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "support/non_steady.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/options.hpp"
 #include "support/program.hpp"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "support/non_steady.hpp"

@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/assembly/influence.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "naive.hpp"
 

@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 namespace {
 

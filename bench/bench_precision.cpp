@@ -11,8 +11,8 @@
 
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

@@ -8,11 +8,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/stability_count.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 namespace {

@@ -3,7 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "rollbem/adhesion/transient.hpp"
+#include <rollbem/compiled/transient.hpp>
+
 #include "rollbem/reference/step_response.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/assembly/influence.hpp>
+#include <rollbem/compiled/assembly.hpp>
 
 namespace naive {
 

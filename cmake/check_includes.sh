@@ -2,7 +2,7 @@
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages; a header includes its own stage and earlier ones only, and there is no cycle. The kernels know no
 # mesh, the reference shares nothing with the assembly, the umbrella and everything outside reference/ need no GSL, the
-# time stepper costs no eigenvalue headers, and nothing prints.
+# time stepper costs no eigenvalue headers, only compiled/ needs a library of its own, and nothing prints.
 set -eu
 cd "$1"
 
@@ -53,7 +53,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail root closed_form scene discretisation normal elasticity assembly spectral adhesion friction accuracy reference umbrella", order, " ")
+    count = split("detail root closed_form scene discretisation normal elasticity assembly spectral adhesion friction accuracy reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
@@ -93,6 +93,7 @@ END {
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
         if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference)/", "the umbrella needs GSL")
+        if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
         if (file ~ /\/transient\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }
     for (file in known) if (!state[file]) find_cycle(file, file)

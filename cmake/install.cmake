@@ -1,5 +1,6 @@
-# Installs the headers, the CMake package with its component `reference`, and a pkg-config file. All of it is
-# independent of the machine's architecture and of where it is moved to.
+# Installs the headers, the CMake package with its components `reference` and `compiled`, and a pkg-config file. All of
+# it can be moved elsewhere, and is independent of the machine's architecture but for the library of `compiled`, which is
+# a package of its own where such libraries go; the main package finds it there.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -17,6 +18,17 @@ configure_package_config_file(cmake/rollbemConfig.cmake.in "${PROJECT_BINARY_DIR
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollbemConfigVersion.cmake"
     COMPATIBILITY SameMinorVersion
     ARCH_INDEPENDENT)
+if(ROLLBEM_BUILD_COMPILED)
+    set(compiled_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/rollbem_compiled")
+    install(TARGETS rollbem_compiled EXPORT rollbem_compiled_targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+    install(EXPORT rollbem_compiled_targets
+        FILE rollbem_compiledConfig.cmake
+        NAMESPACE rollbem::
+        DESTINATION "${compiled_package_dir}")
+    write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollbem_compiledConfigVersion.cmake"
+        COMPATIBILITY ExactVersion)
+    install(FILES "${PROJECT_BINARY_DIR}/rollbem_compiledConfigVersion.cmake" DESTINATION "${compiled_package_dir}")
+endif()
 install(FILES
     "${PROJECT_BINARY_DIR}/rollbemConfig.cmake"
     "${PROJECT_BINARY_DIR}/rollbemConfigVersion.cmake"

@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "cases.hpp"
 #include "long_double.hpp"
+#include "support/polynomial_instances.hpp"
+#include "support/strip_instances.hpp"
 
 namespace extremes {
 

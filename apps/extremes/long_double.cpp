@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 namespace extremes {
 

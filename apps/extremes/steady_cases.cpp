@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/strip.hpp>
 
 #include "cases.hpp"
 #include "long_double.hpp"
+#include "support/strip_instances.hpp"
 
 namespace extremes {
 

@@ -6,8 +6,8 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 

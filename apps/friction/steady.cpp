@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "plots.hpp"
 #include "profiles.hpp"

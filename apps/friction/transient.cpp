@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 #include "plots.hpp"
 #include "support/errors.hpp"

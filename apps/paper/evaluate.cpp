@@ -6,11 +6,10 @@
 #include <utility>
 
 #include <rollbem/adhesion/critical_alpha.hpp>
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/stability_count.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/timing.hpp"
 

@@ -21,6 +21,7 @@
 #include "measures.hpp"
 #include "support/csv.hpp"
 #include "support/plot.hpp"
+#include "support/polynomial_instances.hpp"
 
 namespace paper {
 

@@ -11,15 +11,15 @@
 #include <variant>
 
 #include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/stability_count.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/steady.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>

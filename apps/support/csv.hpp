@@ -64,7 +64,8 @@ class OutputFile {
 public:
     static OutputFile standard_output();
 
-    /// `name` is the option or quantity that named the path, for messages. Throws BadInput when it cannot be written.
+    /// `name` is the option or quantity that named the path, for messages. A path of - is standard output; links are
+    /// followed, also where they lead to no file yet. Throws BadInput when it cannot be written.
     OutputFile(const std::string& path, const std::string& name);
 
     OutputFile(OutputFile&& other) noexcept;

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "csv.hpp"
 #include "errors.hpp"

@@ -7,8 +7,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/stability.hpp"
-#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace rollbem {
 

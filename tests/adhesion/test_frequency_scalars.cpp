@@ -4,7 +4,7 @@
 
 #include "../support/catch.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/compiled/frequency.hpp"
 
 namespace {
 

@@ -4,17 +4,16 @@
 #include <complex>
 #include <limits>
 
-#include <Eigen/QR>
-
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/stability.hpp"
-#include "rollbem/adhesion/stability_count.hpp"
+#include "../support/dense.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace {
 
 using namespace rollbem;
 using Complex = std::complex<double>;
 using Matrix = MatrixX<double>;
+using dense::product;
 
 constexpr double nu = 0.25;
 
@@ -31,6 +30,11 @@ Matrix random_matrix(Eigen::Index n, unsigned seed) {
     return A;
 }
 
+// The weights have no part in eigenvalues.
+RollingSystem<double> system_of(const Matrix& G, const Matrix& G_prime) {
+    return {G, G_prime, ArrayX<double>::Ones(G.rows())};
+}
+
 TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]") {
     const Eigen::Index n = 6;
     Matrix S = Matrix::Zero(n, n), T = Matrix::Identity(n, n);
@@ -41,8 +45,8 @@ TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]")
     T(3, 3) = -2;  // -1.5
     S(0, 5) = T(0, 4) = 2;
     const Matrix Q = random_matrix(n, 1), Z = random_matrix(n, 2);
-    const StabilityResult<double> result =
-        solve_stability<double>({.G = Q * T * Z, .G_prime = Q * S * Z}, {.settle_signs = true, .condition = true});
+    const StabilityResult<double> result = solve_stability(
+        system_of(product(product(Q, T), Z), product(product(Q, S), Z)), {.settle_signs = true, .condition = true});
     REQUIRE(result.status == Status::ok);
     VectorX<Complex> found = result.eigenvalues();
     int infinite = 0;
@@ -61,9 +65,9 @@ TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]")
     CHECK_FALSE(verdict(result).stable());
 
     // exactly singular: no division by a zero beta
-    const StabilityResult<double> singular = solve_stability<double>(
-        {.G = Eigen::Vector3d(1, 0, 2).asDiagonal().toDenseMatrix(), .G_prime = -Matrix::Identity(3, 3)},
-        {.settle_signs = true, .condition = true});
+    const StabilityResult<double> singular =
+        solve_stability(system_of(Eigen::Vector3d(1, 0, 2).asDiagonal(), -Matrix::Identity(3, 3)),
+                        {.settle_signs = true, .condition = true});
     CHECK(singular.unstable_count == 0);
     CHECK(*singular.uncertain_count == 1);
     CHECK(singular.spectral_abscissa == Approx(-0.5));
@@ -78,7 +82,8 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
     D(2, 3) = 3;
     D(3, 2) = -3;
     const Matrix G = random_matrix(4, 7) + 2 * Matrix::Identity(4, 4), X = random_matrix(4, 9);
-    const StabilityResult<double> result = solve_stability<double>({.G = G, .G_prime = G * X * D * X.inverse()});
+    const Matrix X_D_in_X = dense::solve(X.transpose(), product(X, D).transpose()).transpose();  // X D X^-1
+    const StabilityResult<double> result = solve_stability(system_of(G, product(G, X_D_in_X)));
     CHECK(result.unstable_count == 1);
     CHECK(result.unstable_fraction() == 0.25);
     CHECK(result.spectral_abscissa == Approx(2));
@@ -89,10 +94,9 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
     CHECK_FALSE(result.cond_G.has_value());
     CHECK_THROWS_WITH(verdict(result), Catch::Matchers::ContainsSubstring("settle_signs"));
 
-    const Eigen::HouseholderQR<Matrix> left(random_matrix(4, 3)), right(random_matrix(4, 4));
-    const Matrix U = left.householderQ(), V = right.householderQ();
-    const Matrix scaled = U * Eigen::Vector4d(3, 1, 1e-3, 3e-9).asDiagonal() * V;
-    const auto condition = solve_stability<double>({.G = scaled, .G_prime = D}, {.condition = true}).cond_G;
+    const Matrix U = dense::orthogonal_factor(random_matrix(4, 3)), V = dense::orthogonal_factor(random_matrix(4, 4));
+    const Matrix scaled = product(U * Eigen::Vector4d(3, 1, 1e-3, 3e-9).asDiagonal(), V);
+    const auto condition = solve_stability(system_of(scaled, D), {.condition = true}).cond_G;
     CHECK(*condition == Approx(1e9).epsilon(1e-5));
 }
 
@@ -102,17 +106,17 @@ TEST_CASE("Uncertainty follows its definition, from vectors found in another way
         const Eigen::Index n = 12;
         const Matrix G = random_matrix(n, seed) + 3 * Matrix::Identity(n, n);
         const Matrix G_prime = random_matrix(n, seed + 100);
-        const Eigen::EigenSolver<Matrix> solver(G.partialPivLu().solve(G_prime).eval(), true);
-        const MatrixX<Complex> X = solver.eigenvectors();
-        const MatrixX<Complex> Y = (G.cast<Complex>() * X).inverse();
-        const double norm_G = G.jacobiSvd().singularValues()[0];
-        const double norm_G_prime = G_prime.jacobiSvd().singularValues()[0];
-        const StabilityResult<double> result =
-            solve_stability<double>({.G = G, .G_prime = G_prime}, {.settle_signs = true});
+        const dense::Spectrum spectrum = dense::spectrum(dense::solve(G, G_prime));
+        const MatrixX<Complex>& X = spectrum.vectors;
+        const MatrixX<Complex> G_X = G.cast<Complex>() * X;
+        const MatrixX<Complex> Y = dense::solve_complex(G_X, MatrixX<Complex>::Identity(n, n));
+        const double norm_G = dense::largest_singular_value(G);
+        const double norm_G_prime = dense::largest_singular_value(G_prime);
+        const StabilityResult<double> result = solve_stability(system_of(G, G_prime), {.settle_signs = true});
         const VectorX<Complex> found = result.eigenvalues();
         CHECK(*result.uncertain_count == 0);
         for (Eigen::Index k = 0; k < n; ++k) {
-            const Complex value = solver.eigenvalues()[k];
+            const Complex value = spectrum.values[k];
             const double product = 1 / (Y.row(k).norm() * X.col(k).norm());
             const double expected = static_cast<double>(n) * std::numeric_limits<double>::epsilon() *
                                     (norm_G_prime + std::abs(value) * norm_G) / product;
@@ -125,8 +129,7 @@ TEST_CASE("Uncertainty follows its definition, from vectors found in another way
             if (value.imag() < 0) continue;
             const double bound = result.uncertainty[nearest];
             const auto uncertain_at = [&](double distance) {
-                return *solve_stability<double>({.G = G, .G_prime = G_prime - (value.real() - distance) * G},
-                                                {.settle_signs = true})
+                return *solve_stability(system_of(G, G_prime - (value.real() - distance) * G), {.settle_signs = true})
                             .uncertain_count;
             };
             const Eigen::Index expected_count = value.imag() == 0 ? 1 : 2;
@@ -232,11 +235,6 @@ TEST_CASE("Stability refuses bad input by name", "[stability]") {
     CHECK_THROWS_WITH(count_unstable(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))),
                       Catch::Matchers::ContainsSubstring("Lambda"));
     CHECK_THROWS_AS(solve_stability(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))), std::invalid_argument);
-}
-
-// The weights have no part in eigenvalues.
-RollingSystem<double> system_of(const Matrix& G, const Matrix& G_prime) {
-    return {G, G_prime, ArrayX<double>::Ones(G.rows())};
 }
 
 TEST_CASE("A sign is settled beyond its uncertainty, and not before", "[stability]") {

@@ -6,6 +6,8 @@
 
 #include "../support/catch.hpp"
 #include "rollbem/adhesion/critical_alpha.hpp"
+#include "rollbem/compiled/assembly.hpp"
+#include "rollbem/compiled/stability.hpp"
 
 namespace {
 
@@ -103,6 +105,11 @@ TEST_CASE("Critical alpha_T: ends of the range and bad input", "[stability]") {
     const auto mesh = uniform_mesh(20);
     CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95}) == 0.95);
     CHECK_FALSE(critical_alpha_T(mesh, collocation, strip(), {.last = 0.89}).has_value());
+    // a range of one point, and one whose last step rounds to less than a whole one
+    CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95, .last = 0.95}) == 0.95);
+    CHECK_FALSE(critical_alpha_T(mesh, collocation, strip(), {.first = 0.5, .last = 0.5}).has_value());
+    const CriticalAlphaOptions one_step{.first = 0.8, .last = 0.9, .step = 0.1};
+    CHECK(critical_alpha_T(mesh, collocation, strip(), one_step).value_or(-1) == Approx(0.8974).margin(6e-5));
     CHECK_THROWS_AS(critical_alpha_T(mesh, collocation, strip(), {.first = 1, .last = 0.5}), std::invalid_argument);
     CHECK_THROWS_WITH(critical_alpha_T(mesh, collocation, strip(), {.step = 0}),
                       "critical_alpha_T: step = 0 must be positive");

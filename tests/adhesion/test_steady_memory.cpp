@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/steady.hpp"
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/compiled/steady.hpp"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "../support/catch.hpp"
+#include "../support/dense.hpp"
+#include "../support/observed_order.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/adhesion/steady.hpp"
-#include "rollbem/adhesion/transient.hpp"
 #include "rollbem/closed_form/carter.hpp"
+#include "rollbem/compiled/steady.hpp"
+#include "rollbem/compiled/transient.hpp"
 #include "rollbem/reference/step_response.hpp"
 
 namespace {
@@ -54,22 +54,6 @@ TransientStep<double> run(const Model& model, double dq, int steps, const Motion
     return step;
 }
 
-/// Slope of the least-squares line through (log dq, log error).
-double observed_order(const std::vector<double>& sizes, const std::vector<double>& errors) {
-    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-    const double count = static_cast<double>(sizes.size());
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        mean_x += std::log(sizes[i]) / count;
-        mean_y += std::log(errors[i]) / count;
-    }
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const double x = std::log(sizes[i]) - mean_x;
-        xx += x * x;
-        xy += x * (std::log(errors[i]) - mean_y);
-    }
-    return xy / xx;
-}
-
 TEST_CASE("The exact map follows the exact step response from q/a = 1e-3 to 40", "[transient]") {
     const reference::StepResponse exact(0.25, 100);
     const Model model = plane_model(40, Integrator::matrix_exponential);
@@ -93,7 +77,7 @@ TEST_CASE("The exact map does not depend on how the way is divided", "[transient
     const Contact<double> contact = plane_contact();
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
     const Model cosine = plane_model(40, Integrator::matrix_exponential);
-    const Model uniform(contact, uniform_mesh<double>(60), Collocation{}, kernel, unchecked,
+    const Model uniform(contact, rolling_system(uniform_mesh<double>(60), Collocation{}, kernel), unchecked,
                         Integrator::matrix_exponential);
     for (const Model* model : {&cosine, &uniform}) {
         for (const double way : {1e-6, 1e-3, 1.0, 30.0}) {
@@ -132,7 +116,7 @@ TEST_CASE("Order of convergence in dq", "[transient]") {
         std::vector<double> sizes, sine_errors, ramp_errors, rectangle_errors;
         for (int steps = 40; steps <= 640; steps *= 2) {
             const double dq = way / steps;
-            sizes.push_back(dq);
+            sizes.push_back(steps);
             sine_errors.push_back(std::abs(response(run(model, dq, steps, sine(dq), model.at_rest())) - sine_end));
             ramp_errors.push_back(std::abs(response(run(model, dq, steps, ramp(dq), model.at_rest())) - ramp_end));
             rectangle_errors.push_back(
@@ -140,12 +124,12 @@ TEST_CASE("Order of convergence in dq", "[transient]") {
         }
         const double expected = integrator == Integrator::implicit_euler ? 1 : 2;
         CAPTURE(static_cast<int>(integrator), sine_errors, ramp_errors, rectangle_errors);
-        CHECK(std::abs(observed_order(sizes, sine_errors) - expected) < 0.1);
-        CHECK(std::abs(observed_order(sizes, rectangle_errors) - 1) < 0.1);
+        CHECK(std::abs(support::observed_order(sizes, sine_errors) - expected) < 0.1);
+        CHECK(std::abs(support::observed_order(sizes, rectangle_errors) - 1) < 0.1);
         if (integrator == Integrator::matrix_exponential) {
             CHECK(*std::max_element(ramp_errors.begin(), ramp_errors.end()) < 1e-11);
         } else {
-            CHECK(std::abs(observed_order(sizes, ramp_errors) - expected) < 0.1);
+            CHECK(std::abs(support::observed_order(sizes, ramp_errors) - expected) < 0.1);
         }
     }
 }
@@ -179,7 +163,7 @@ TEST_CASE("From dq = 1e-9 to 1e6 steps stay bounded and right in both limits", "
     const InfluenceMatrices<double> matrices =
         assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
     const double steady = solve_steady(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact)).c11;
-    const VectorX<double> shifted = matrices.G.fullPivLu().solve(VectorX<double>::Ones(40));
+    const VectorX<double> shifted = dense::solve(matrices.G, VectorX<double>::Ones(40));
     const double shift_force = shifted.dot(cosine_mesh<double>(40).widths().matrix());
     CHECK(std::abs(steady / steady_c11(0.25) - 1) < 2e-4);
 
@@ -268,7 +252,7 @@ TEST_CASE("A rigid shift is creepage times distance, and needs no distance", "[t
 
         // G (p - p_old) = -W
         REQUIRE(model.advance(from, model.prepare(0), Motion::shift(0.5), by_shift).status == StepStatus::ok);
-        const VectorX<double> jump = -matrices.G.fullPivLu().solve(VectorX<double>::Constant(40, 0.5));
+        const VectorX<double> jump = -dense::solve(matrices.G, VectorX<double>::Constant(40, 0.5));
         CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
         if (integrator == Integrator::matrix_exponential) continue;
         REQUIRE(model.advance(from, 0.0, Motion::shift(0.5), by_shift).status == StepStatus::ok);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "../support/catch.hpp"
-#include "rollbem/adhesion/stability.hpp"
-#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/compiled/stability.hpp"
+#include "rollbem/compiled/transient.hpp"
 
 namespace {
 

@@ -11,20 +11,20 @@
 #include "../support/catch.hpp"
 #include "../support/reference.hpp"
 #include "../support/scalars.hpp"
-#include "rollbem/assembly/influence.hpp"
+#include "rollbem/compiled/assembly.hpp"
 
 namespace {
 
 using namespace rollbem;
-using reference::Real;
+using brute_force::Real;
 
 constexpr auto fd = Derivative::finite_difference;
 constexpr auto analytic = Derivative::analytic;
 
 template <class Scalar>
-MatrixX<Scalar> build(const Mesh<Scalar>& mesh, const reference::Scheme& scheme, const reference::Kernel& kernel,
+MatrixX<Scalar> build(const Mesh<Scalar>& mesh, const brute_force::Scheme& scheme, const brute_force::Kernel& kernel,
                       bool slope) {
-    return reference::with_library_kernel<Scalar>(kernel, [&](const auto& k) {
+    return brute_force::with_library_kernel<Scalar>(kernel, [&](const auto& k) {
         return std::visit([&](const auto& s) { return slope ? assemble_G_prime(mesh, s, k) : assemble_G(mesh, s, k); },
                           scheme);
     });
@@ -47,15 +47,15 @@ Mesh<Scalar> as_general(const Mesh<Scalar>& mesh) {
 TEMPLATE_TEST_CASE("Every entry of G and G' meets brute force", "[influence]", float, double, long double) {
     using Scalar = TestType;
     for (const Eigen::Index n : {3, 11}) {
-        const auto meshes = reference::every_mesh<Scalar>(n);
-        const auto exact_meshes = reference::every_mesh<Real>(n);
-        for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
-            for (const auto& [scheme_name, scheme] : reference::every_scheme()) {
+        const auto meshes = brute_force::every_mesh<Scalar>(n);
+        const auto exact_meshes = brute_force::every_mesh<Real>(n);
+        for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
+            for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                 for (std::size_t i = 0; i < meshes.size(); ++i) {
                     for (const bool slope : {true, false}) {
                         const MatrixX<Scalar> matrix = build(meshes[i].mesh, scheme, kernel, slope);
                         const Real error =
-                            reference::largest_error(matrix, kernel, exact_meshes[i].mesh, scheme, slope);
+                            brute_force::largest_error(matrix, kernel, exact_meshes[i].mesh, scheme, slope);
                         const double in_eps = static_cast<double>(error / std::numeric_limits<Scalar>::epsilon());
                         CAPTURE(n, kernel_name, scheme_name, meshes[i].name, slope, in_eps);
                         // third differences, and a narrow strip's H that is nearly constant, cancel more
@@ -69,8 +69,8 @@ TEMPLATE_TEST_CASE("Every entry of G and G' meets brute force", "[influence]", f
 }
 
 TEST_CASE("A finite difference is closed-form Galerkin of the analytic derivative", "[influence]") {
-    for (const auto& [name, mesh] : reference::every_mesh<double>(20)) {
-        for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
+    for (const auto& [name, mesh] : brute_force::every_mesh<double>(20)) {
+        for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
             const MatrixX<double> points = build(mesh, Collocation{0, 0.63, fd}, kernel, true);
             const MatrixX<double> means = build(mesh, Galerkin{0, 0.63, analytic}, kernel, true);
             CAPTURE(name, kernel_name);
@@ -83,11 +83,11 @@ TEST_CASE("A finite difference is closed-form Galerkin of the analytic derivativ
 }
 
 TEST_CASE("One-point Galerkin is collocation", "[influence]") {
-    for (const auto& [name, mesh] : reference::every_mesh<double>(9)) {
+    for (const auto& [name, mesh] : brute_force::every_mesh<double>(9)) {
         for (const auto derivative : {fd, analytic}) {
             for (const auto& [alpha_L, alpha_T] : {std::pair{0.0, 0.63}, {0.5, 0.5}}) {
                 for (const bool slope : {true, false}) {
-                    const reference::Kernel kernel{false, 10, 0.75L, 0.25L};
+                    const brute_force::Kernel kernel{false, 10, 0.75L, 0.25L};
                     const MatrixX<double> one =
                         build(mesh, Galerkin{alpha_L, alpha_T, derivative, 0.5, 1}, kernel, slope);
                     const MatrixX<double> point =
@@ -101,8 +101,8 @@ TEST_CASE("One-point Galerkin is collocation", "[influence]") {
 }
 
 TEST_CASE("Galerkin with ever more points tends to the closed form", "[influence][convergence]") {
-    const reference::Kernel kernel{false, 4, 0.75L, 0.25L};
-    for (const auto& [name, mesh] : reference::every_mesh<double>(6)) {
+    const brute_force::Kernel kernel{false, 4, 0.75L, 0.25L};
+    for (const auto& [name, mesh] : brute_force::every_mesh<double>(6)) {
         for (const auto derivative : {fd, analytic}) {
             for (const bool slope : {true, false}) {
                 const double alpha = derivative == fd ? 0.3 : 0.0;
@@ -128,9 +128,9 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh: Toeplitz, and the same as th
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {1, 2, 3, 4, 5, 16, 33}) {
         const Mesh<Scalar> mesh = uniform_mesh<Scalar>(n), general = as_general(mesh);
-        for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
+        for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
             for (const double alpha : {-1.5, -0.5, 0.0, 0.25, 0.5, 0.63, 1.0, 1.5, 2.0}) {
-                for (const reference::Scheme& scheme : std::vector<reference::Scheme>{
+                for (const brute_force::Scheme& scheme : std::vector<brute_force::Scheme>{
                          Collocation{alpha, alpha, fd, 0.5}, Collocation{alpha, alpha, analytic},
                          Galerkin{alpha, alpha, fd}, Galerkin{alpha, alpha, analytic, 1, 3}}) {
                     for (const bool slope : {true, false}) {
@@ -161,8 +161,8 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh: Toeplitz, and the same as th
 
 TEST_CASE("Unequal alphas on a uniform mesh take the same values as on a general one", "[influence]") {
     const Mesh<double> mesh = uniform_mesh(40), general = as_general(mesh);
-    for (const auto& [kernel_name, kernel] : reference::every_kernel()) {
-        for (const auto& [name, scheme] : reference::every_scheme()) {
+    for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
+        for (const auto& [name, scheme] : brute_force::every_scheme()) {
             for (const bool slope : {true, false}) {
                 CAPTURE(kernel_name, name, slope);
                 CHECK(distance(build(mesh, scheme, kernel, slope), build(general, scheme, kernel, slope)) < 1e-11);
@@ -214,7 +214,7 @@ TEST_CASE("The guard keeps points 0.001 of a width off the edges", "[influence]"
     CHECK(std::abs(matrix(steps, 0.5001)(1, 1) / matrix(steps, 0.501)(1, 1) - 1) < 1e-10);  // beyond the leading edge
     // an end value of 0.5 is on the edge on every mesh, whatever interpolation rounds
     for (const Eigen::Index n : {3, 4, 10, 41}) {
-        for (const auto& [name, each] : reference::every_mesh<double>(n)) {
+        for (const auto& [name, each] : brute_force::every_mesh<double>(n)) {
             const MatrixX<double> ends = assemble_G_prime(each, Collocation{0, 0.5, analytic}, kernel);
             const MatrixX<double> clear = assemble_G_prime(each, Collocation{0, 0.499, analytic}, kernel);
             CAPTURE(n, name, ends(0, 0), clear(0, 0));
@@ -230,7 +230,7 @@ TEST_CASE("The guard keeps points 0.001 of a width off the edges", "[influence]"
 
 TEST_CASE("Lambda moves the points of G alone", "[influence]") {
     const StripKernel<double> kernel(10, 0.75, 0.25);
-    for (const auto& [name, mesh] : reference::every_mesh<double>(7)) {
+    for (const auto& [name, mesh] : brute_force::every_mesh<double>(7)) {
         const auto all = [&, &mesh = mesh](double lambda, double alpha_T) {
             return assemble(mesh, Collocation{0.2, alpha_T, fd, lambda}, kernel);
         };
@@ -261,8 +261,8 @@ static_assert(SplitKernel<PlaneKernel<double>> && SplitKernel<StripKernel<float>
 
 TEST_CASE("g, H and H_integral are enough of a kernel, and H is evaluated once per neighbour", "[influence]") {
     for (const Eigen::Index n : {3, 10, 60}) {
-        for (const auto& [name, mesh] : reference::every_mesh<double>(n)) {
-            for (const auto& [scheme_name, scheme] : reference::every_scheme()) {
+        for (const auto& [name, mesh] : brute_force::every_mesh<double>(n)) {
+            for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                 const MinimalKernel minimal;
                 const auto of = [&, &mesh = mesh](const auto& kernel, bool slope) {
                     return std::visit(
@@ -312,13 +312,13 @@ TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the elements t
 
 TEST_CASE("Extreme grading keeps the entries to the ratio of the sizes", "[influence]") {
     const auto check = [](const Mesh<double>& mesh, const Mesh<Real>& exact, double limit) {
-        for (const reference::Scheme& scheme :
-             std::vector<reference::Scheme>{Collocation{0, 0.625}, Collocation{0, 0.625, analytic}}) {
-            for (const reference::Kernel& kernel :
-                 {reference::Kernel{true, 1024, 0.75L, 0.25L}, reference::Kernel{false, 1, 0.75L, 0.25L}}) {
+        for (const brute_force::Scheme& scheme :
+             std::vector<brute_force::Scheme>{Collocation{0, 0.625}, Collocation{0, 0.625, analytic}}) {
+            for (const brute_force::Kernel& kernel :
+                 {brute_force::Kernel{true, 1024, 0.75L, 0.25L}, brute_force::Kernel{false, 1, 0.75L, 0.25L}}) {
                 for (const bool slope : {true, false}) {
                     const double error = static_cast<double>(
-                        reference::largest_error(build(mesh, scheme, kernel, slope), kernel, exact, scheme, slope));
+                        brute_force::largest_error(build(mesh, scheme, kernel, slope), kernel, exact, scheme, slope));
                     CAPTURE(mesh.widths()[0], mesh.widths()[mesh.size() - 1], kernel.plane, slope, error);
                     CHECK(error < limit);
                 }

@@ -11,11 +11,11 @@
 namespace {
 
 using namespace rollbem;
+using brute_force::Real;
 using detail::Quantity;
-using reference::Real;
 
 // Rows of a fine mesh against long double: a naive second difference loses 8e-8 here.
-void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const reference::Kernel& kernel, int averages,
+void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const brute_force::Kernel& kernel, int averages,
                 bool slope, double limit) {
     const Eigen::Index n = mesh.size();
     const std::vector<Eigen::Index> picked{0, n / 3, n - 1};
@@ -32,17 +32,17 @@ void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const referen
     }
     const detail::ColumnElements<double> columns{mesh.from_trailing(), mesh.from_leading(), mesh.widths() / 2};
     MatrixX<double> matrix(count, n);
-    reference::with_library_kernel<double>(kernel, [&](const auto& k) {
+    brute_force::with_library_kernel<double>(kernel, [&](const auto& k) {
         detail::LineIntegrals<typename std::decay_t<decltype(k)>::Scalar>(
             k, slope ? Quantity::slope : Quantity::displacement, averages, rows, columns, mesh.is_uniform())
             .fill(matrix);
     });
-    const reference::Rows scheme{.alpha_L = alpha, .alpha_T = alpha, .averages = averages, .guard = false};
+    const brute_force::Rows scheme{.alpha_L = alpha, .alpha_T = alpha, .averages = averages, .guard = false};
     double largest = 0;
     for (Eigen::Index i = 0; i < count; ++i) {
         std::vector<Real> scales;
         const std::vector<Real> row =
-            reference::row(kernel, exact, scheme, slope, picked[static_cast<std::size_t>(i)], &scales);
+            brute_force::row(kernel, exact, scheme, slope, picked[static_cast<std::size_t>(i)], &scales);
         for (std::size_t m = 0; m < row.size(); ++m) {
             const Real error =
                 std::abs(static_cast<Real>(matrix(i, static_cast<Eigen::Index>(m))) - row[m]) / scales[m];
@@ -58,9 +58,9 @@ TEST_CASE("Rows of 10^4 elements keep ten digits", "[line_integrals]") {
     const Eigen::Index n = 10000;
     const Mesh<double> uniform = uniform_mesh(n), cosine = cosine_mesh(n);
     const Mesh<Real> exact_uniform = uniform_mesh<Real>(n), exact_cosine = cosine_mesh<Real>(n);
-    for (const reference::Kernel& kernel :
-         {reference::Kernel{true, 1000, 0.75L, 0.25L}, reference::Kernel{false, 1000, 0.75L, 0.25L},
-          reference::Kernel{false, 10, 0.75L, 0.25L}, reference::Kernel{false, 1, 0.75L, 0.25L}}) {
+    for (const brute_force::Kernel& kernel :
+         {brute_force::Kernel{true, 1000, 0.75L, 0.25L}, brute_force::Kernel{false, 1000, 0.75L, 0.25L},
+          brute_force::Kernel{false, 10, 0.75L, 0.25L}, brute_force::Kernel{false, 1, 0.75L, 0.25L}}) {
         for (const bool slope : {true, false}) {
             for (const int averages : {0, 1}) {
                 if (!slope && averages == 1) continue;
@@ -72,7 +72,7 @@ TEST_CASE("Rows of 10^4 elements keep ten digits", "[line_integrals]") {
 }
 
 TEST_CASE("The series of far entries is cut off below rounding", "[line_integrals]") {
-    const reference::Kernel kernel{true, 1000, 0.75L, 0.25L};
+    const brute_force::Kernel kernel{true, 1000, 0.75L, 0.25L};
     for (const Eigen::Index n : {32, 64, 128}) {  // powers of two: uniform distances are exact
         for (const int averages : {0, 1}) {
             check_rows(uniform_mesh(n), uniform_mesh<Real>(n), kernel, averages, true, 1e-13);

@@ -19,6 +19,7 @@ function(add_consumer_test name program)
                 "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
                 "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
                 "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}"
+                "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"  # quicker to compile than -O3
                 "-DEigen3_DIR=${Eigen3_DIR}"
                 ${ARGN}
             --test-command ${program})
@@ -28,6 +29,7 @@ endfunction()
 set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
 add_consumer_test(find_package oscillation "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
+add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=compiled ${no_gsl})
 add_consumer_test(subdirectory slip -DROLLBEM_FROM=subdirectory ${no_gsl})
 add_consumer_test(pkg_config readme "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
 
@@ -35,3 +37,8 @@ add_consumer_test(pkg_config readme "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FR
 add_consumer_test(reference_without_gsl exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference ${no_gsl})
 set_tests_properties(package.reference_without_gsl PROPERTIES
     PASS_REGULAR_EXPRESSION "component reference needs GSL, which was not found")
+
+# So is a component that there is none of.
+add_consumer_test(unknown_component exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=refrence ${no_gsl})
+set_tests_properties(package.unknown_component PROPERTIES
+    PASS_REGULAR_EXPRESSION "rollbem has the components reference and compiled, but no refrence")

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
 
 #include <Eigen/LU>
 
@@ -31,18 +32,22 @@ inline double creepage(const Wheel& wheel, double speed, double rotation) {
 
 /// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's method.
 /// Each trial advances the contact from the same state: what a rejected trial leaves in `next` is overwritten. The status
-/// is not ok where the contact refuses; the force is not a number where Newton does not settle.
-template <class Model>
+/// is not ok where the contact refuses; the force is not a number where Newton does not settle. `workspace` is what the
+/// model asks for besides: that of this contact with friction, nothing without.
+template <class Model, class... Workspace>
 typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
-                             State<Model>& next) {
+                             State<Model>& next, Workspace&... workspace) {
     next.speed = now.speed;
     next.rotation = now.rotation;
     const double start = creepage(wheel, now.speed, now.rotation);
     for (int trial = 0; trial < 20; ++trial) {
         const double end = creepage(wheel, next.speed, next.rotation);
-        const typename Model::Step step =
-            model.advance(now.contact, dq, rollbem::RigidMotion<double>::linear(start, end), next.contact);
-        if (step.status != decltype(step.status)::ok) return step;
+        const typename Model::Step step = model.advance(
+            now.contact, dq, rollbem::RigidMotion<double>::linear(start, end), next.contact, workspace...);
+        if (step.status != rollbem::StepStatus::ok) {
+            std::fprintf(stderr, "the contact refuses a step: %s\n", rollbem::name(step.status));
+            return step;
+        }
         next.force = step.force;
 
         const double per_time = (now.speed + next.speed) / 2 / dq;  // 1/dt

@@ -13,7 +13,7 @@
 namespace {
 
 using namespace rollbem;
-using reference::Real;
+using brute_force::Real;
 
 // Largest relative difference, in roundings of Scalar; 0 must meet 0.
 template <class A, class B>
@@ -32,8 +32,8 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {3, 4, 17, 40, 1000, 10000}) {
-        const auto meshes = reference::every_mesh<Scalar>(std::min<Eigen::Index>(n, 1000));
-        const auto large = [&]() -> std::vector<reference::NamedMesh<Scalar>> {
+        const auto meshes = brute_force::every_mesh<Scalar>(std::min<Eigen::Index>(n, 1000));
+        const auto large = [&]() -> std::vector<brute_force::NamedMesh<Scalar>> {
             if (n <= 1000) return meshes;
             return {{"uniform", uniform_mesh<Scalar>(n)},
                     {"geometric 5", geometric_mesh<Scalar>(n, Scalar(5))},
@@ -41,8 +41,8 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
                     {"modified knothe", modified_knothe_mesh<Scalar>(n, Scalar(0.375))},
                     {"cosine", cosine_mesh<Scalar>(n)}};
         }();
-        const auto exact = [&]() -> std::vector<reference::NamedMesh<Real>> {
-            if (n <= 1000) return reference::every_mesh<Real>(n);
+        const auto exact = [&]() -> std::vector<brute_force::NamedMesh<Real>> {
+            if (n <= 1000) return brute_force::every_mesh<Real>(n);
             return {{"uniform", uniform_mesh<Real>(n)},
                     {"geometric 5", geometric_mesh<Real>(n, Real(5))},
                     {"knothe", knothe_mesh<Real>(n, Real(0.25))},
@@ -221,7 +221,7 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     CHECK(std::is_same_v<decltype(mesh_from_edges(Eigen::ArrayXf())), Mesh<float>>);
     CHECK((mesh_from_edges(edges).widths() == mesh.widths()).all());
     // a round trip through the edges of every maker
-    for (const auto& [name, made] : reference::every_mesh<double>(12)) {
+    for (const auto& [name, made] : brute_force::every_mesh<double>(12)) {
         const Mesh<double> again = mesh_from_edges<double>(made.edges());
         CAPTURE(name);
         CHECK((again.widths() / made.widths() - 1).abs().maxCoeff() < 1e-14);
@@ -283,7 +283,15 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
     data.edges_from_leading[1] = 1.5 * (1 + 1e-15);
     CHECK_NOTHROW(Mesh<double>(data));
     data.edges_from_leading[1] = 1.5 * (1 + 1e-13);
-    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: (1 + x) + (1 - x) of an edge = 2 must be 2");
+    CHECK_THROWS_WITH(Mesh<double>(data),
+                      Catch::Matchers::ContainsSubstring("Mesh: (1 + x) + (1 - x) - 2 of an edge = 1.5") &&
+                          Catch::Matchers::ContainsSubstring("e-13 must be 0 to rounding"));
+    data = good;
+    data.widths[1] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: element width = nan must be positive and finite");
+    data = good;
+    data.edges_from_leading[1] = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: 1 - x of an edge = inf must be finite");
     // ratios so extreme that elements vanish are refused, not returned as a broken mesh
     for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }

@@ -11,13 +11,14 @@
 #include <gsl/gsl_integration.h>
 
 #include "../support/catch.hpp"
+#include "../support/observed_order.hpp"
 #include "../support/reference.hpp"
 #include "rollbem/elasticity/line_kernel.hpp"
 
 namespace {
 
 using namespace rollbem;
-using reference::Real;
+using brute_force::Real;
 
 template <class Function>
 double integrate(Function f, double lower, double upper, double relative = 1e-13) {
@@ -72,7 +73,7 @@ TEMPLATE_TEST_CASE("g, H and H_integral meet their formulas to rounding, odd and
     ArrayX<Scalar> x(12);
     x << Scalar(1e-30), Scalar(1e-12), Scalar(1e-6), Scalar(1e-3), Scalar(0.015625), Scalar(0.1), Scalar(0.5), 1,
         Scalar(1.5), 2, Scalar(3.75), 4;
-    for (const auto& [name, kernel] : reference::every_kernel()) {
+    for (const auto& [name, kernel] : brute_force::every_kernel()) {
         const auto check = [&, &name = name, &exact = kernel](const auto& library) {
             const ArrayX<Scalar> g = library.g(x), H = library.H(x), P = library.H_integral(x);
             for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -95,13 +96,13 @@ TEMPLATE_TEST_CASE("g, H and H_integral meet their formulas to rounding, odd and
             }
             CHECK(std::isnan(library.H(one(std::numeric_limits<Scalar>::quiet_NaN()))[0]));
         };
-        reference::with_library_kernel<Scalar>(kernel, check);
+        brute_force::with_library_kernel<Scalar>(kernel, check);
     }
 }
 
 TEST_CASE("H is the integral of g, and H_integral that of H", "[kernel]") {
-    for (const auto& [name, kernel] : reference::every_kernel()) {
-        reference::with_library_kernel<double>(kernel, [&, &name = name](const auto& library) {
+    for (const auto& [name, kernel] : brute_force::every_kernel()) {
+        brute_force::with_library_kernel<double>(kernel, [&, &name = name](const auto& library) {
             for (const double x : {1e-3, 0.02, 0.4, 1.0, 2.0}) {
                 const double H = integrate([&](double t) { return library.g(one(t))[0]; }, 0, x);
                 const double P = integrate([&](double t) { return library.H(one(t))[0]; }, 0, x);
@@ -111,7 +112,7 @@ TEST_CASE("H is the integral of g, and H_integral that of H", "[kernel]") {
             }
         });
     }
-    for (const auto& [name, kernel] : reference::every_kernel()) {  // and g' that of brute force
+    for (const auto& [name, kernel] : brute_force::every_kernel()) {  // and g' that of brute force
         for (const Real x : {0.01L, 0.3L, 1.7L}) {
             const Real step = x * 1e-4L;
             const Real slope =
@@ -140,7 +141,7 @@ TEST_CASE("The strip tends to the plane as (a/b)^2", "[kernel][convergence]") {
             sizes.push_back(b);
             errors.push_back(largest);
         }
-        const double order = reference::observed_order(sizes, errors);
+        const double order = support::observed_order(sizes, errors);
         CAPTURE(nu, order);
         CHECK(order > 1.97);
         CHECK(order < 2.03);
@@ -155,8 +156,8 @@ TEMPLATE_TEST_CASE("The split of the wide strip is g to rounding", "[kernel]", f
             for (const Scalar b : {Scalar(8), Scalar(10), Scalar(64), Scalar(1000), Scalar(1e6)}) {
                 const Scalar c1 = lateral ? Scalar(1) : 1 - nu, c2 = lateral ? -nu : nu;
                 const StripKernel<Scalar> strip(b, c1, c2);
-                const reference::Kernel exact{false, static_cast<Real>(b), static_cast<Real>(c1),
-                                              static_cast<Real>(c2)};
+                const brute_force::Kernel exact{false, static_cast<Real>(b), static_cast<Real>(c1),
+                                                static_cast<Real>(c2)};
                 for (const Scalar reach : {Scalar(0.01), Scalar(1), Scalar(2)}) {
                     const auto split = strip.log_split(reach);
                     REQUIRE(split.has_value());
@@ -186,7 +187,7 @@ TEMPLATE_TEST_CASE("The split of the wide strip is g to rounding", "[kernel]", f
 TEST_CASE("The split of a strip whose logarithm is faint has terms enough", "[kernel]") {
     // the terms left out are measured by the logarithm, c1, but most of them come from c2
     const double b = 8, reach = 2, c1 = 0.01, c2 = 1;
-    const reference::Kernel exact{false, b, static_cast<Real>(c1), c2};
+    const brute_force::Kernel exact{false, b, static_cast<Real>(c1), c2};
     const auto split = StripKernel<double>(b, c1, c2).log_split(reach);
     REQUIRE(split.has_value());
     for (const Real x : {Real(0.5), Real(1), Real(1.5), Real(2)}) {
@@ -205,7 +206,7 @@ TEST_CASE("Taylor coefficients of the strip reproduce g about any point", "[kern
     for (const double b : {0.01, 0.3, 1.0, 4.0, 1000.0}) {
         for (const auto& [c1, c2] : {std::pair{0.75, 0.25}, {1.0, -0.25}, {0.5, 0.5}}) {
             const StripKernel<double> strip(b, c1, c2);
-            const reference::Kernel exact{false, b, c1, c2};
+            const brute_force::Kernel exact{false, b, c1, c2};
             for (const double x : {0.003, 0.2, -0.9, 2.0}) {
                 const Eigen::Index order = 24;
                 const Eigen::ArrayXXd series = strip.taylor(one(x), order);

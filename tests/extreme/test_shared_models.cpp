@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
@@ -80,13 +80,14 @@ TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
     check_shared([&] {
         Numbers forces;
         auto now = steady.at_rest(), next = now;
+        auto workspace = steady.workspace();  // of this thread, for both models in turn
         for (const double creepage : {1e-4, 3e-4, 1e-3}) {
-            forces.push_back(steady.solve(now, creepage, next).force_per_width);
+            forces.push_back(steady.solve(now, creepage, next, workspace).force_per_width);
             std::swap(now, next);
         }
         auto rolling = model.at_rest(), after = rolling;
         for (int k = 0; k < 10; ++k) {
-            forces.push_back(model.advance(rolling, 0.1, 3e-4, after).force_per_width);
+            forces.push_back(model.advance(rolling, 0.1, 3e-4, after, workspace).force_per_width);
             std::swap(rolling, after);
         }
         return forces;

@@ -1,8 +1,6 @@
 // Two translation units that include everything link together, and share one copy of each function.
 #include <cstdio>
 
-#include <rollbem/adhesion/critical_alpha.hpp>
-#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/rollbem.hpp>
 
 using CreepCoefficient = double (*)(double);

@@ -1,6 +1,4 @@
 // The other translation unit.
-#include <rollbem/adhesion/critical_alpha.hpp>
-#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/rollbem.hpp>
 
 using CreepCoefficient = double (*)(double);

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/transient.hpp>
-#include <rollbem/assembly/influence.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/elasticity/plane_model.hpp>
-#include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/polynomial.hpp>
@@ -221,13 +221,13 @@ TEST_CASE("Models", "[domain]") {
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     const Mesh<double> mesh = cosine_mesh(4);
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    const InfluenceMatrices<double> matrices = assemble(mesh, scheme, kernel);
+    const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
 
-    const TransientModel<double> rolling(contact, matrices, mesh.widths(), unchecked);
+    const TransientModel<double> rolling(contact, system, unchecked);
     refuses<double>("dq", bad<double>({-1e-300, infinity}), [&](double dq) { rolling.prepare(dq); });
     refuses<double>("creepage", bad<double>({infinity}), [&](double creepage) { rolling.steady(creepage); });
 
-    const FrequencySweep<double> sweep(matrices, mesh.widths());
+    const FrequencySweep<double> sweep(system);
     refuses<double>("omega a/V", bad<double>({infinity}), [&](double z) { sweep(z); });
     refuses<double>("Re(s)", bad<double>({infinity}), [&](double re) { sweep.at({re, 0}); });
     refuses<double>("Im(s)", bad<double>({infinity}), [&](double im) { sweep.at({0, im}); });
@@ -240,9 +240,9 @@ TEST_CASE("Models", "[domain]") {
     const auto both = [&](double mu, double pressure) {
         const CoulombFriction<double> friction = law(mu, pressure);
         const std::string steady =
-            refusal([&] { SteadyFrictionModel<double>(contact, matrices.G_prime, mesh.widths(), friction); });
+            refusal([&] { SteadyFrictionModel<double>(contact, system.G_prime(), mesh.widths(), friction); });
         CHECK(steady != "");
-        FrictionModel<double>(contact, matrices, mesh.widths(), friction);
+        FrictionModel<double>(contact, system, unchecked, friction);
     };
     refuses<double>("friction_coefficient", bad<double>({-1e-300, infinity}), [&](double mu) { both(mu, 1); });
     refuses<double>("normal_pressure", bad<double>({-1e-300, infinity}), [&](double p) { both(0.3, p); });

@@ -12,10 +12,10 @@
 #include <utility>
 #include <variant>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 
 #include "support/catch.hpp"
 
@@ -273,22 +273,22 @@ TEST_CASE("Units scale out of a steady solution", "[property]") {
 
 TEST_CASE("Harmonic creepage: conjugate frequencies, and the steady limit", "[property]") {
     for_each_scene([](Scenes& scenes, const Scene& scene) {
-        const InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
-        const ArrayX<double> widths = scene.widths();
-        const FrequencySweep<double> sweep(matrices, widths);
+        InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
+        const RollingSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
+        const FrequencySweep<double> sweep(system);
         const double z = scenes.logarithmic(1e-12, 1e6);
         const SweepPoint<double> up = sweep(z), down = sweep(-z);
         if (up.status != down.status) CHECK(up.status == down.status);
         if (up.status != Status::ok) return;
         const double conjugate = std::abs(up.c11 / std::conj(down.c11) - 1.0);
         if (!(conjugate <= 1e-13)) CHECK(conjugate <= 1e-13);
-        const HarmonicSolution<double> full = solve_harmonic(matrices, widths, z);
+        const HarmonicSolution<double> full = solve_harmonic(system, z);
         if (full.status == Status::ok) {
             const double routes = std::abs(up.c11 / full.c11 - 1.0);
             const double tolerance = 1000 * eps / std::min(up.rcond, full.rcond);
             if (!(routes <= tolerance)) CHECK(routes <= tolerance);
         }
-        const UnitSteadySolution<double> steady = solve_steady<double>(matrices.G_prime, widths);
+        const UnitSteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const SweepPoint<double> still = sweep(0);
         if (steady.status != Status::ok || still.status != Status::ok) return;
         const double limit = std::abs(still.c11 / steady.c11 - 1.0), tolerance = 1000 * eps / steady.rcond;
@@ -302,11 +302,11 @@ TEST_CASE("Steps of any length are finite or told, and long ones end in steady r
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
         const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
         InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
-        const ArrayX<double> widths = scene.widths();
-        const UnitSteadySolution<double> steady = solve_steady<double>(matrices.G_prime, widths);
-        const Matrix lengths = Eigen::PartialPivLU<Matrix>(matrices.G_prime).solve(matrices.G);
+        const ElementSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
+        const UnitSteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
+        const Matrix lengths = Eigen::PartialPivLU<Matrix>(system.G_prime()).solve(system.G());
         const double longest = lengths.cwiseAbs().rowwise().sum().maxCoeff();
-        const Model model(contact, std::move(matrices), widths, unchecked,
+        const Model model(contact, system, unchecked,
                           scenes.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
         Model::State now = model.at_rest(), next = now;
         const TransientStep<double> any = model.advance(now, scenes.logarithmic(1e-9, 1e6), 1.0, next);

@@ -8,6 +8,7 @@
 #include "rollbem/reference/fitted_polynomial.hpp"
 #include "rollbem/spectral/polynomial.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

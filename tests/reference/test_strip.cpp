@@ -8,6 +8,7 @@
 #include "rollbem/reference/bessel.hpp"
 #include "rollbem/reference/strip.hpp"
 #include "support/catch.hpp"
+#include "support/strip_instances.hpp"
 
 namespace {
 

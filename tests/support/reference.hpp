@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "rollbem/assembly/influence.hpp"
+#include "rollbem/compiled/assembly.hpp"
 
-namespace reference {
+namespace brute_force {
 
 using Real = long double;
 using rollbem::Derivative;
@@ -192,17 +192,6 @@ Real largest_error(const rollbem::MatrixX<Scalar>& matrix, const Kernel& kernel,
     return largest;
 }
 
-/// Least-squares slope of -ln(errors) against ln(sizes).
-inline double observed_order(const std::vector<double>& sizes, const std::vector<double>& errors) {
-    const double count = static_cast<double>(sizes.size());
-    double x = 0, y = 0, xx = 0, xy = 0;
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const double lx = std::log(sizes[i]), ly = std::log(std::abs(errors[i]));
-        x += lx, y += ly, xx += lx * lx, xy += lx * ly;
-    }
-    return -(count * xy - x * y) / (count * xx - x * x);
-}
-
 template <class Scalar>
 struct NamedMesh {
     std::string name;
@@ -281,4 +270,4 @@ decltype(auto) with_library_kernel(const Kernel& kernel, Function function) {
                         : function(rollbem::StripKernel<Scalar>(b, c1, c2));
 }
 
-}  // namespace reference
+}  // namespace brute_force

@@ -10,8 +10,8 @@
 
 #include <Eigen/LU>
 
-#include "../detail/condition.hpp"
 #include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "stability.hpp"
 #include "stability_count.hpp"
 

@@ -11,8 +11,8 @@
 #include <Eigen/LU>
 
 #include "../assembly/rolling_system.hpp"
-#include "../detail/condition.hpp"
 #include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
 #include "detail/pencil.hpp"
 

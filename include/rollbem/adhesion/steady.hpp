@@ -13,8 +13,9 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
-#include "../detail/condition.hpp"
+#include "../detail/array_functions.hpp"
 #include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
@@ -165,12 +166,5 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
     solution.status = detail::is_finite(creepage) && finite ? unit.status : Status::not_finite;
     return solution;
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&,
-                                                                                  const ArrayX<double>&);
-extern template UnitSteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
-                                                                        const ArrayX<double>&, const VectorX<double>&);
-#endif
 
 }  // namespace rollbem

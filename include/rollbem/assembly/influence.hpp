@@ -151,11 +151,12 @@ void influence_rows(const Mesh<Scalar>& mesh, const Sampling<Scalar>& samples, E
     const auto fill = [&](Scalar node, MatrixX<Scalar>& result) {
         const RowPoints<Scalar> rows = row_points(mesh, samples, node);
         // the guard can move the points of the outermost rows elsewhere than those of the others
-        Scalar spread = 0;
-        for (Eigen::Index l = 0; l < mesh.size(); ++l) {
-            spread = std::max(spread, std::abs(rows.offset[l] - rows.offset[0]));
+        const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0];
+        bool toeplitz = mesh.is_uniform();
+        for (Eigen::Index l = 0; toeplitz && l < mesh.size(); ++l) {
+            toeplitz = std::abs(rows.offset[l] - rows.offset[0]) <= rounding;
         }
-        if (mesh.is_uniform() && spread <= 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0]) {
+        if (toeplitz) {
             fill_toeplitz<Scalar>(kernel, quantity, samples.averages, mesh.widths()[0], rows.offset[0], first, result);
             return;
         }
@@ -244,14 +245,5 @@ template <class Scalar, class Scheme, LineKernel Kernel>
 InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }
-
-#ifdef ROLLBEM_INSTANCES  // compiled once for all programs of this project
-extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                 Eigen::Index, Eigen::Index,
-                                                                 const detail::KernelView<double>&, detail::Quantity);
-extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                  Eigen::Index, const detail::KernelView<double>&,
-                                                                  detail::Quantity, const VectorX<double>&);
-#endif
 
 }  // namespace rollbem

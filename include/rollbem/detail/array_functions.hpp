@@ -34,6 +34,11 @@ Scalar sum_of_magnitudes(const Scalar* a, Eigen::Index size) {
     return Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>(a, size).abs().sum();
 }
 
+template <class Scalar>
+Scalar largest(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+    return x.maxCoeff();
+}
+
 /// Entries first ... first + count - 1.
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> segment(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x, Eigen::Index first,

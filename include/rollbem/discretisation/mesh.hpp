@@ -47,9 +47,11 @@ public:
         detail::require(n >= 1, "Mesh", "number of elements", n, "be at least 1");
         detail::require(data_.edges_from_trailing.size() == n + 1 && data_.edges_from_leading.size() == n + 1, "Mesh",
                         "number of edges", data_.edges_from_trailing.size(), "be one more than the number of elements");
+        require_finite(data_.widths, "element width", "be positive and finite");
+        require_finite(data_.edges_from_trailing, "1 + x of an edge", "be finite");
+        require_finite(data_.edges_from_leading, "1 - x of an edge", "be finite");
         for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require(detail::is_finite(data_.widths[i]) && data_.widths[i] > 0, "Mesh", "element width",
-                            data_.widths[i], "be positive and finite");
+            detail::require(data_.widths[i] > 0, "Mesh", "element width", data_.widths[i], "be positive and finite");
         }
         check_edges(data_.edges_from_trailing, data_.edges_from_leading);
         from_trailing_.resize(n);
@@ -73,6 +75,12 @@ public:
     Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
 
 private:
+    // All at once, which is fast; one by one only to name the first that is not finite.
+    static void require_finite(const Array& values, const char* quantity, const char* rule) {
+        if (detail::all_finite(values)) return;
+        for (const Scalar& value : values) detail::require(detail::is_finite(value), "Mesh", quantity, value, rule);
+    }
+
     // Near one edge of the contact the distance from the other may round to one number for neighbours.
     static void check_edges(const Array& trailing, const Array& leading) {
         const Eigen::Index n = trailing.size() - 1;
@@ -80,14 +88,12 @@ private:
         detail::require(trailing[0] == 0 && trailing[n] == 2, "Mesh", "1 + x of the edges", trailing[n], rule);
         detail::require(leading[n] == 0 && leading[0] == 2, "Mesh", "1 - x of the edges", leading[0], rule);
         for (Eigen::Index j = 0; j < n; ++j) {
-            const bool finite = detail::is_finite(trailing[j + 1]) && detail::is_finite(leading[j]);
-            detail::require(finite, "Mesh", "1 + x of an edge", trailing[j + 1], "be finite, and 1 - x with it");
             const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
                                  (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
             detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
-            const Scalar sum = trailing[j] + leading[j];
-            detail::require(std::abs(sum - 2) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
-                            "(1 + x) + (1 - x) of an edge", sum, "be 2");
+            const Scalar excess = trailing[j] + leading[j] - 2;
+            detail::require(std::abs(excess) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
+                            "(1 + x) + (1 - x) - 2 of an edge", excess, "be 0 to rounding");
         }
     }
 

@@ -93,7 +93,8 @@ public:
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
     /// finite.
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
-        : strength_(2 * c1 / std::numbers::pi_v<Scalar>),
+        : b_(half_width),
+          strength_(2 * c1 / std::numbers::pi_v<Scalar>),
           constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
         detail::require(!detail::is_nan(half_width) && half_width > 0, "PlaneKernel", "half_width", half_width,
                         "be positive");
@@ -107,6 +108,8 @@ public:
     static PlaneKernel lateral(const Contact<Scalar>& contact) {
         return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
     }
+
+    Scalar half_width() const { return b_; }  ///< b in units of a
 
     Array g(const Array& x) const {
         Array result(x.size());
@@ -130,7 +133,7 @@ public:
     std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
 
 private:
-    Scalar strength_, constant_;
+    Scalar b_, strength_, constant_;
 };
 
 /// Cerruti's solution, Eq. (3), integrated over -b <= y <= b and seen from y = 0:
@@ -156,6 +159,8 @@ public:
     static StripKernel lateral(const Contact<Scalar>& contact) {
         return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
     }
+
+    Scalar half_width() const { return b_; }  ///< b in units of a
 
     Array g(const Array& x) const {
         const Array r = radius(x);

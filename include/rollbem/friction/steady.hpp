@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../assembly/influence.hpp"
+#include "../detail/finite.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
@@ -50,7 +51,7 @@ public:
                                                      unknown_count(scheme, mesh.size()), contact.shear_modulus())) {}
 
     /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a); the law has as many
-    /// pressures. Throws std::invalid_argument as above and where sizes differ or an entry is not finite.
+    /// pressures. Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width is not positive.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths,
@@ -84,6 +85,10 @@ private:
         detail::require(G_prime_.cols() == n, "SteadyFrictionModel", "number of columns of G_prime", G_prime_.cols(),
                         "equal the number of widths");
         detail::require_finite("SteadyFrictionModel", "G_prime", G_prime_);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            detail::require(detail::is_finite(widths[i]) && widths[i] > 0, "SteadyFrictionModel", "width", widths[i],
+                            "be positive and finite");
+        }
     }
 
     static std::uint64_t fingerprint_of(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& widths) {

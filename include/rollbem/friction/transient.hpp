@@ -78,7 +78,7 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return core_.force(state); }
 
-    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does.
+    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does, with states of this model.
     Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
         return core_.solve_steady(from, creepage, system_.G_prime(), to, workspace);
     }

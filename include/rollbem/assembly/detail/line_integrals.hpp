@@ -109,13 +109,12 @@ public:
           rows_(padded(rows)),
           columns_(columns),
           count_(rows.half.size()) {
-        Scalar reach = 0, widest = 0;
+        Array reach(count_);
         for (Eigen::Index l = 0; l < count_; ++l) {
-            reach = std::max(reach, std::max(rows_.from_leading[l], rows_.from_trailing[l]) +
-                                        std::abs(rows_.offset[l]) + Scalar(averages) * rows_.half[l]);
+            reach[l] = std::max(rows_.from_leading[l], rows_.from_trailing[l]) + std::abs(rows_.offset[l]) +
+                       Scalar(averages) * rows_.half[l];
         }
-        for (Eigen::Index m = 0; m < columns_.half.size(); ++m) widest = std::max(widest, columns_.half[m]);
-        split_ = kernel_.log_split(reach + widest);
+        split_ = kernel_.log_split(largest(reach) + largest(columns_.half));
         // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d, and a
         // Taylor series, which costs more a term than the other, of fewer terms
         const bool short_series = !split_ && equal_widths_;

@@ -190,7 +190,9 @@ private:
             workspace.carried_tangent_ = widths_.dot(workspace.response_);
             workspace.tangent_revision_ = solver.revision();
         }
-        return gain.last * workspace.unit_tangent_ + gain.first * workspace.carried_tangent_;
+        // without a first stage, nothing is carried, whatever an earlier step has left there
+        const Scalar last = gain.last * workspace.unit_tangent_;
+        return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
     }
 
     Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]

@@ -1,6 +1,4 @@
-// Eigenvalues compiled for double.
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/stability_count.hpp>
+#include "stability.hpp"
 
 namespace rollbem {
 

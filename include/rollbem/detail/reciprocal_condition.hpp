@@ -1,13 +1,11 @@
 // How near to singular a matrix is, by its factors: what decides whether a solution can be trusted.
-// One estimate for all problems; for real matrices Eigen's, at a fraction of what its transposed solution costs to compile.
+// One estimate for all problems.
 #pragma once
 
 #include "language.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <type_traits>
 
 #include <Eigen/LU>
 
@@ -15,19 +13,21 @@
 
 namespace rollbem::detail {
 
-/// The 1-norm of A: the largest sum of absolute values of a column.
+/// Largest sum of absolute values of a column.
+template <class Derived>
+typename Derived::RealScalar one_norm(const Eigen::MatrixBase<Derived>& A) {
+    return A.cwiseAbs().colwise().sum().maxCoeff();
+}
+
+/// The same of a real matrix.
 template <class Scalar>
-Scalar one_norm(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A) {
+requires(!Eigen::NumTraits<Scalar>::IsComplex) Scalar
+    one_norm(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A) {
     Scalar largest = 0;
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
         largest = std::max(largest, sum_of_magnitudes(A.data() + j * A.rows(), A.rows()));
     }
     return largest;
-}
-
-template <class Scalar>
-Scalar one_norm(const Eigen::Matrix<std::complex<Scalar>, Eigen::Dynamic, Eigen::Dynamic>& A) {
-    return A.cwiseAbs().colwise().sum().maxCoeff();
 }
 
 /// Overwrites x with the solution y of A^T y = x.
@@ -43,10 +43,10 @@ void solve_transposed(const Factors& lu, Eigen::Matrix<typename Factors::Scalar,
     for (Eigen::Index k = 0; k < n; ++k) x[k] = permuted[places[k]];
 }
 
-/// Estimate of 1 / (|A| |A^-1|) in the 1-norm of a real A from its factors, which is never far below it: Higham's,
-/// ACM Trans. Math. Softw. 14 (1988) 381-396. The same steps as those of Eigen's rcond().
+/// Estimate of 1 / (|A| |A^-1|) in the 1-norm of a real A from its factors, never below it and hardly ever far above it:
+/// Higham, ACM Trans. Math. Softw. 14 (1988) 381-396. The same steps as those of Eigen's rcond().
 template <class Factors>
-typename Factors::Scalar estimated_rcond(const Factors& lu, typename Factors::Scalar norm) {
+typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors::Scalar norm) {
     using Scalar = typename Factors::Scalar;
     using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     const Eigen::Index n = lu.rows();
@@ -92,18 +92,19 @@ typename Factors::Scalar estimated_rcond(const Factors& lu, typename Factors::Sc
 }
 
 /// Estimate of 1 / (|A| |A^-1|) in the 1-norm from the factors of an LU decomposition with partial pivoting and
-/// norm = |A|. The one above takes |A^-1| from a few vectors, and two equal rows of A have no part in what it sees;
+/// norm = |A|. Eigen's own takes |A^-1| from a few vectors, and two equal rows of A have no part in what it sees;
 /// 1 / (last pivot) is an entry of A^-1 and sees them.
 template <class Factors>
 typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Factors::RealScalar norm) {
-    using Real = typename Factors::RealScalar;
+    using Scalar = typename Factors::RealScalar;
     const Eigen::Index last = lu.matrixLU().rows() - 1;
-    const Real pivot = std::abs(lu.matrixLU()(last, last)) / norm;
-    if constexpr (std::is_same_v<typename Factors::Scalar, Real>) {
-        return std::min(estimated_rcond(lu, norm), pivot);
+    Scalar estimate = 0;
+    if constexpr (Eigen::NumTraits<typename Factors::Scalar>::IsComplex) {
+        estimate = lu.rcond();
     } else {
-        return std::min<Real>(lu.rcond(), pivot);
+        estimate = estimated_condition(lu, norm);
     }
+    return std::min<Scalar>(estimate, std::abs(lu.matrixLU()(last, last)) / norm);
 }
 
 }  // namespace rollbem::detail

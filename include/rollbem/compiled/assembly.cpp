@@ -1,5 +1,4 @@
-// G, G' and the steady solution compiled for double.
-#include <rollbem/adhesion/steady.hpp>
+#include "assembly.hpp"
 
 namespace rollbem {
 
@@ -9,8 +8,5 @@ template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, c
 template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
                                                            Eigen::Index, const detail::KernelView<double>&,
                                                            detail::Quantity, const VectorX<double>&);
-template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&, const ArrayX<double>&);
-template UnitSteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
-                                                                 const ArrayX<double>&, const VectorX<double>&);
 
 }  // namespace rollbem

@@ -1,5 +1,4 @@
-// Coulomb friction compiled for double.
-#include <rollbem/friction/friction.hpp>
+#include "friction.hpp"
 
 namespace rollbem {
 

@@ -1,5 +1,4 @@
-// Steps in time compiled for double.
-#include <rollbem/adhesion/transient.hpp>
+#include "transient.hpp"
 
 namespace rollbem {
 

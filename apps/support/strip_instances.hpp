@@ -1,0 +1,13 @@
+// The spectral solution of the strip, which several programs and tests use: compiled once, in spectral_instances.cpp.
+#pragma once
+
+#include <complex>
+
+#include <rollbem/reference/strip.hpp>
+
+namespace rollbem::reference {
+
+extern template decltype(detail::strip_c11_once<double>) detail::strip_c11_once<double>;
+extern template decltype(detail::strip_c11_once<std::complex<double>>) detail::strip_c11_once<std::complex<double>>;
+
+}  // namespace rollbem::reference

@@ -1,0 +1,11 @@
+// All that rollbem::compiled holds, beside or in place of rollbem.hpp.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "assembly.hpp"
+#include "frequency.hpp"
+#include "friction.hpp"
+#include "stability.hpp"
+#include "steady.hpp"
+#include "transient.hpp"

@@ -1,0 +1,16 @@
+// Coulomb friction compiled for double: in place of friction/friction.hpp, with rollbem::compiled.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../friction/friction.hpp"
+#include "assembly.hpp"
+
+namespace rollbem {
+
+extern template class detail::ActiveSet<double>;
+extern template class detail::FrictionCore<double>;
+extern template class SteadyFrictionModel<double>;
+extern template class FrictionModel<double>;
+
+}  // namespace rollbem

@@ -1,0 +1,16 @@
+// Eigenvalues compiled for double: in place of adhesion/stability.hpp and adhesion/stability_count.hpp, with
+// rollbem::compiled.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../adhesion/stability.hpp"
+#include "../adhesion/stability_count.hpp"
+#include "assembly.hpp"
+
+namespace rollbem {
+
+extern template StabilityResult<double> solve_stability<double>(const RollingSystem<double>&, StabilityOptions);
+extern template UnstableCount<double> count_unstable<double>(const RollingSystem<double>&);
+
+}  // namespace rollbem

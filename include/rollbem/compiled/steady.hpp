@@ -1,0 +1,16 @@
+// Steady rolling compiled for double: in place of adhesion/steady.hpp, with rollbem::compiled.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../adhesion/steady.hpp"
+#include "assembly.hpp"
+
+namespace rollbem {
+
+extern template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&,
+                                                                                  const ArrayX<double>&);
+extern template UnitSteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
+                                                                        const ArrayX<double>&, const VectorX<double>&);
+
+}  // namespace rollbem

@@ -1,0 +1,30 @@
+// A user of rollbem::compiled: every header of it, whose templates the linker must find in the library.
+#include <cmath>
+
+#include <rollbem/compiled/all.hpp>
+#include <rollbem/rollbem.hpp>
+
+int main() {
+    using namespace rollbem;
+    const Contact<double> contact(
+        {.half_length = 5e-3, .half_width = 50e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const Mesh<double> mesh = cosine_mesh(20);
+    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const auto kernel = StripKernel<double>::longitudinal(contact);
+    const double c11 = solve_steady(mesh, scheme, kernel).c11;
+    const FrequencySweep<double> sweep(mesh, scheme, kernel);
+    const StabilityVerdict stable = verdict(assemble(mesh, scheme, kernel));
+    const TransientModel<double> model(contact, mesh, scheme, kernel, stable);
+    const SteadyFrictionModel<double> friction(
+        contact, mesh, scheme, kernel,
+        {.friction_coefficient = 0.3, .normal_pressure = 1e9 * mean_hertz_pressure(mesh)});
+    const auto rest = friction.at_rest();
+    auto rolling = rest;
+    const double creepage = 1e-9, force = friction.solve(rest, creepage, rolling).force;
+    // full adhesion in four ways
+    const double expected =
+        -contact.half_length() * contact.shear_modulus() * 2 * contact.half_width() * c11 * creepage;
+    const bool agree = std::abs(sweep(0).c11.real() - c11) < 1e-9 && std::abs(force / expected - 1) < 1e-3 &&
+                       std::abs(model.force(model.steady(creepage)) / expected - 1) < 1e-9;
+    return agree ? 0 : 1;
+}

@@ -1,0 +1,51 @@
+// What the tests of friction share: a scene in the units a = G = 1 under Hertz's pressure, and ways to look at it.
+#pragma once
+
+#include <numbers>
+#include <utility>
+
+#include "rollbem/friction/friction.hpp"
+
+namespace friction_tests {
+
+using namespace rollbem;
+
+constexpr double nu = 0.25;
+constexpr double peak = 1e-3;  // mu p0, with a = G = 1
+constexpr double full_force = peak * std::numbers::pi / 2;
+constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
+
+/// Creepage [-] by its ratio to the one at which all of a Carter contact slips.
+inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
+inline double force_ratio(const FrictionStep<double>& step) { return -step.force_per_width / full_force; }
+
+struct Scene {
+    explicit Scene(Mesh<double> mesh_, Collocation scheme_ = half, double mu = 1, double aspect = 1e4)
+        : contact(Contact<double>::dimensionless(aspect, nu)),
+          kernel(PlaneKernel<double>::longitudinal(contact)),
+          mesh(std::move(mesh_)),
+          scheme(scheme_),
+          friction{mu, peak * mean_hertz_pressure(mesh)} {}
+
+    ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
+    SteadyFrictionModel<double> steady() const { return {contact, mesh, scheme, kernel, friction}; }
+    FrictionModel<double> transient(Integrator integrator = Integrator::sdirk2) const {
+        return {contact, system(), unchecked, friction, integrator};
+    }
+
+    Contact<double> contact;
+    PlaneKernel<double> kernel;
+    Mesh<double> mesh;
+    Collocation scheme;
+    CoulombFriction<double> friction;
+};
+
+/// The solution from rest, in a workspace that has seen nothing.
+inline FrictionStep<double> from_scratch(const SteadyFrictionModel<double>& model, double xi) {
+    const FrictionState<double> rest = model.at_rest();
+    FrictionState<double> state = rest;
+    FrictionWorkspace<double> workspace = model.workspace();
+    return model.solve(rest, xi, state, workspace);
+}
+
+}  // namespace friction_tests

@@ -1,0 +1,83 @@
+// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "rollbem/friction/detail/active_set.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+TEST_CASE("any matrix has a solution, and it is found", "[friction]") {
+    std::mt19937 generator(7);
+    std::normal_distribution<double> normal;
+    int fallbacks = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Eigen::Index n = 1 + trial % 12;
+        detail::ActiveSet<double> solver(n);
+        // every third matrix is of rank one, every third is definite, the others are anything
+        const VectorX<double> left = VectorX<double>::NullaryExpr(n, [&] { return normal(generator); });
+        const VectorX<double> right = VectorX<double>::NullaryExpr(n, [&] { return normal(generator); });
+        const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return normal(generator); });
+        MatrixX<double> matrix = any;
+        if (trial % 3 == 0) matrix = left * right.transpose();
+        if (trial % 3 == 1) matrix = any * any.transpose() + MatrixX<double>::Identity(n, n);
+        solver.new_matrix() = matrix;
+        const VectorX<double> constant = VectorX<double>::NullaryExpr(n, [&] { return normal(generator); });
+        VectorX<double> bound = VectorX<double>::NullaryExpr(n, [&] { return std::abs(normal(generator)); });
+        if (trial % 5 == 0) bound[0] = 0;
+        solver.constant() = constant;
+        const auto outcome = solver.solve(bound, std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick));
+        CAPTURE(trial, n, outcome.rounds, outcome.pivots, outcome.residual);
+        REQUIRE(outcome.status == StepStatus::ok);
+        REQUIRE(outcome.residual < 1e-11);
+        if (outcome.pivots > 0) ++fallbacks;
+        if (trial % 3 == 1 && n < 4) CHECK(outcome.pivots == 0);
+        // the conditions, from the definition
+        const VectorX<double> slip = matrix * solver.traction() + constant;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double p = solver.traction()[i];
+            REQUIRE(std::abs(p) <= bound[i] * (1 + 1e-12));
+            if (bound[i] - std::abs(p) > 1e-9 * bound[i]) REQUIRE(std::abs(slip[i]) < 1e-9);
+            if (bound[i] > 0) REQUIRE(slip[i] * p < 1e-9);
+        }
+    }
+    CHECK(fallbacks > 100);
+}
+
+TEST_CASE("A solution is found where all elements are alike", "[friction]") {
+    // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
+    std::mt19937 generator(1);
+    int fallbacks = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Eigen::Index n = 2 + trial % 9;
+        const VectorX<double> first =
+            VectorX<double>::NullaryExpr(n, [&] { return static_cast<double>(generator() % 9) - 4; });
+        detail::ActiveSet<double> solver(n);
+        MatrixX<double> matrix(n, n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            for (Eigen::Index j = 0; j < n; ++j) matrix(i, j) = first[(j - i + n) % n];
+        }
+        solver.new_matrix() = matrix;
+        const double constant = trial % 2 == 0 ? 1 : -1;
+        solver.constant().setConstant(constant);
+        const auto outcome =
+            solver.solve(VectorX<double>::Ones(n), std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick));
+        CAPTURE(trial, n, outcome.rounds, outcome.pivots, outcome.residual);
+        REQUIRE(outcome.status == StepStatus::ok);
+        if (outcome.pivots > 0) ++fallbacks;
+        // the conditions, from the definition
+        const VectorX<double> slip = (matrix * solver.traction()).array() + constant;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double p = solver.traction()[i];
+            const bool sticks = std::abs(slip[i]) < 1e-9, slides = slip[i] * p < 0 && std::abs(p) > 1 - 1e-9;
+            REQUIRE(std::abs(p) < 1 + 1e-9);
+            REQUIRE((sticks || slides));
+        }
+    }
+    CHECK(fallbacks > 1000);
+}
+
+}  // namespace

@@ -1,0 +1,298 @@
+// rollbem/friction/state.hpp, workspace.hpp; adhesion/transient.hpp: results depend on the state and the arguments, to
+// the last bit, and on nothing that was computed before. A state is plain data.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "scene.hpp"
+
+namespace {
+
+using namespace friction_tests;
+using State = FrictionState<double>;
+using Step = FrictionStep<double>;
+using Workspace = FrictionWorkspace<double>;
+using Motion = RigidMotion<double>;
+using Catch::Matchers::ContainsSubstring;
+
+// Equal to the last bit, NaN and the sign of zero included.
+bool same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
+bool same(const VectorX<double>& x, const VectorX<double>& y) {
+    bool equal = x.size() == y.size();
+    for (Eigen::Index i = 0; equal && i < x.size(); ++i) equal = same(x[i], y[i]);
+    return equal;
+}
+bool same(const State& x, const State& y) {
+    return same(x.traction, y.traction) && x.zones == y.zones && x.system == y.system;
+}
+bool same(const Step& x, const Step& y) {
+    return same(x.force, y.force) && same(x.force_per_width, y.force_per_width) && same(x.tangent, y.tangent) &&
+           same(x.tangent_per_width, y.tangent_per_width) && same(x.slip_work_per_width, y.slip_work_per_width) &&
+           same(x.complementarity_residual, y.complementarity_residual) && x.stick_count == y.stick_count &&
+           x.rounds == y.rounds && x.pivots == y.pivots && x.status == y.status;
+}
+
+class Random {
+public:
+    explicit Random(unsigned seed) : generator_(seed) {}
+    int integer(int below) { return static_cast<int>(generator_() % static_cast<unsigned>(below)); }
+    double uniform(double low, double high) {
+        return low + (high - low) * static_cast<double>(generator_()) / 4294967296.0;
+    }
+
+private:
+    std::mt19937 generator_;  // its numbers are the same everywhere
+};
+
+// One step or solution of any kind.
+struct Task {
+    int kind;  // 0 to 2: a step, 3: a rigid shift, 4: a steady solution
+    double dq, start, end;
+
+    static Task any(Random& random) {
+        constexpr double lengths[] = {0.05, 0.1, 0.1, 0.1 * (1 + 1e-9), 0.4, 1, 1e-9, 1e6};
+        const double size = random.integer(10) == 0 ? 1e-4 : 1.6;
+        return {random.integer(5), lengths[random.integer(8)], creepage(random.uniform(-size, size)),
+                creepage(random.uniform(-size, size))};
+    }
+    Step run(const FrictionModel<double>& model, const State& from, State& to, Workspace& workspace) const {
+        if (kind == 4) return model.steady(from, end, to, workspace);
+        if (kind == 3) return model.shift(from, end, to, workspace);
+        return model.advance(from, dq,
+                             kind == 0   ? Motion(end)
+                             : kind == 1 ? Motion::linear(start, end)
+                                         : Motion::shift(dq < 1e3 ? dq * end : end),
+                             to, workspace);
+    }
+};
+
+constexpr Collocation schemes[] = {half, {.alpha_L = 0, .alpha_T = 0.5}, {.alpha_L = 0, .alpha_T = 0.63}};
+
+TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") {
+    Random random(1);
+    int fallbacks = 0, mixed = 0;
+    for (const Eigen::Index n : {3, 4, 7, 12, 20, 29, 40}) {
+        for (const Collocation& scheme : schemes) {
+            const Scene scene(cosine_mesh<double>(n), scheme, 1, 10);
+            const FrictionModel<double> model = scene.transient();
+            // the same system in Euler's hands, another load, another contact, and another scheme
+            const Scene slippery(scene.mesh, scheme, 0.2, 10), other(uniform_mesh<double>(n), half, 1, 4);
+            const std::vector<FrictionModel<double>> models{model, scene.transient(Integrator::implicit_euler),
+                                                            slippery.transient(), other.transient()};
+            const SteadyFrictionModel<double> steady = scene.steady();
+            std::vector<State> now, next;
+            for (const FrictionModel<double>& each : models) now.push_back(each.at_rest());
+            next = now;
+            State curve = steady.at_rest(), curve_next = curve;
+            Workspace used = model.workspace();
+            for (int k = 0; k < 120; ++k) {
+                const std::size_t who = static_cast<std::size_t>(random.integer(3) == 0 ? random.integer(4) : k / 60);
+                Task task = Task::any(random);
+                // a step of Euler's method as long as a stage of sdirk2 has the same matrix
+                if (who == 1 && random.integer(2) == 0) task.dq *= 1 - std::numbers::sqrt2 / 2;
+                State expected = now[who];
+                Workspace fresh = models[who].workspace();
+                const Step found = task.run(models[who], now[who], next[who], used);
+                const Step alone = task.run(models[who], now[who], expected, fresh);
+                CAPTURE(n, scheme.alpha_L, scheme.alpha_T, k, who, task.kind, task.dq, name(found.status));
+                REQUIRE(same(found, alone));
+                REQUIRE(same(next[who], expected));
+                REQUIRE(same(used.slip(), fresh.slip()));
+                fallbacks += found.pivots > 0 ? 1 : 0;
+                mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
+                if (random.integer(3) != 0) std::swap(now[who], next[who]);  // or the trial is rejected
+                if (random.integer(10) == 0) {
+                    Workspace clean = steady.workspace();
+                    State curve_alone = curve;
+                    const double xi = creepage(random.uniform(-1.3, 1.3));
+                    REQUIRE(
+                        same(steady.solve(curve, xi, curve_next, used), steady.solve(curve, xi, curve_alone, clean)));
+                    REQUIRE(same(curve_next, curve_alone));
+                    REQUIRE(same(used.slip(), clean.slip()));
+                    std::swap(curve, curve_next);
+                }
+            }
+        }
+    }
+    CAPTURE(fallbacks, mixed);
+    CHECK(fallbacks > 20);
+    CHECK(mixed > 500);
+}
+
+TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothing", "[friction]") {
+    for (const Collocation& scheme : schemes) {
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            const FrictionModel<double> model = Scene(cosine_mesh<double>(18), scheme, 1, 10).transient(integrator);
+            const auto ride = [&](bool disturbed) {
+                Random random(2), noise(3);
+                std::vector<State> now(3, model.at_rest()), next = now;
+                std::vector<Workspace> workspaces(3, model.workspace());
+                for (int k = 0; k < 240; ++k) {
+                    const std::size_t who = static_cast<std::size_t>(k % 3);
+                    const Task task = Task::any(random);
+                    if (disturbed) {
+                        // trials of other lengths, all refused or thrown away; a state saved, and its copy used
+                        for (int trial = noise.integer(4); trial > 0; --trial) {
+                            Task::any(noise).run(model, now[who], next[who], workspaces[who]);
+                        }
+                        model.advance(now[who], -1.0, 0.0, next[who], workspaces[who]);
+                        const State checkpoint = now[who];
+                        now[who] = model.at_rest();
+                        now[who] = checkpoint;
+                    }
+                    // contact 0 alone, or all of them with one workspace each
+                    if (disturbed || who == 0) task.run(model, now[who], next[who], workspaces[who]);
+                    if (disturbed || who == 0) std::swap(now[who], next[who]);
+                }
+                return now[0];
+            };
+            CAPTURE(scheme.alpha_L, scheme.alpha_T, name(integrator));
+            const State undisturbed = ride(false);
+            CHECK(undisturbed.traction.cwiseAbs().maxCoeff() > 0);
+            CHECK(same(ride(true), undisturbed));
+        }
+    }
+}
+
+TEST_CASE("A state of another system is refused, and nothing is written", "[friction]") {
+    const Scene scene(cosine_mesh<double>(8), half, 1, 10);
+    const FrictionModel<double> model = scene.transient();
+    const SteadyFrictionModel<double> steady = scene.steady();
+    Workspace workspace = model.workspace();
+    State next = model.at_rest();
+    REQUIRE(model.advance(model.at_rest(), 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
+    const State kept = next;
+    const VectorX<double> kept_slip = workspace.slip();
+    const auto untouched = [&] { return same(next, kept) && same(workspace.slip(), kept_slip); };
+
+    const Scene other_mesh(uniform_mesh<double>(8), half, 1, 10), other_contact(cosine_mesh<double>(8), half, 1, 12),
+        other_scheme(cosine_mesh<double>(8), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
+    for (const Scene* other : {&other_mesh, &other_contact, &other_scheme}) {
+        const State from = other->transient().at_rest();
+        CHECK(model.advance(from, 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
+        CHECK(model.shift(from, 1e-3, next, workspace).status == StepStatus::wrong_state);
+        CHECK(model.steady(from, 1e-3, next, workspace).status == StepStatus::wrong_state);
+        CHECK(steady.solve(other->steady().at_rest(), 1e-3, next, workspace).status == StepStatus::wrong_state);
+        CHECK(untouched());
+    }
+    // the same system in other units, too
+    const Contact<double> stiffer(
+        {.half_length = 1, .half_width = 10, .shear_modulus = 2, .poisson_ratio = scene.contact.poisson_ratio()});
+    const FrictionModel<double> in_other_units(stiffer, scene.system(), unchecked, scene.friction);
+    CHECK(model.advance(in_other_units.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
+    // default-constructed, cut short
+    State cut = model.at_rest();
+    cut.zones.pop_back();
+    for (const State& from : {State{}, cut}) {
+        CHECK(model.advance(from, 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
+    }
+    CHECK(untouched());
+    // a workspace of another size; that of another model of as many elements will do
+    const State rest = model.at_rest();
+    Workspace small(7), borrowed = Scene(uniform_mesh<double>(8)).transient().workspace();
+    CHECK(model.advance(rest, 0.1, 1e-3, next, small).status == StepStatus::wrong_state);
+    CHECK(steady.solve(steady.at_rest(), 1e-3, next, small).status == StepStatus::wrong_state);
+    CHECK(untouched());
+    CHECK(model.advance(rest, 0.1, 1e-3, next, borrowed).status == StepStatus::ok);
+    // another load is the same system
+    const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 10).transient();
+    CHECK(slippery.advance(kept, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
+
+    // full adhesion alike
+    const TransientModel<double> adhesion(scene.contact, scene.system(), unchecked);
+    const TransientModel<double> other_adhesion(other_mesh.contact, other_mesh.system(), unchecked);
+    TransientState<double> to = adhesion.steady(1e-3);
+    const VectorX<double> kept_adhesion = to.traction;
+    CHECK(adhesion.advance(other_adhesion.at_rest(), 0.1, 1e-3, to).status == StepStatus::wrong_state);
+    CHECK(adhesion.advance(adhesion.at_rest(), other_adhesion.prepare(0.1), 1e-3, to).status ==
+          StepStatus::wrong_state);
+    CHECK(same(to.traction, kept_adhesion));
+    CHECK(to.system == adhesion.fingerprint());
+}
+
+TEST_CASE("Fingerprints tell systems apart, not laws of friction", "[friction]") {
+    const Scene scene(cosine_mesh<double>(8), half, 1, 10);
+    const ElementSystem<double> system = scene.system();
+    CHECK(system.fingerprint() == scene.system().fingerprint());
+    const auto changed = [&](int what) {
+        MatrixX<double> G = system.G(), G_prime = system.G_prime();
+        ArrayX<double> widths = system.weights();
+        double& entry = what == 0 ? G(3, 5) : what == 1 ? G_prime(7, 0) : widths[7];
+        entry = std::nextafter(entry, 1e9);
+        return ElementSystem<double>(G, G_prime, widths).fingerprint();
+    };
+    for (const int what : {0, 1, 2}) CHECK(changed(what) != system.fingerprint());
+    CHECK(scene.transient().fingerprint() == scene.transient(Integrator::implicit_euler).fingerprint());
+    CHECK(scene.transient().fingerprint() == Scene(scene.mesh, half, 0.1, 10).transient().fingerprint());
+    CHECK(scene.transient().fingerprint() != Scene(scene.mesh, half, 1, 11).transient().fingerprint());
+}
+
+TEST_CASE("Friction in time asks of its system what full adhesion asks", "[friction]") {
+    // an element's traction is bounded: a system whose unknowns are none does not compile
+    using Law = const CoulombFriction<double>&;
+    static_assert(
+        std::is_constructible_v<FrictionModel<double>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
+    static_assert(
+        !std::is_constructible_v<FrictionModel<double>, Contact<double>, RollingSystem<double>, Unchecked, Law>);
+    static_assert(
+        !std::is_constructible_v<FrictionModel<double>, Contact<double>, RollingSystem<double>, StabilityVerdict, Law>);
+    static_assert(std::is_constructible_v<TransientModel<double>, Contact<double>, RollingSystem<double>, Unchecked>);
+
+    const Scene scene(cosine_mesh<double>(12), half, 1, 10);
+    const ElementSystem<double> system = scene.system();
+    const StabilityVerdict good{.n = 12, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
+    const auto refused = [&](const Contact<double>& contact, const ElementSystem<double>& which,
+                             const StabilityVerdict& verdict, const std::string& text) {
+        CHECK_THROWS_WITH(FrictionModel<double>(contact, which, verdict, scene.friction),
+                          ContainsSubstring("FrictionModel: " + text));
+        CHECK_THROWS_WITH(TransientModel<double>(contact, which, verdict),
+                          ContainsSubstring("TransientModel: " + text));
+    };
+    CHECK_NOTHROW(FrictionModel<double>(scene.contact, system, good, scene.friction));
+    StabilityVerdict bad = good;
+    bad.n = 11;
+    refused(scene.contact, system, bad, "n of the verdict = 11 must equal the number of unknowns");
+    bad = good;
+    bad.unstable_count = 1;
+    refused(scene.contact, system, bad, "unstable_count = 1 must be 0");
+    bad = good;
+    bad.uncertain_count = 2;
+    refused(scene.contact, system, bad, "uncertain_count = 2 must be 0");
+    bad = good;
+    bad.status = Status::ill_conditioned;
+    refused(scene.contact, system, bad, "status of the verdict = ill_conditioned must be ok");
+    refused(scene.contact, system, StabilityVerdict{}, "n of the verdict = 0");
+    // a scheme that does not converge, whatever its eigenvalues are said to be
+    const Scene divergent(cosine_mesh<double>(12), {.alpha_L = -0.2, .alpha_T = -0.2}, 1, 10);
+    refused(scene.contact, divergent.system(), good, "share of steady traction that pushes with the creepage");
+    CHECK_NOTHROW(divergent.transient());
+
+    // b/a of the kernel is the contact's
+    for (const double change : {1e-11, -1e-11, 0.5}) {
+        const auto other = Contact<double>::dimensionless(10 * (1 + change), nu);
+        refused(other, system, good, "b/a of the kernel over that of the contact");
+        CHECK_THROWS_WITH(FrictionModel<double>(other, system, unchecked, scene.friction), ContainsSubstring("b/a"));
+    }
+    CHECK_NOTHROW(
+        FrictionModel<double>(Contact<double>::dimensionless(10 * (1 + 5e-13), nu), system, unchecked, scene.friction));
+    const auto infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), nu);
+    refused(infinite, system, good, "half_width = inf must be finite");
+    // ready matrices tell no b/a; those that have changed places are noticed
+    const ElementSystem<double> ready(system.G(), system.G_prime(), system.weights());
+    CHECK_NOTHROW(FrictionModel<double>(Contact<double>::dimensionless(20, nu), ready, good, scene.friction));
+    CHECK_THROWS_WITH(ElementSystem<double>(system.G_prime(), system.G(), system.weights()),
+                      ContainsSubstring("have they changed places?"));
+    CHECK_THROWS_WITH(ElementSystem<double>(system.G(), system.G_prime(), -system.weights()),
+                      ContainsSubstring("ElementSystem: width = "));
+}
+
+}  // namespace

@@ -1,0 +1,139 @@
+// rollbem/friction/steady.hpp: against closed forms, limits and itself.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../support/catch.hpp"
+#include "../support/observed_order.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/closed_form/friction.hpp"
+#include "scene.hpp"
+
+namespace {
+
+using namespace friction_tests;
+
+TEST_CASE("steady force against Carter", "[friction]") {
+    // errors that a mesh not fitted to the border is known to reach, at a creepage ratio of 0.5
+    struct Case {
+        bool cosine;
+        Collocation scheme;
+        double errors[4];
+        double low, high;  // band of the observed order
+    };
+    const Case cases[] = {{false, half, {1.8e-2, 8.9e-3, 4.5e-3, 2.25e-3}, 0.9, 1.1},
+                          {true, half, {3.0e-3, 9.1e-4, 2.7e-4, 7.75e-5}, 1.6, 2.0},
+                          {true, {.alpha_L = 0, .alpha_T = 0.5}, {6.5e-4, 2.45e-4, 7.3e-5, 2.15e-5}, 1.4, 2.0}};
+    for (const Case& expected : cases) {
+        std::vector<double> sizes, errors;
+        for (int k = 0; k < 4; ++k) {
+            const Eigen::Index n = 20 << k;
+            const Scene scene(expected.cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n), expected.scheme);
+            const FrictionStep<double> point = from_scratch(scene.steady(), creepage(0.5));
+            sizes.push_back(static_cast<double>(n));
+            errors.push_back(force_ratio(point) / carter_force_ratio(0.5) - 1);
+            CAPTURE(expected.cosine, expected.scheme.alpha_L, n, errors.back(), point.rounds);
+            CHECK(point.status == StepStatus::ok);
+            CHECK(point.complementarity_residual < 1e-12);
+            CHECK(point.pivots == 0);
+            CHECK(point.rounds <= 10);
+            CHECK(std::abs(errors.back()) < 1.02 * expected.errors[k]);
+        }
+        const double order = support::observed_order(sizes, errors);
+        CAPTURE(expected.cosine, expected.scheme.alpha_L, order);
+        CHECK(order > expected.low);
+        CHECK(order < expected.high);
+    }
+}
+
+TEST_CASE("tractions, border and work of steady rolling against Carter", "[friction]") {
+    std::vector<double> sizes, errors;
+    for (const Eigen::Index n : {40, 80, 160}) {
+        const Scene scene(cosine_mesh<double>(n));
+        const SteadyFrictionModel<double> model = scene.steady();
+        const FrictionState<double> rest = model.at_rest();
+        FrictionState<double> state = rest;
+        FrictionWorkspace<double> workspace = model.workspace();
+        const FrictionStep<double> point = model.solve(rest, creepage(0.4), state, workspace);
+        const double widest = scene.mesh.widths().maxCoeff();
+        double largest = 0;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double x = scene.mesh.centres()[i];
+            largest = std::max(largest, std::abs(state.traction[i] / peak - carter_friction_traction(x, 0.4)));
+            const Zone zone = state.zones[static_cast<std::size_t>(i)];
+            if (x < carter_stick_border(0.4) - widest) CHECK(zone == Zone::slip_positive);
+            if (x > carter_stick_border(0.4) + widest) CHECK(zone == Zone::stick);
+            CHECK((zone == Zone::stick) == (workspace.slip()[i] == 0));
+        }
+        CAPTURE(n, largest);
+        CHECK(largest < 3.0 / static_cast<double>(n));
+        // in steady rolling all the work goes into slip: another road to the force
+        sizes.push_back(static_cast<double>(n));
+        errors.push_back(point.slip_work_per_width / (-point.force_per_width * creepage(0.4)) - 1);
+        CHECK(point.slip_work_per_width > 0);
+    }
+    CAPTURE(errors);
+    CHECK(std::abs(errors.back()) < 0.03);
+    CHECK(support::observed_order(sizes, errors) > 0.8);
+}
+
+TEST_CASE("the fallback takes over where the zones cycle", "[friction]") {
+    int fallbacks = 0;
+    for (const double alpha_T : {0.5, 0.63}) {
+        for (const Eigen::Index n : {20, 40, 80}) {
+            const Scene scene(cosine_mesh<double>(n), {.alpha_L = 0, .alpha_T = alpha_T});
+            const FrictionStep<double> point = from_scratch(scene.steady(), creepage(0.95));
+            CAPTURE(alpha_T, n, point.rounds, point.pivots, point.complementarity_residual, force_ratio(point));
+            CHECK(point.status == StepStatus::ok);
+            CHECK(point.complementarity_residual < 1e-12);
+            CHECK(std::abs(force_ratio(point) / carter_force_ratio(0.95) - 1) < 1e-3);
+            if (alpha_T == 0.5 && n != 40) CHECK(point.pivots > 0);
+            fallbacks += point.pivots > 0 ? 1 : 0;
+        }
+    }
+    CHECK(fallbacks >= 4);
+}
+
+TEST_CASE("mirrored creepage mirrors the solution", "[friction]") {
+    const Scene scene(cosine_mesh<double>(40));
+    const SteadyFrictionModel<double> model = scene.steady();
+    for (const double ratio : {0.1, 0.5, 0.9, 1.2}) {
+        const FrictionStep<double> plus = from_scratch(model, creepage(ratio));
+        const FrictionStep<double> minus = from_scratch(model, creepage(-ratio));
+        CHECK(plus.force_per_width == Approx(-minus.force_per_width).epsilon(1e-14));
+        CHECK(plus.tangent_per_width == Approx(minus.tangent_per_width).epsilon(1e-12).margin(1e-12));
+        CHECK(plus.slip_work_per_width == Approx(minus.slip_work_per_width).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("a creep curve: warm starts, tangent and concavity", "[friction]") {
+    const Scene scene(cosine_mesh<double>(40));
+    const SteadyFrictionModel<double> model = scene.steady();
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
+    double force_before = 0, slope_before = std::numeric_limits<double>::infinity();
+    for (int k = 1; k <= 120; ++k) {
+        const double xi = creepage(0.01 * k);
+        const FrictionStep<double> point = model.solve(now, xi, next, workspace);
+        std::swap(now, next);
+        CAPTURE(k);
+        CHECK(point.force_per_width == Approx(from_scratch(model, xi).force_per_width).epsilon(1e-12));
+        const double slope = (point.force_per_width - force_before) / creepage(0.01);
+        CHECK(slope <= 1e-9);  // the force grows against the creepage, and ever less
+        CHECK(-slope <= slope_before + 1e-9);
+        force_before = point.force_per_width;
+        slope_before = -slope;
+        // the curve of a mesh is piecewise straight: a difference quotient that crosses no kink is exact
+        const double delta = 1e-7 * peak;
+        const FrictionStep<double> above = from_scratch(model, xi + delta), below = from_scratch(model, xi - delta);
+        if (above.stick_count == below.stick_count) {
+            const double quotient = (above.force_per_width - below.force_per_width) / (2 * delta);
+            CHECK(point.tangent_per_width == Approx(quotient).epsilon(1e-6).margin(1e-7));
+        }
+    }
+}
+
+}  // namespace

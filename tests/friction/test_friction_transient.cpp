@@ -1,0 +1,503 @@
+// rollbem/friction/transient.hpp: against closed forms, limits, conservation and full adhesion.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "../support/catch.hpp"
+#include "../support/observed_order.hpp"
+#include "../support/scalars.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/closed_form/friction.hpp"
+#include "scene.hpp"
+
+namespace {
+
+using namespace friction_tests;
+using Catch::Matchers::ContainsSubstring;
+
+TEST_CASE("small creepage and much friction give the linear solutions", "[friction]") {
+    for (const Collocation& scheme : {half, Collocation{}}) {
+        const Scene scene(cosine_mesh<double>(30), scheme), grippy(cosine_mesh<double>(30), scheme, 1e9);
+        const double linear = -solve_steady(scene.mesh, scheme, scene.kernel).c11;
+        const double small = from_scratch(scene.steady(), 1e-9).force_per_width / 1e-9;
+        const FrictionStep<double> gripped = from_scratch(grippy.steady(), 0.3);
+        CHECK(std::abs(small / linear - 1) < 1e-12);
+        CHECK(std::abs(gripped.force_per_width / 0.3 / linear - 1) < 1e-12);
+        CHECK(std::abs(gripped.tangent_per_width / linear - 1) < 1e-12);
+        CHECK(gripped.stick_count == 30);
+        CHECK(gripped.slip_work_per_width == 0);
+
+        // the linear stepper, step by step, whatever the integrator and the motion
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            const TransientModel<double> full_adhesion(scene.contact, scene.system(), unchecked, integrator);
+            const FrictionModel<double> model = grippy.transient(integrator), slippery = scene.transient(integrator);
+            FrictionState<double> now = model.at_rest(), next = now, small_now = slippery.at_rest(),
+                                  small_next = small_now;
+            FrictionWorkspace<double> workspace = model.workspace(), small_workspace = slippery.workspace();
+            TransientState<double> linear_now = full_adhesion.at_rest(), linear_next = linear_now;
+            using Motion = RigidMotion<double>;
+            for (int step = 1; step <= 20; ++step) {
+                const double xi = 0.1 * std::sin(0.3 * step), dq = step % 4 == 0 ? 0.5 : 0.2;
+                const auto motion = [&](double scale) {
+                    return step % 3 == 0   ? Motion(scale * xi)
+                           : step % 3 == 1 ? Motion::linear(scale * 0.02, scale * xi)
+                                           : Motion::shift(scale * xi);
+                };
+                const TransientStep<double> expected = full_adhesion.advance(linear_now, dq, motion(1), linear_next);
+                const FrictionStep<double> rolled = model.advance(now, dq, motion(1), next, workspace);
+                slippery.advance(small_now, dq, motion(1e-8), small_next, small_workspace);
+                std::swap(now, next);
+                std::swap(small_now, small_next);
+                std::swap(linear_now, linear_next);
+                const VectorX<double>& traction = linear_now.traction;
+                const double scale = traction.cwiseAbs().maxCoeff();
+                CAPTURE(scheme.alpha_L, name(integrator), step);
+                CHECK((now.traction - traction).cwiseAbs().maxCoeff() < 1e-11 * scale);
+                CHECK((1e8 * small_now.traction - traction).cwiseAbs().maxCoeff() < 1e-11 * scale);
+                CHECK(std::abs(rolled.force / expected.force - 1) < 1e-11);
+                CHECK(std::abs(rolled.tangent / expected.tangent - 1) < 1e-11);
+            }
+        }
+    }
+}
+
+TEST_CASE("the tangent of a step lies between the difference quotients on both sides", "[friction]") {
+    // equal to them wherever the step is smooth in the creepage; where an element is just at its border, they differ
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+    using Motion = RigidMotion<double>;
+    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        FrictionState<double> now = model.at_rest(), next = now, probe = now;
+        FrictionWorkspace<double> workspace = model.workspace();
+        int slid = 0, stuck = 0, mixed = 0;
+        for (int k = 0; k < 300; ++k) {
+            const bool faint = k % 15 < 2;
+            if (k % 15 == 0) now = model.at_rest();
+            const double dq = k % 40 < 20 ? 0.1 : 1.0, start = creepage(faint ? 0.001 : uniform(generator));
+            const double end = creepage(faint ? 0.001 : k % 10 == 5 ? 20.0 : uniform(generator));
+            const auto force = [&](double change) {
+                const Motion motion = k % 3 == 0   ? Motion(end + change)
+                                      : k % 3 == 1 ? Motion::linear(start, end + change)
+                                                   : Motion::shift(dq * end + change);
+                return model.advance(now, dq, motion, change == 0 ? next : probe, workspace);
+            };
+            const FrictionStep<double> step = force(0);
+            const double change = 1e-7 * peak;
+            const double above = (force(change).force_per_width - step.force_per_width) / change;
+            const double below = (step.force_per_width - force(-change).force_per_width) / change;
+            CAPTURE(name(integrator), k, dq, step.stick_count, step.tangent_per_width, above, below);
+            CHECK(step.tangent_per_width > std::min(above, below) - 1e-6);
+            CHECK(step.tangent_per_width < std::max(above, below) + 1e-6);
+            CHECK(step.tangent == Approx(2 * 10 * step.tangent_per_width).epsilon(1e-14));
+            ++(step.stick_count == 0 ? slid : step.stick_count == 20 ? stuck : mixed);
+            std::swap(now, next);
+        }
+        CAPTURE(slid, stuck, mixed);
+        CHECK(std::min({slid, stuck, mixed}) > 5);
+    }
+}
+
+TEST_CASE("Cattaneo's shift", "[friction]") {
+    for (const double force : {-0.4, 0.75}) {
+        std::vector<double> sizes, errors;
+        for (const Eigen::Index n : {20, 40, 80}) {
+            const Scene scene(cosine_mesh<double>(n), {.alpha_L = 0, .alpha_T = 0}, 1, 100);
+            const FrictionModel<double> model = scene.transient();
+            const FrictionState<double> rest = model.at_rest();
+            FrictionState<double> shifted = rest;
+            FrictionWorkspace<double> workspace = model.workspace();
+            const double shift = peak * cattaneo_shift(force, nu, 100.0);
+            const FrictionStep<double> step = model.shift(rest, shift, shifted, workspace);
+            sizes.push_back(static_cast<double>(n));
+            errors.push_back(force_ratio(step) / force - 1);
+            CAPTURE(force, n, errors.back());
+            CHECK(step.status == StepStatus::ok);
+            // without rolling the mesh knows no direction
+            CHECK((shifted.traction - shifted.traction.reverse()).cwiseAbs().maxCoeff() < 1e-12 * peak);
+            const double c = cattaneo_stick_half_length(force);
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const double x = scene.mesh.centres()[i];
+                if (std::abs(std::abs(x) - c) < scene.mesh.widths()[i]) continue;
+                CHECK((shifted.zones[static_cast<std::size_t>(i)] == Zone::stick) == (std::abs(x) < c));
+                CHECK(std::abs(shifted.traction[i] / peak - cattaneo_traction(x, force)) <
+                      1.5 / static_cast<double>(n));
+            }
+            const double delta = 1e-7 * shift;
+            const FrictionStep<double> more = model.shift(rest, shift + delta, shifted, workspace);
+            CHECK(step.tangent_per_width ==
+                  Approx((more.force_per_width - step.force_per_width) / delta).epsilon(1e-5));
+        }
+        CHECK(std::abs(errors[1]) < 5e-4);
+        CHECK(support::observed_order(sizes, errors) > 1.5);
+    }
+}
+
+TEST_CASE("rolling at constant creepage settles at the steady solution", "[friction]") {
+    const Scene scene(cosine_mesh<double>(40), half, 1, 10);
+    const FrictionModel<double> model = scene.transient();
+    const FrictionStep<double> steady = from_scratch(scene.steady(), creepage(0.6));
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
+    // from rest, and from a shift beyond what rolling leads to
+    for (const double shift : {0.0, 4.0}) {
+        now = model.at_rest();
+        FrictionStep<double> step = model.shift(now, shift * peak, next, workspace);
+        std::swap(now, next);
+        for (int k = 0; k < 2000; ++k) {
+            step = model.advance(now, 0.1, creepage(0.6), next, workspace);
+            std::swap(now, next);
+        }
+        CAPTURE(shift);
+        CHECK(step.force_per_width == Approx(steady.force_per_width).epsilon(1e-10));
+        CHECK(step.stick_count == steady.stick_count);
+        CHECK(step.slip_work_per_width / 0.1 == Approx(steady.slip_work_per_width).epsilon(1e-9));
+    }
+    FrictionState<double> ready = model.at_rest();
+    const FrictionStep<double> found = model.steady(next, creepage(0.6), ready, workspace);
+    CHECK(found.status == StepStatus::ok);
+    CHECK(found.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
+    CHECK(model.force(ready) == Approx(found.force).epsilon(1e-14));
+    CHECK((ready.traction - now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak);
+    const FrictionStep<double> stays = model.advance(ready, 0.3, creepage(0.6), next, workspace);
+    CHECK(stays.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
+    // a workspace that steady() has used is no worse for a rigid shift, nor one of a shift for steady()
+    FrictionWorkspace<double> fresh = model.workspace();
+    const double shifted = model.shift(now, 0.3 * peak, ready, fresh).force_per_width;
+    REQUIRE(model.steady(now, creepage(0.6), ready, workspace).status == StepStatus::ok);
+    CHECK(model.shift(now, 0.3 * peak, ready, workspace).force_per_width == shifted);
+    CHECK(model.steady(now, creepage(0.6), ready, fresh).force_per_width ==
+          Approx(steady.force_per_width).epsilon(1e-12));
+}
+
+// Results at q = 2 in steps of equal length. The creepage rises, and makes elements slip one after another.
+struct History {
+    double force_ratio, work;
+};
+History roll_to_two(const Scene& scene, Integrator integrator, int steps) {
+    const FrictionModel<double> model = scene.transient(integrator);
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionStep<double> step;
+    const double dq = 2.0 / steps;
+    const auto xi = [&](int k) { return creepage(0.9 * std::sin(dq * k)); };
+    double work = 0;
+    for (int k = 0; k < steps; ++k) {
+        step = model.advance(now, dq, RigidMotion<double>::linear(xi(k), xi(k + 1)), next, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        work += step.slip_work_per_width;
+        std::swap(now, next);
+    }
+    return {force_ratio(step), work};
+}
+
+TEST_CASE("orders in dq of the force and of the slip work", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
+    const History reference = roll_to_two(scene, Integrator::sdirk2, 3200);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        std::vector<double> sizes, forces, works;
+        for (const int steps : {20, 40, 80, 160}) {
+            const History history = roll_to_two(scene, integrator, steps);
+            sizes.push_back(steps);
+            forces.push_back(history.force_ratio - reference.force_ratio);
+            works.push_back(history.work / reference.work - 1);
+        }
+        const double order = integrator == Integrator::sdirk2 ? 2 : 1;
+        CAPTURE(name(integrator), forces, works);
+        CHECK(std::abs(support::observed_order(sizes, forces) - order) < 0.1 * order);
+        CHECK(std::abs(support::observed_order(sizes, works) - order) < 0.15 * order);
+        // the tenth part of a contact is a step good for a part in a thousand, or one in a hundred
+        CHECK(std::abs(forces[0]) < (integrator == Integrator::sdirk2 ? 1e-3 : 2e-2));
+    }
+}
+
+// Coulomb's law of tractions and slip, from the definition, but for rounding; the work that the slip turns into heat.
+double lawful_work(const Scene& scene, const VectorX<double>& traction, const VectorX<double>& slip, double rounding) {
+    double work = 0;
+    for (Eigen::Index i = 0; i < traction.size(); ++i) {
+        const double p = traction[i], bound = scene.friction.normal_pressure[i];
+        REQUIRE(std::abs(p) <= bound + rounding * peak);
+        if (std::abs(p) < bound - 10 * rounding * peak) REQUIRE(std::abs(slip[i]) < rounding * peak);
+        REQUIRE(p * slip[i] <= rounding * peak * peak);
+        work -= scene.mesh.widths()[i] * p * slip[i];
+    }
+    return work;
+}
+
+TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
+    std::mt19937 generator(11);
+    std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+    for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
+        const Scene scene(cosine_mesh<double>(24), scheme, 1, 10);
+        const ElementSystem<double> system = scene.system();
+        const MatrixX<double>&G = system.G(), &G_prime = system.G_prime();
+        const Eigen::PartialPivLU<MatrixX<double>> slope_lu(G_prime);
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            const FrictionModel<double> model = scene.transient(integrator);
+            FrictionState<double> now = model.at_rest(), next = now;
+            FrictionWorkspace<double> workspace = model.workspace();
+            for (int k = 0; k < 300; ++k) {
+                const double xi = creepage(uniform(generator)), dq = k % 7 == 0 ? 0.4 : k % 11 == 0 ? 0.01 : 0.1;
+                const FrictionStep<double> step = model.advance(now, dq, xi, next, workspace);
+                CAPTURE(name(integrator), k, step.rounds, step.pivots, step.complementarity_residual);
+                REQUIRE(step.status == StepStatus::ok);
+                REQUIRE(step.slip_work_per_width >= 0);
+                const VectorX<double> imposed = VectorX<double>::Constant(24, xi * dq);
+                const VectorX<double>& slip = workspace.slip();
+                VectorX<double> last = G * (next.traction - now.traction) - dq * G_prime * next.traction + imposed;
+                double work = 0, rounding = 1e-11;
+                if (integrator == Integrator::sdirk2) {
+                    rounding = 1e-8;
+                    // what the first stage did follows from what the whole step did
+                    const double gamma = 1 - std::sqrt(0.5);
+                    const VectorX<double> slope =
+                        imposed + G * (next.traction - now.traction) - gamma * dq * G_prime * next.traction - slip;
+                    const VectorX<double> traction = slope_lu.solve(slope) / ((1 - gamma) * dq);
+                    const VectorX<double> first =
+                        gamma * imposed - gamma * dq * G_prime * traction + G * (traction - now.traction);
+                    work = (1 - gamma) / gamma * lawful_work(scene, traction, first, rounding);
+                    last = slip - (1 - gamma) / gamma * first;
+                } else {
+                    REQUIRE((slip - last).cwiseAbs().maxCoeff() < 1e-12 * peak);
+                }
+                work += lawful_work(scene, next.traction, last, rounding);
+                CHECK(step.slip_work_per_width == Approx(work).epsilon(1e-6).margin(1e-14));
+                std::swap(now, next);
+            }
+        }
+    }
+}
+
+TEST_CASE("a step is as good as the worse of its two stages", "[friction]") {
+    // The rows of G are alike but for rounding: which right-hand sides then have a solution to rounding is chance. The
+    // first stage from rest is a step of implicit Euler.
+    std::mt19937 generator(5);
+    std::normal_distribution<double> normal;
+    const auto random = [&](Eigen::Index columns) {
+        return MatrixX<double>(MatrixX<double>::NullaryExpr(3, columns, [&] { return normal(generator); }));
+    };
+    const Contact<double> contact = Contact<double>::dimensionless(10, nu);
+    const double gamma = 1 - std::numbers::sqrt2 / 2;
+    int failed_first = 0, worse_last = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const MatrixX<double> G = 1e8 * (MatrixX<double>::Ones(3, 1) * random(1).transpose() + 1e-16 * random(3));
+        const auto step = [&](Integrator integrator, double dq, double xi) {
+            const FrictionModel<double> model(contact,
+                                              {G, MatrixX<double>::Zero(3, 3), ArrayX<double>::Constant(3, 2.0 / 3)},
+                                              unchecked, {1.0, ArrayX<double>::Constant(3, peak)}, integrator);
+            const FrictionState<double> rest = model.at_rest();
+            FrictionState<double> to = rest;
+            FrictionWorkspace<double> workspace = model.workspace();
+            return model.advance(rest, dq, xi, to, workspace);
+        };
+        const double xi = normal(generator);
+        const FrictionStep<double> first = step(Integrator::implicit_euler, gamma * 0.1, xi);
+        const FrictionStep<double> whole = step(Integrator::sdirk2, 0.1, xi);
+        CAPTURE(trial, first.complementarity_residual, whole.complementarity_residual);
+        CHECK(whole.complementarity_residual >= first.complementarity_residual);
+        if (first.status == StepStatus::no_solution) {
+            ++failed_first;
+            CHECK(whole.status == StepStatus::no_solution);
+        }
+        if (whole.complementarity_residual > first.complementarity_residual) ++worse_last;
+    }
+    CAPTURE(failed_first, worse_last);
+    CHECK(failed_first > 10);
+    CHECK(worse_last > 0);
+}
+
+TEST_CASE("units: the same problem in SI", "[friction]") {
+    const double a = 6e-3, G = 8e10, b = 0.06, mu = 0.3;
+    const Contact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    const Mesh<double> mesh = cosine_mesh<double>(20);
+    const ArrayX<double> shape = mean_hertz_pressure(mesh);
+    const ElementSystem<double> system = rolling_system(mesh, half, kernel);
+    const FrictionModel<double> model(contact, system, unchecked, {mu, peak * G / mu * shape});
+    const FrictionModel<double> plain(Contact<double>::dimensionless(b / a, nu), system, unchecked,
+                                      {1.0, peak * shape});
+    FrictionState<double> now = model.at_rest(), next = now, plain_now = plain.at_rest(), plain_next = plain_now;
+    FrictionWorkspace<double> workspace = model.workspace(), plain_workspace = plain.workspace();
+    for (int k = 0; k < 10; ++k) {
+        const FrictionStep<double> step = k == 3 ? model.shift(now, a * peak, next, workspace)
+                                                 : model.advance(now, 0.2 * a, creepage(0.7), next, workspace);
+        const FrictionStep<double> same =
+            k == 3 ? plain.shift(plain_now, peak, plain_next, plain_workspace)
+                   : plain.advance(plain_now, 0.2, creepage(0.7), plain_next, plain_workspace);
+        CHECK(step.force_per_width == Approx(a * G * same.force_per_width).epsilon(1e-12));
+        CHECK(step.force == Approx(2 * b * step.force_per_width).epsilon(1e-14));
+        CHECK(model.force(next) == Approx(step.force).epsilon(1e-14));
+        CHECK(step.tangent_per_width == Approx((k == 3 ? G : a * G) * same.tangent_per_width).epsilon(1e-11));
+        CHECK(step.slip_work_per_width == Approx(a * a * G * same.slip_work_per_width).epsilon(1e-11));
+        CHECK((workspace.slip() - a * plain_workspace.slip()).cwiseAbs().maxCoeff() < 1e-13 * a * peak);
+        std::swap(now, next);
+        std::swap(plain_now, plain_next);
+    }
+}
+
+TEST_CASE("friction in every scalar type", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
+    const auto ratios = [&]<class Scalar>(Scalar) {
+        const auto [rolled, steady] =
+            rolled_and_steady<Scalar>(scene.contact, scene.system(), scene.friction.normal_pressure, creepage(1));
+        return std::pair(double(rolled) / full_force, double(steady) / full_force);
+    };
+    const auto [rolled, steady] = ratios(1.0);
+    const auto [rolled_float, steady_float] = ratios(1.0f);
+    const auto [rolled_long, steady_long] = ratios(1.0L);
+    CHECK(std::abs(rolled_float - rolled) < 1e-4);
+    CHECK(std::abs(steady_float - steady) < 1e-4);
+    CHECK(std::abs(rolled_long - rolled) < 1e-12);
+    CHECK(std::abs(steady_long - steady) < 1e-12);
+}
+
+TEST_CASE("bad input to friction is refused by name, or answered by a status", "[friction]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    Scene scene(cosine_mesh<double>(8));
+    const CoulombFriction<double> good = scene.friction;
+    const auto refused = [&](const CoulombFriction<double>& friction, const std::string& text) {
+        scene.friction = friction;
+        CHECK_THROWS_WITH(scene.steady(), "SteadyFrictionModel: " + text);
+        CHECK_THROWS_WITH(scene.transient(), "FrictionModel: " + text);
+    };
+    refused({-0.1, good.normal_pressure}, "friction_coefficient = -0.1 must be finite and not negative");
+    refused({nan, good.normal_pressure}, "friction_coefficient = nan must be finite and not negative");
+    refused({1, good.normal_pressure.head(7)}, "length of normal_pressure = 7 must equal the number of elements");
+    refused({1, ArrayX<double>::Zero(8)}, "largest normal_pressure = 0 must be positive");
+    ArrayX<double> pressure = good.normal_pressure;
+    pressure[3] = -2;
+    refused({1, pressure}, "normal_pressure = -2 must be finite and not negative");
+    pressure[3] = inf;
+    refused({1, pressure}, "normal_pressure = inf must be finite and not negative");
+    const MatrixX<double> one = MatrixX<double>::Identity(8, 8);
+    CHECK_THROWS_WITH(
+        SteadyFrictionModel<double>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
+        "SteadyFrictionModel: number of rows of G_prime = 7 must equal the number of widths");
+    CHECK_THROWS_WITH(
+        SteadyFrictionModel<double>(scene.contact, MatrixX<double>::Zero(8, 7), scene.mesh.widths(), good),
+        "SteadyFrictionModel: number of columns of G_prime = 7 must equal the number of widths");
+    MatrixX<double> G = one, G_prime = -one;
+    G_prime(6, 1) = inf;
+    CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("G_prime(6, 1) = "));
+    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, G_prime, scene.mesh.widths(), good),
+                      "SteadyFrictionModel: G_prime(6, 1) = inf must be finite (row and column counted from 0)");
+    G(2, 5) = nan;
+    CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()),
+                      ContainsSubstring(": G(2, 5) = nan must be finite"));
+    ArrayX<double> width = scene.mesh.widths();
+    width[4] = 0;
+    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, -one, width, good),
+                      "SteadyFrictionModel: width = 0 must be positive and finite");
+    CHECK(FrictionStep<double>{}.status == StepStatus::not_finite);
+
+    scene.friction = good;
+    CHECK_THROWS_WITH(Scene(cosine_mesh<double>(8), half, 1, 0.1).transient(),
+                      ContainsSubstring("PlaneKernel: Lambda"));
+    const FrictionModel<double> model = scene.transient();
+    const SteadyFrictionModel<double> steady = scene.steady();
+    FrictionState<double> now = model.at_rest(), next = now, steady_now = steady.at_rest(), steady_next = steady_now;
+    const FrictionModel<double> larger = Scene(cosine_mesh<double>(9)).transient();
+    FrictionState<double> other = larger.at_rest();
+    FrictionWorkspace<double> workspace = model.workspace();
+    const auto advanced = [&](double dq, const RigidMotion<double>& motion) {
+        return model.advance(now, dq, motion, next, workspace).status;
+    };
+    CHECK(advanced(0.0, 1e-3) == StepStatus::invalid_step);
+    CHECK(advanced(nan, 1e-3) == StepStatus::invalid_step);
+    CHECK(advanced(0.1, nan) == StepStatus::not_finite);
+    CHECK(model.shift(now, inf, next, workspace).status == StepStatus::not_finite);
+    CHECK(advanced(-0.1, 1e-3) == StepStatus::invalid_step);
+    CHECK(advanced(inf, 1e-3) == StepStatus::invalid_step);
+    CHECK(advanced(-0.1, RigidMotion<double>::shift(1e-3)) == StepStatus::invalid_step);
+    CHECK(advanced(0.1, RigidMotion<double>::linear(nan, 1e-3)) == StepStatus::not_finite);
+    CHECK_THROWS_WITH(scene.transient(Integrator::matrix_exponential),
+                      "FrictionModel: integrator = matrix_exponential must be implicit_euler or sdirk2");
+    // what is refused leaves both states alone, and the slip of the last step
+    REQUIRE(advanced(0.1, 1e-3) == StepStatus::ok);
+    const VectorX<double> kept_traction = next.traction, kept_slip = workspace.slip();
+    const std::vector<Zone> kept_zones = next.zones;
+    for (const double dq : {0.0, -1.0, nan, 0.1}) {
+        CHECK(advanced(dq, dq == 0.1 ? nan : 2e-3) != StepStatus::ok);
+        CHECK(next.traction == kept_traction);
+        CHECK(workspace.slip() == kept_slip);
+        CHECK(next.zones == kept_zones);
+        CHECK(now.traction.isZero(0));
+    }
+    CHECK(model.advance(now, 0.1, 1e-3, now, workspace).status == StepStatus::wrong_state);
+    CHECK(model.advance(now, 0.1, 1e-3, other, workspace).status == StepStatus::wrong_state);
+    CHECK(steady.solve(steady_now, nan, steady_next, workspace).status == StepStatus::not_finite);
+    CHECK(std::isnan(model.advance(now, 0.1, nan, next, workspace).force));
+    CHECK(model.steady(now, nan, next, workspace).status == StepStatus::not_finite);
+    CHECK(model.steady(now, 1e-3, now, workspace).status == StepStatus::wrong_state);
+    CHECK(model.steady(now, 1e-3, other, workspace).status == StepStatus::wrong_state);
+    // a workspace that another model has used is not taken for one's own
+    const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 3).transient();
+    const FrictionState<double> start = slippery.at_rest();
+    FrictionState<double> end = start;
+    FrictionWorkspace<double> fresh = slippery.workspace(), fresher = model.workspace();
+    const double borrowed = slippery.advance(start, 0.1, 1e-3, end, workspace).force_per_width;
+    CHECK(borrowed == slippery.advance(start, 0.1, 1e-3, end, fresh).force_per_width);
+    const double returned = model.advance(now, 0.1, 1e-3, next, workspace).force_per_width;
+    CHECK(returned == model.advance(now, 0.1, 1e-3, next, fresher).force_per_width);
+    CHECK(std::abs(returned / borrowed - 1) > 0.01);
+    // nor is another model's state
+    CHECK(slippery.advance(now, 0.1, 1e-3, end, workspace).status == StepStatus::wrong_state);
+    // no friction, no force; no pressure at an element, no traction there
+    const FrictionModel<double> smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
+    CHECK(smooth.advance(now, 0.1, 1e-3, next, workspace).force_per_width == 0);
+    scene.friction.normal_pressure[5] = 0;
+    const FrictionModel<double> gap = scene.transient();
+    CHECK(gap.advance(now, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
+    CHECK(next.traction[5] == 0);
+}
+
+TEST_CASE("A used workspace takes a step of nearly the same length as a fresh one does", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        for (const double change : {5e-7, -5e-7, 1e-9}) {
+            FrictionState<double> now = model.at_rest(), next = now;
+            FrictionWorkspace<double> used = model.workspace(), fresh = used;
+            REQUIRE(model.advance(now, 0.1, creepage(0.4), next, used).status == StepStatus::ok);
+            const FrictionStep<double> again = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, used);
+            const FrictionStep<double> first = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, fresh);
+            CAPTURE(name(integrator), change, again.force_per_width / first.force_per_width - 1);
+            CHECK(again.force_per_width == first.force_per_width);
+            CHECK(again.tangent_per_width == first.tangent_per_width);
+        }
+    }
+}
+
+TEST_CASE("A step that overflows leaves a copy of the state it started from", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        FrictionState<double> rest = model.at_rest(), rolled = rest, next = rest, expected = rest, after = rest;
+        FrictionWorkspace<double> workspace = model.workspace(), fresh = workspace;
+        REQUIRE(model.advance(rest, 1.0, creepage(0.7), rolled, workspace).status == StepStatus::ok);
+        REQUIRE(rolled.zones != rest.zones);
+        const FrictionStep<double> failed = model.advance(rolled, 1e3, 1e308, next, workspace);
+        CHECK(failed.status == StepStatus::not_finite);
+        CHECK(std::isnan(failed.force));
+        CHECK(next.traction == rolled.traction);
+        CHECK(next.zones == rolled.zones);
+        CHECK(next.system == rolled.system);
+        CHECK(workspace.slip().isZero(0));  // nothing slid
+        // and it goes on as from the state itself, in the same workspace
+        const double force = model.advance(rolled, 0.1, creepage(-0.3), expected, fresh).force_per_width;
+        CHECK(model.advance(next, 0.1, creepage(-0.3), after, workspace).force_per_width == force);
+        CHECK(after.traction == expected.traction);
+    }
+}
+
+}  // namespace

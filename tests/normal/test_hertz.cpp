@@ -1,0 +1,92 @@
+// rollbem/normal/hertz.hpp
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "../support/catch.hpp"
+#include "rollbem/detail/gauss_legendre.hpp"
+#include "rollbem/normal/hertz.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+// Mean of sqrt(1 - x^2) between two edges: the integral of sin^2 theta, x = -cos theta, by quadrature in long double.
+long double exact_mean(const Mesh<long double>& mesh, Eigen::Index i) {
+    static const detail::QuadratureRule<long double> rule = detail::gauss_legendre<long double>(20);
+    const auto angle = [&](Eigen::Index j) {
+        return 2 * std::atan2(std::sqrt(mesh.edges_from_trailing()[j]), std::sqrt(mesh.edges_from_leading()[j]));
+    };
+    const long double half = (angle(i + 1) - angle(i)) / 2, middle = (angle(i + 1) + angle(i)) / 2;
+    long double sum = 0;
+    for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+        const long double sine = std::sin(middle + half * rule.nodes[k]);
+        sum += rule.weights[k] * sine * sine;
+    }
+    return sum * half / mesh.widths()[i];
+}
+
+TEST_CASE("Hertz's line contact", "[hertz]") {
+    const HertzLine<double> hertz({.load_per_width = 1e6,
+                                   .combined_radius = 0.46,
+                                   .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
+                                   .body_2 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28}});
+    CHECK_THROWS_AS(HertzLine<double>({.load_per_width = 0, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0}}),
+                    std::invalid_argument);
+    CHECK_THROWS_WITH(
+        HertzLine<double>({.load_per_width = 1, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0.7}}),
+        "HertzLine: poisson_ratio = 0.7 must lie in [0, 0.5]");
+    // equal bodies: E* = G/(1-nu), and p0 = E* a/(2R) by the curvature of the pressed surfaces
+    const Contact<double> contact = hertz.contact(0.01);
+    CHECK(contact.shear_modulus() == Approx(2.1e11 / 2.56).epsilon(1e-14));
+    CHECK(contact.poisson_ratio() == Approx(0.28).epsilon(1e-14));
+    CHECK(contact.half_length() == hertz.half_length());
+    // a soft body on a hard one: half the compliance, and Poisson's ratio of the soft one
+    const HertzLine<double> soft({.load_per_width = 1e3,
+                                  .combined_radius = 0.1,
+                                  .body_1 = {.young_modulus = 1e6, .poisson_ratio = 0.4},
+                                  .body_2 = {.young_modulus = 1e18, .poisson_ratio = 0.1}});
+    CHECK(soft.contact(1).shear_modulus() == Approx(2 * 1e6 / 2.8).epsilon(1e-10));
+    CHECK(soft.contact(1).poisson_ratio() == Approx(0.4).epsilon(1e-10));
+    CHECK(hertz.peak_pressure() ==
+          Approx(contact.shear_modulus() / 0.72 * hertz.half_length() / 2 / 0.46).epsilon(1e-13));
+    for (const Mesh<double>& mesh :
+         {uniform_mesh<double>(1), cosine_mesh<double>(2000), geometric_mesh<double>(30, 1e6)}) {
+        const ArrayX<double> mean = hertz.mean_pressure(mesh);
+        CHECK(hertz.half_length() * (mesh.widths() * mean).sum() == Approx(1e6).epsilon(1e-13));
+        CHECK(mean.maxCoeff() <= hertz.peak_pressure());
+    }
+    // the first element of a fine mesh: mean of sqrt(2 t) (1 - t/4 ...) over its width w
+    const Mesh<double> fine = cosine_mesh<double>(100000);
+    const double w = fine.widths()[0];
+    CHECK(mean_hertz_pressure(fine)[0] == Approx(2.0 / 3 * std::sqrt(2 * w) * (1 - 0.15 * w)).epsilon(1e-14));
+}
+
+TEST_CASE("Hertz's mean pressure of every element to rounding", "[hertz]") {
+    // the angle an element takes up goes from all of the half-circle to little: with and without the series
+    double largest = 0;
+    for (Eigen::Index n = 1; n < 200; ++n) {
+        const ArrayX<double> cosine = mean_hertz_pressure(cosine_mesh<double>(n));
+        const ArrayX<double> uniform = mean_hertz_pressure(uniform_mesh<double>(n));
+        const Mesh<long double> exact_cosine = cosine_mesh<long double>(n),
+                                exact_uniform = uniform_mesh<long double>(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const long double error = std::max(std::abs(cosine[i] / exact_mean(exact_cosine, i) - 1),
+                                               std::abs(uniform[i] / exact_mean(exact_uniform, i) - 1));
+            if (!(error <= static_cast<long double>(largest))) largest = static_cast<double>(error);
+        }
+    }
+    CAPTURE(largest);
+    CHECK(largest < 3e-15);
+}
+
+TEST_CASE("Hertz's contact of bodies at both ends of Poisson's ratio", "[hertz]") {
+    const ElasticBody<double> rubber{1e6, 0.5}, cork{1e6, 0};
+    const HertzLine<double> hertz({.load_per_width = 1e3, .combined_radius = 0.1, .body_1 = rubber, .body_2 = cork});
+    // 1/E* = (0.75 + 1)/E
+    CHECK(hertz.half_length() == Approx(std::sqrt(4e2 / std::numbers::pi * 1.75e-6)).epsilon(1e-14));
+    CHECK(hertz.contact(1).poisson_ratio() == Approx(0.5 * 1.5 / 2.5).epsilon(1e-14));
+}
+
+}  // namespace

@@ -1,0 +1,29 @@
+#include "dense.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace dense {
+
+Spectrum spectrum(const Eigen::MatrixXd& A) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A) {
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ();
+}
+
+double largest_singular_value(const Eigen::MatrixXd& A) { return A.jacobiSvd().singularValues()[0]; }
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
+
+Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A.partialPivLu().solve(B); }
+
+Eigen::MatrixXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) {
+    return A.partialPivLu().solve(B);
+}
+
+}  // namespace dense

@@ -1,0 +1,26 @@
+// Eigen's decompositions of double and complex matrices as plain functions, compiled once for all tests.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace dense {
+
+struct Spectrum {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd vectors;  // as columns
+};
+
+Spectrum spectrum(const Eigen::MatrixXd& A);
+
+// The Q of A = Q R.
+Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
+
+double largest_singular_value(const Eigen::MatrixXd& A);
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+// A^-1 B, by LU.
+Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+Eigen::MatrixXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B);
+
+}  // namespace dense

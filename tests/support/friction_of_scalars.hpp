@@ -1,0 +1,41 @@
+// A friction history in any scalar type. Compiled once in float and long double, in scalars_float.cpp and
+// scalars_long_double.cpp: nothing takes a test of friction longer to compile.
+#pragma once
+
+#include <utility>
+
+#include "catch.hpp"
+#include "rollbem/friction/friction.hpp"
+
+namespace rollbem {
+
+// Force per width after steps with a changing dq and creepage, and the steady one from there, computed in Scalar with
+// a = G = 1 and the creepage at full sliding `sliding`. `system` and `bound`, mu times the pressure, are of double.
+template <class Scalar>
+std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_double,
+                                            const ElementSystem<double>& system, const ArrayX<double>& bound,
+                                            double sliding) {
+    const Contact<Scalar> contact =
+        Contact<Scalar>::dimensionless(Scalar(contact_of_double.aspect()), Scalar(contact_of_double.poisson_ratio()));
+    const ArrayX<Scalar> widths = system.weights().template cast<Scalar>();
+    const MatrixX<Scalar> G = system.G().template cast<Scalar>(), G_prime = system.G_prime().template cast<Scalar>();
+    const CoulombFriction<Scalar> friction{1, bound.template cast<Scalar>()};
+    const FrictionModel<Scalar> model(contact, {G, G_prime, widths}, unchecked,
+                                      {friction.friction_coefficient, friction.normal_pressure}, Integrator::sdirk2);
+    FrictionState<Scalar> now = model.at_rest(), next = now;
+    FrictionWorkspace<Scalar> workspace = model.workspace();
+    FrictionStep<Scalar> step;
+    for (int k = 0; k < 50; ++k) {
+        step = model.advance(now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25), Scalar(sliding * (k % 20 < 10 ? 0.9 : -0.4)),
+                             next, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        std::swap(now, next);
+    }
+    // the law in braces
+    const SteadyFrictionModel<Scalar> steady(contact, G_prime, widths,
+                                             {friction.friction_coefficient, friction.normal_pressure});
+    now.system = steady.fingerprint();  // sought from the zones of rolling
+    return {step.force_per_width, steady.solve(now, Scalar(sliding * 0.95), next, workspace).force_per_width};
+}
+
+}  // namespace rollbem
