@@ -67,7 +67,7 @@ TEST_CASE("Two of three values that agree are no convergence", "[richardson]") {
         return extrapolate([&](std::ptrdiff_t n) { return n == 1 ? coarse : n == 2 ? middle : fine; }, 1, 1);
     };
     for (const auto& result : {run(1, 1, 2), run(1, 2, 2)}) {
-        CHECK(result.status == ExtrapolationStatus::order_differs);
+        CHECK(result.status == Status::order_differs);
         CHECK(result.value == 2);
     }
 }
@@ -78,13 +78,13 @@ TEST_CASE("Values that differ by rounding have converged", "[richardson]") {
     for (const double sign : {1.0, -1.0}) {
         const auto noisy = [&](std::ptrdiff_t n) { return 1 + (n == 8 ? sign * epsilon : 0.0); };
         const auto result = extrapolate(noisy, 4, 2);
-        CHECK(result.status == ExtrapolationStatus::ok);
+        CHECK(result.status == Status::ok);
         CHECK(result.value == 1);
         CHECK(result.error_estimate < 1e-12);
         CHECK(std::isnan(result.observed_order));
     }
     const auto coarse = [](std::ptrdiff_t n) { return 1 + (n == 8 ? 1e-12 : 0.0); };
-    CHECK(extrapolate(coarse, 4, 2).status == ExtrapolationStatus::order_differs);
+    CHECK(extrapolate(coarse, 4, 2).status == Status::order_differs);
 }
 
 // --- Recommended schemes: that they keep their promise is tested with the problems they are for

@@ -113,9 +113,9 @@ TEST_CASE("Both routes agree, on frequencies of either sign and on complex growt
             CHECK(point.rcond < 300 * full.rcond);
             CHECK(point.rcond > full.rcond / 300);
             // the residual of Eq. (16), taken here without anything of the header
-            const VectorX<Complex> left = matrices.G_prime * full.traction - s * (matrices.G * full.traction).eval();
-            const double size = (matrices.G_prime.cwiseAbs() * full.traction.cwiseAbs() +
-                                 std::abs(s) * (matrices.G.cwiseAbs() * full.traction.cwiseAbs()))
+            const VectorX<Complex> left = system.G_prime() * full.traction - s * (system.G() * full.traction).eval();
+            const double size = (system.G_prime().cwiseAbs() * full.traction.cwiseAbs() +
+                                 std::abs(s) * (system.G().cwiseAbs() * full.traction.cwiseAbs()))
                                     .maxCoeff();
             CHECK((left.array() - 1.0).abs().maxCoeff() < 1e-13 * (size + 1));
         }

@@ -30,6 +30,11 @@ Matrix random_matrix(Eigen::Index n, unsigned seed) {
     return A;
 }
 
+// The weights have no part in eigenvalues.
+RollingSystem<double> system_of(const Matrix& G, const Matrix& G_prime) {
+    return {G, G_prime, ArrayX<double>::Ones(G.rows())};
+}
+
 TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]") {
     const Eigen::Index n = 6;
     Matrix S = Matrix::Zero(n, n), T = Matrix::Identity(n, n);
@@ -40,9 +45,8 @@ TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]")
     T(3, 3) = -2;  // -1.5
     S(0, 5) = T(0, 4) = 2;
     const Matrix Q = random_matrix(n, 1), Z = random_matrix(n, 2);
-    const StabilityResult<double> result =
-        solve_stability<double>({.G = product(product(Q, T), Z), .G_prime = product(product(Q, S), Z)},
-                                {.settle_signs = true, .condition = true});
+    const StabilityResult<double> result = solve_stability(
+        system_of(product(product(Q, T), Z), product(product(Q, S), Z)), {.settle_signs = true, .condition = true});
     REQUIRE(result.status == Status::ok);
     VectorX<Complex> found = result.eigenvalues();
     int infinite = 0;
@@ -61,9 +65,9 @@ TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]")
     CHECK_FALSE(verdict(result).stable());
 
     // exactly singular: no division by a zero beta
-    const StabilityResult<double> singular = solve_stability<double>(
-        {.G = Eigen::Vector3d(1, 0, 2).asDiagonal().toDenseMatrix(), .G_prime = -Matrix::Identity(3, 3)},
-        {.settle_signs = true, .condition = true});
+    const StabilityResult<double> singular =
+        solve_stability(system_of(Eigen::Vector3d(1, 0, 2).asDiagonal(), -Matrix::Identity(3, 3)),
+                        {.settle_signs = true, .condition = true});
     CHECK(singular.unstable_count == 0);
     CHECK(*singular.uncertain_count == 1);
     CHECK(singular.spectral_abscissa == Approx(-0.5));
@@ -79,7 +83,7 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
     D(3, 2) = -3;
     const Matrix G = random_matrix(4, 7) + 2 * Matrix::Identity(4, 4), X = random_matrix(4, 9);
     const Matrix X_D_in_X = dense::solve(X.transpose(), product(X, D).transpose()).transpose();  // X D X^-1
-    const StabilityResult<double> result = solve_stability<double>({.G = G, .G_prime = product(G, X_D_in_X)});
+    const StabilityResult<double> result = solve_stability(system_of(G, product(G, X_D_in_X)));
     CHECK(result.unstable_count == 1);
     CHECK(result.unstable_fraction() == 0.25);
     CHECK(result.spectral_abscissa == Approx(2));
@@ -92,7 +96,7 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
 
     const Matrix U = dense::orthogonal_factor(random_matrix(4, 3)), V = dense::orthogonal_factor(random_matrix(4, 4));
     const Matrix scaled = product(U * Eigen::Vector4d(3, 1, 1e-3, 3e-9).asDiagonal(), V);
-    const auto condition = solve_stability<double>({.G = scaled, .G_prime = D}, {.condition = true}).cond_G;
+    const auto condition = solve_stability(system_of(scaled, D), {.condition = true}).cond_G;
     CHECK(*condition == Approx(1e9).epsilon(1e-5));
 }
 
@@ -108,8 +112,7 @@ TEST_CASE("Uncertainty follows its definition, from vectors found in another way
         const MatrixX<Complex> Y = dense::solve_complex(G_X, MatrixX<Complex>::Identity(n, n));
         const double norm_G = dense::largest_singular_value(G);
         const double norm_G_prime = dense::largest_singular_value(G_prime);
-        const StabilityResult<double> result =
-            solve_stability<double>({.G = G, .G_prime = G_prime}, {.settle_signs = true});
+        const StabilityResult<double> result = solve_stability(system_of(G, G_prime), {.settle_signs = true});
         const VectorX<Complex> found = result.eigenvalues();
         CHECK(*result.uncertain_count == 0);
         for (Eigen::Index k = 0; k < n; ++k) {
@@ -126,8 +129,7 @@ TEST_CASE("Uncertainty follows its definition, from vectors found in another way
             if (value.imag() < 0) continue;
             const double bound = result.uncertainty[nearest];
             const auto uncertain_at = [&](double distance) {
-                return *solve_stability<double>({.G = G, .G_prime = G_prime - (value.real() - distance) * G},
-                                                {.settle_signs = true})
+                return *solve_stability(system_of(G, G_prime - (value.real() - distance) * G), {.settle_signs = true})
                             .uncertain_count;
             };
             const Eigen::Index expected_count = value.imag() == 0 ? 1 : 2;
@@ -233,11 +235,6 @@ TEST_CASE("Stability refuses bad input by name", "[stability]") {
     CHECK_THROWS_WITH(count_unstable(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))),
                       Catch::Matchers::ContainsSubstring("Lambda"));
     CHECK_THROWS_AS(solve_stability(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))), std::invalid_argument);
-}
-
-// The weights have no part in eigenvalues.
-RollingSystem<double> system_of(const Matrix& G, const Matrix& G_prime) {
-    return {G, G_prime, ArrayX<double>::Ones(G.rows())};
 }
 
 TEST_CASE("A sign is settled beyond its uncertainty, and not before", "[stability]") {

@@ -47,7 +47,7 @@ TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
         const PolynomialC11<double> solution = polynomial_c11(Complex(0, z), 0.25, 100.0);
         const double error = relative_error(solution.c11, reference::harmonic_c11(z, 0.25, 100.0));
         CAPTURE(z, error, solution.error_estimate);
-        CHECK(solution.status == PolynomialStatus::ok);
+        CHECK(solution.status == Status::ok);
         CHECK(error < 1e-11);
     }
 }
@@ -280,8 +280,8 @@ TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", 
 }
 
 TEST_CASE("a polynomial solution that nobody filled is not ok", "[polynomial]") {
-    CHECK(PolynomialC11<double>{}.status == PolynomialStatus::not_finite);
-    CHECK(PolynomialSolution<double>{}.status == PolynomialStatus::not_finite);
+    CHECK(PolynomialC11<double>{}.status == Status::not_finite);
+    CHECK(PolynomialSolution<double>{}.status == Status::not_finite);
 }
 
 TEST_CASE("polynomial solutions refuse bad input by name", "[polynomial]") {

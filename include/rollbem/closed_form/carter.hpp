@@ -120,14 +120,15 @@ Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_r
                                 poisson_ratio);
 }
 
-/// Exact means of Carter's traction p/(G xi) over the elements of a mesh, trailing to leading: what constant elements
-/// stand for. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
-template <class Mesh>
-typename Mesh::Array carter_mean_tractions(const Mesh& mesh, typename Mesh::Scalar poisson_ratio) {
-    typename Mesh::Array means(mesh.size());
+/// Exact means of Carter's traction p/(G xi) over the n elements of a Mesh, trailing to leading: what the tractions of
+/// steady rolling tend to. Throws std::invalid_argument for a Poisson's ratio outside [0, 0.5].
+template <class AnyMesh>
+typename AnyMesh::Array carter_mean_tractions(const AnyMesh& mesh, typename AnyMesh::Scalar poisson_ratio) {
+    using Scalar = typename AnyMesh::Scalar;
+    typename AnyMesh::Array means(mesh.size());
     for (decltype(mesh.size()) i = 0; i < mesh.size(); ++i) {
-        const ContactInterval<typename Mesh::Scalar> element{mesh.edges_from_trailing()[i], mesh.widths()[i],
-                                                             mesh.edges_from_leading()[i + 1]};
+        const ContactInterval<Scalar> element{mesh.edges_from_trailing()[i], mesh.widths()[i],
+                                              mesh.edges_from_leading()[i + 1]};
         means[i] = carter_mean_traction(element, poisson_ratio);
     }
     return means;
