@@ -51,10 +51,7 @@ std::string verdict(const Case& one, const Outcome& outcome) {
 int main(int argc, char** argv) {
     // 1. The command line.
     study::Options options("extremes_study", "Extreme cases: right to a stated bound, or told why not.");
-    for (const char* name : {"n", "mesh", "edges", "size-ratio", "epsilon", "method", "quadrature", "alpha-L",
-                             "alpha-T", "alpha", "lambda", "derivative", "kernel", "aspect", "poisson"}) {
-        options.refuse(name, "each case has its own");
-    }
+    for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
     options.add_flag("large", "besides, n = 1000 in long double and n = 4000: ten seconds and 300 MB more");
     options.footer(

@@ -71,10 +71,7 @@ study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& 
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, study::RowRange range,
                 const study::Emit& emit) {
     // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
-    const auto sweep_of = [](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::FrequencySweep<double>(rollbem::rolling_system(mesh, scheme, kernel));
-    };
-    const rollbem::FrequencySweep<double> sweep = scene.visit(sweep_of);
+    const rollbem::FrequencySweep<double> sweep(study::system_of(scene));
 
     // 4. Solve for each. A c11 that cannot be trusted is left out.
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -122,10 +119,7 @@ PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double o
 
 /// All rows, one for each order and frequency: what must be refused shows before anything is written.
 std::vector<study::Row> polynomial_rows(const study::Options& options, const std::vector<double>& omegas) {
-    for (const char* name : {"n", "mesh", "edges", "size-ratio", "epsilon", "quadrature", "alpha-L", "alpha-T", "alpha",
-                             "lambda", "derivative"}) {
-        options.ignored(name, "with --method polynomial, which has no elements");
-    }
+    options.ignored_group("Discretisation", "with --method polynomial, which has no elements", {"method"});
     if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
         throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
     }

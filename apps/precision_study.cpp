@@ -7,11 +7,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,36 +36,10 @@ const std::vector<std::string> columns{"scheme",  "n",      "quantity", "relativ
 
 // --- the command line
 
-/// A comma-separated list of names, all from `known`; in the order of `known`.
-std::vector<std::string> names(const study::Options& options, const std::string& option,
-                               const std::vector<std::string>& known) {
-    std::istringstream text(options.text(option) + ',');
-    std::vector<std::string> given;
-    for (std::string item; std::getline(text, item, ',');) {
-        const std::string name(study::detail::trim(item));
-        if (name.empty()) throw study::BadInput(options.said(option) + " must be a list without empty items");
-        if (name != "all" && std::find(known.begin(), known.end(), name) == known.end()) {
-            throw study::BadInput("--" + option + " = " + name + " must be all, or some of " + study::join(known, ","));
-        }
-        if (std::find(given.begin(), given.end(), name) != given.end()) {
-            throw study::BadInput(options.said(option) + " must be a list without repeated items: " + name +
-                                  " is there twice");
-        }
-        given.push_back(name);
-    }
-    const auto is_given = [&](const std::string& name) {
-        return std::find(given.begin(), given.end(), name) != given.end();
-    };
-    if (is_given("all")) return known;
-    std::vector<std::string> result;
-    std::copy_if(known.begin(), known.end(), std::back_inserter(result), is_given);
-    return result;
-}
-
 std::vector<Quantity> chosen_quantities(const study::Options& options) {
     std::vector<std::string> known;
     for (const Quantity& quantity : precision::quantities()) known.push_back(quantity.name);
-    const std::vector<std::string> chosen = names(options, "quantity", known);
+    const std::vector<std::string> chosen = options.choices("quantity", known);
     std::vector<Quantity> result;
     for (const Quantity& quantity : precision::quantities()) {
         if (std::find(chosen.begin(), chosen.end(), quantity.name) != chosen.end()) result.push_back(quantity);
@@ -108,8 +81,8 @@ std::vector<Task> make_tasks(const study::Options& options, const precision::Sce
     return tasks;
 }
 
-precision::Scene make_scene(const study::Options& options, const std::vector<Quantity>& quantities) {
-    const std::vector<std::string> schemes = names(options, "schemes", precision::scheme_names());
+precision::Scene make_scene(const study::Options& options, const std::vector<std::string>& schemes,
+                            const std::vector<Quantity>& quantities) {
     const auto used = [&](const char* name) {
         return std::find(schemes.begin(), schemes.end(), name) != schemes.end();
     };
@@ -220,6 +193,59 @@ std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, c
     }
     return times;
 }
+
+/// Schemes to compute, what is known of them before the first row is written, and their rows.
+class Computation {
+public:
+    Computation(const study::Options& options, const std::vector<Quantity>& quantities)
+        : with_times_(study::job_count(options) == 1), partial_(options.given("shard") || !with_times_) {
+        const std::vector<std::string> schemes = options.choices("schemes", precision::scheme_names());
+        const precision::Scene scene = make_scene(options, schemes, quantities);
+        tasks_ = make_tasks(options, scene, schemes, quantities);
+        if (scene.plane) return;
+        for (const Quantity& quantity : quantities) {
+            model_errors_[quantity.name] = precision::model_error(scene, quantity);
+        }
+    }
+
+    std::vector<std::size_t> rows_of_task() const {
+        std::vector<std::size_t> rows;
+        for (const Task& task : tasks_) rows.push_back(task.quantities.size());
+        return rows;
+    }
+
+    /// Measures the times of all rows, and computes their errors where on_front is wanted.
+    void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
+        if (with_times_) times_ = measure(tasks_, wanted, [&](double part) { done(part / 2); });
+        if (partial_) return;
+        for (std::size_t i = 0; i < tasks_.size(); ++i) {
+            first_.push_back(points_.size());
+            for (Point& point : points_of(tasks_[i], model_errors_, times_[i])) points_.push_back(std::move(point));
+            done((1 + static_cast<double>(i + 1) / static_cast<double>(tasks_.size())) / 2);
+        }
+        precision::mark_front(points_);
+    }
+
+    void emit_rows(std::size_t task, study::RowRange range, const study::Emit& emit) const {
+        const std::vector<Point> own =
+            partial_ ? points_of(tasks_[task], model_errors_, with_times_ ? times_[task] : std::map<Problem, double>{})
+                     : std::vector<Point>{};
+        for (std::size_t k = range.first; k < range.last; ++k) {
+            emit(row(partial_ ? own[k] : points_[first_[task] + k]));
+        }
+    }
+
+    /// All rows; none where on_front cannot be told.
+    const std::vector<Point>& points() const { return points_; }
+
+private:
+    bool with_times_, partial_;
+    std::vector<Task> tasks_;
+    std::map<std::string, double> model_errors_;
+    std::vector<std::map<Problem, double>> times_;
+    std::vector<Point> points_;
+    std::vector<std::size_t> first_;  // of each task in points_
+};
 
 // --- --front
 
@@ -367,10 +393,7 @@ int main(int argc, char** argv) {
     study::Options options("precision_study",
                            "Error against run time: which scheme gives a required precision at the least cost?");
     const std::string fixed = "the schemes of this study say where and how the equations are taken; see --schemes";
-    for (const char* name :
-         {"mesh", "edges", "method", "quadrature", "alpha-L", "alpha-T", "alpha", "lambda", "derivative"}) {
-        options.refuse(name, fixed);
-    }
+    options.refuse_group("Discretisation", fixed, {"n", "size-ratio", "epsilon"});
     options.set_default("n", "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640");
     options.set_default("kernel", "plane");
     options.set_default("size-ratio", "1.89");
@@ -407,68 +430,40 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const std::vector<Quantity> quantities = chosen_quantities(given);
-        const bool with_times = study::job_count(given) == 1;
-        const bool partial = given.given("shard") || !with_times;
-        if (partial) given.ignored("cheapest", "with --shard or --jobs, where times lack; use --front");
+        if (given.given("shard") || study::job_count(given) > 1) {
+            given.ignored("cheapest", "with --shard or --jobs, where times lack; use --front");
+        }
         study::Table table;
         table.columns = columns;
-        std::vector<Point> points;  // all rows, where on_front can be told
-        table.plot = [&](const std::vector<study::Row>& rows) { return pictures(quantities, rows, points); };
-        std::vector<Task> tasks;
-        std::map<std::string, double> model_errors;
-        std::vector<std::map<Problem, double>> times;
-
+        std::vector<Point> read;
+        std::optional<Computation> computed;
         if (given.given("front")) {
             // 2. Rows from a file.
             for (const char* name :
                  {"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"}) {
                 given.ignored(name, "with --front");
             }
-            points = read_points(given, quantities);
-            precision::mark_front(points);
-            table.rows_of_task.assign(points.size(), 1);
-            table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) { emit(row(points[i])); };
+            read = read_points(given, quantities);
+            precision::mark_front(read);
+            table.rows_of_task.assign(read.size(), 1);
+            table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) { emit(row(read[i])); };
         } else {
             // 3. Or schemes to compute.
-            const precision::Scene scene = make_scene(given, quantities);
-            tasks = make_tasks(given, scene, names(given, "schemes", precision::scheme_names()), quantities);
-            for (const Task& task : tasks) table.rows_of_task.push_back(task.quantities.size());
-            if (!scene.plane) {
-                for (const Quantity& quantity : quantities) {
-                    model_errors[quantity.name] = precision::model_error(scene, quantity);
-                }
-            }
-
-            // 4. The times of all rows are measured before the first is written, and their errors where on_front is
-            // wanted.
-            table.prepare = [&](const std::vector<std::size_t>& wanted, const auto& done) {
-                if (with_times) times = measure(tasks, wanted, [&](double part) { done(part / 2); });
-                if (partial) return;
-                for (std::size_t i = 0; i < tasks.size(); ++i) {
-                    for (Point& point : points_of(tasks[i], model_errors, times[i])) points.push_back(std::move(point));
-                    done((1 + static_cast<double>(i + 1) / static_cast<double>(tasks.size())) / 2);
-                }
-                precision::mark_front(points);
-            };
-            table.compute = [&](std::size_t i, study::RowRange range, const study::Emit& emit) {
-                std::vector<Point> own;
-                if (partial) {
-                    own = points_of(tasks[i], model_errors, with_times ? times[i] : std::map<Problem, double>{});
-                } else {
-                    const auto first = points.begin() + std::accumulate(table.rows_of_task.begin(),
-                                                                        table.rows_of_task.begin() + std::ptrdiff_t(i),
-                                                                        std::ptrdiff_t(0));
-                    own.assign(first, first + std::ptrdiff_t(table.rows_of_task[i]));
-                }
-                for (std::size_t k = range.first; k < range.last; ++k) emit(row(own[k]));
+            computed.emplace(given, quantities);
+            table.rows_of_task = computed->rows_of_task();
+            table.prepare = [&](const auto& wanted, const auto& done) { computed->prepare(wanted, done); };
+            table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+                computed->emit_rows(task, range, emit);
             };
         }
+        const auto points = [&]() -> const std::vector<Point>& { return computed ? computed->points() : read; };
+        table.plot = [&](const std::vector<study::Row>& rows) { return pictures(quantities, rows, points()); };
 
-        // 5. The rows, and what they say about tolerances.
+        // 4. The rows, and what they say about tolerances.
         std::optional<study::OutputFile> cheapest;
         if (given.given("cheapest")) cheapest.emplace(given.text("cheapest"), "--cheapest");
         study::write_table(given, table);
-        if (cheapest) write_cheapest(*cheapest, points, quantities);
+        if (cheapest) write_cheapest(*cheapest, points(), quantities);
         return study::exit_ok;
     });
 }

@@ -45,7 +45,9 @@ public:
     Tractions advance(const Tractions& from, double dq, double start, double end) const override {
         Model::State to = model_.at_rest();
         const Model::Step step = model_.advance(state(from), dq, rollbem::RigidMotion<double>::linear(start, end), to);
-        if (step.status != rollbem::StepStatus::ok) throw std::runtime_error("the contact refuses the step");
+        if (step.status != rollbem::StepStatus::ok) {
+            throw std::runtime_error(std::string("the contact refuses the step: ") + name(step.status));
+        }
         return values(to);
     }
 
@@ -106,9 +108,8 @@ int main(int argc, char** argv) {
     study::Options options("simbody_wheel",
                            "Oscillation of a driven wheel in Simbody with the contact as its rail force, against the "
                            "exact closed loop.");
-    for (const char* name : {"mesh", "edges", "size-ratio", "epsilon", "method", "quadrature", "alpha-L", "alpha-T",
-                             "alpha", "lambda", "derivative", "kernel", "aspect", "poisson"}) {
-        options.refuse(name, "the contact is given; see --help");
+    for (const char* group : {"Discretisation", "Contact"}) {
+        options.refuse_group(group, "the contact is given; see --help", {"n"});
     }
     options.set_default("n", "10,20,40");
     options.add("integrator", "NAME", "Simbody's: merson, rk3, verlet or cpodes", "merson");

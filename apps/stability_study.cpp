@@ -28,12 +28,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-rollbem::ElementSystem<double> system_of(const study::Scene& scene) {
-    return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::rolling_system(mesh, scheme, kernel);
-    });
-}
-
 // --- how many modes grow -------------------------------------------------------------------------------------------
 
 const std::vector<std::string> count_columns{"method",
@@ -55,13 +49,13 @@ const std::vector<std::string> count_columns{"method",
 study::Row count_row(const study::Options& options, const study::Scene& scene) {
     // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
     const rollbem::StabilityResult<double> result =
-        rollbem::solve_stability<double>(system_of(scene), {.settle_signs = true, .condition = true});
+        rollbem::solve_stability<double>(study::system_of(scene), {.settle_signs = true, .condition = true});
 
     // 4. Time what a bare count takes, unless other jobs would spoil it.
     study::Cell time_us;
     if (study::job_count(options) == 1) {
-        time_us =
-            study::median_time_us([&] { return rollbem::solve_stability<double>(system_of(scene)).spectral_abscissa; });
+        time_us = study::median_time_us(
+            [&] { return rollbem::solve_stability<double>(study::system_of(scene)).spectral_abscissa; });
     }
 
     study::Row row{scene.method,  scene.derivative, scene.mesh_name, scene.n(),
@@ -191,7 +185,7 @@ private:
 
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
     // 3. The eigenvalues by ascending modulus; infinite ones come last.
-    const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(system_of(scene));
+    const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(study::system_of(scene));
     std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
     if (result.status == rollbem::Status::ok) {
         const Eigen::VectorXcd computed = result.eigenvalues();

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
@@ -27,8 +25,6 @@
 namespace {
 
 using Model = rollbem::TransientModel<double>;
-
-constexpr double largest_steps = 1e7;
 
 /// Creepage over q/a from rest: what the steps take, and the exact force -F_bar/(a G) where there is one.
 struct History {
@@ -78,43 +74,49 @@ History make_history(const study::Options& options) {
     }
     if (given.empty()) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
     if (given.size() > 1) throw study::BadInput(options.said(given[1]) + " cannot go with --" + given[0]);
-    const study::Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
+    const auto is_not_zero = [](double value) { return std::isfinite(value) && value != 0; };
     if (given[0] == "history") return history_from_file(options);
     History history{.knots = {}, .knot_values = {}};
     if (given[0] == "sine") {
-        const study::Sine sine = study::read_sine(
-            options, {[](double value) { return std::isfinite(value) && value != 0; }, "finite and not 0"});
+        const study::Sine sine = study::read_sine(options, {is_not_zero, "finite and not 0"});
         history.kind = History::Kind::sine;
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
         return history;
     }
     history.kind = given[0] == "step" ? History::Kind::step : History::Kind::ramp;
-    history.amplitude = options.number(given[0], not_zero);
+    history.amplitude = options.number(given[0], {is_not_zero, "be finite and not 0"});
     return history;
 }
 
-/// One run: emits the rows of `range`, but steps from the start, as the state requires.
-void run(const study::Scene& scene, const Model& model, const History& history, double dq,
-         const std::string& integrator, std::size_t steps, const rollbem::reference::StepResponse* exact,
-         study::RowRange range, const study::Emit& emit) {
-    // 4. The creepage's largest size, the reference for the force. Knots count as far as the run goes.
-    double reference = 0;
-    for (std::size_t k = 1; k <= steps; ++k) {
-        reference = std::max(reference, std::abs(history.before(static_cast<double>(k) * dq)));
+/// The creepage's largest size on the way, the reference for the force. Knots count as far as the run goes. Throws
+/// BadInput where it is 0.
+double largest_creepage(const History& history, const study::Steps& steps) {
+    double largest = 0;
+    for (std::size_t k = 1; k <= steps.count; ++k) {
+        largest = std::max(largest, std::abs(history.before(static_cast<double>(k) * steps.dq)));
     }
-    const double end = static_cast<double>(steps) * dq;
+    const double end = static_cast<double>(steps.count) * steps.dq;
     for (std::size_t j = 0; j < history.knots.size(); ++j) {
-        if (history.knots[j] <= end) reference = std::max(reference, std::abs(history.knot_values[j]));
+        if (history.knots[j] <= end) largest = std::max(largest, std::abs(history.knot_values[j]));
     }
-    if (reference == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
+    if (largest == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
+    return largest;
+}
+
+/// One run: emits the rows of `range`, but steps from the start, as the state requires.
+void run(const study::Scene& scene, const Model& model, const History& history, const study::Steps& steps,
+         const rollbem::reference::StepResponse* exact, study::RowRange range, const study::Emit& emit) {
+    // 4. What the force is divided by.
+    const double reference = largest_creepage(history, steps);
 
     // 5. Step by step, the creepage linear over each. A step with a knot inside is divided there. Each length is
     // prepared once.
     std::map<double, Model::Prepared> prepared;
     Model::State state = model.at_rest(), next = state;
     std::size_t knot = 0;
-    for (std::size_t k = 1; k <= std::min(range.last, steps); ++k) {
+    const double dq = steps.dq;
+    for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
         double from = static_cast<double>(k - 1) * dq;
         const double to = static_cast<double>(k) * dq;
         rollbem::TransientStep<double> step;
@@ -146,8 +148,27 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
             if (value != 0) error = force / value - 1;
         }
         emit({to, history.before(to), force, exact_force, error, scene.method, scene.derivative, scene.mesh_name,
-              scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda, integrator});
+              scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda, study::word(model.integrator())});
     }
+}
+
+/// The force over the distance, and the exact one where there is one.
+study::Plot draw_force(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
+    study::Plot plot{.title = "Rolling from rest",
+                     .x_label = "distance rolled q/a",
+                     .y_label = "-F / (a G {/Symbol x}_{ref})",
+                     .series = {}};
+    const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
+    study::add_series(plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
+    if (rows.empty()) return plot;  // of a shard
+    if (plot.series.size() == 1) plot.series.front().label = "computed";
+    study::Plot exact_plot = plot;
+    study::add_series(exact_plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});
+    plot.series.push_back(exact_plot.series[plot.series.size()]);  // the same for all schemes
+    plot.series.back().label = "exact";
+    plot.series.back().style = 6;  // black and dashed
+    for (study::Series& series : plot.series) series.markers = false;
+    return plot;
 }
 
 }  // namespace
@@ -168,8 +189,7 @@ int main(int argc, char** argv) {
         "history",
         "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
         "after the last; two rows at one q_over_a make a jump (dimensionless)");
-    options.add("dq", "D", "distance rolled in a step, in units of a (dimensionless)", "0.05");
-    options.add("until", "Q", "distance rolled in all, in units of a (dimensionless)", "10");
+    study::add_steps(options, "");
     options.add(
         "integrator", "NAME",
         "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
@@ -190,28 +210,16 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const History history = make_history(given);
-        const double dq = given.number("dq", study::positive());
-        const double until = given.number("until", study::positive());
-        const double count = std::floor(until / dq * (1 + 1e-12));
-        if (count < 1) throw study::BadInput(given.said("until") + " must be at least --dq");
-        if (count > largest_steps) throw study::BadInput(given.said("until") + " must be at most 1e7 times --dq");
-        const std::size_t steps = static_cast<std::size_t>(count);
-        const std::string integrator = given.choice("integrator", {"sdirk2", "implicit-euler", "exponential"});
-        const rollbem::Integrator method = integrator == "sdirk2"           ? rollbem::Integrator::sdirk2
-                                           : integrator == "implicit-euler" ? rollbem::Integrator::implicit_euler
-                                                                            : rollbem::Integrator::matrix_exponential;
+        const study::Steps steps = study::read_steps(given);
+        using rollbem::Integrator;
+        const Integrator integrator = study::read_integrator(
+            given, {Integrator::sdirk2, Integrator::implicit_euler, Integrator::matrix_exponential});
 
         // 2. One model for each scene. Eigenvalues and steady rolling tell whether stepping makes sense.
         const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given);
         std::vector<Model> models;
         for (const study::Scene& scene : scenes) {
-            models.push_back(scene.visit([&](const auto& mesh, const auto& scheme, const auto& kernel) {
-                rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
-                if (!given.flag("unchecked")) {
-                    study::require_steppable(scene, rollbem::verdict<double>(system), system);
-                }
-                return Model(scene.contact, std::move(system), rollbem::unchecked, method);
-            }));
+            models.emplace_back(scene.contact, study::steppable_system(given, scene), rollbem::unchecked, integrator);
         }
 
         // 3. The exact response, which is the same for all of them.
@@ -222,29 +230,13 @@ int main(int argc, char** argv) {
         study::Table table;
         table.columns = {"q_over_a", "creepage", "force",   "exact",   "relative_error", "method",    "derivative",
                          "mesh",     "n",        "alpha_L", "alpha_T", "lambda",         "integrator"};
-        table.rows_of_task.assign(scenes.size(), steps);
+        table.rows_of_task.assign(scenes.size(), steps.count);
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            run(scenes[task], models[task], history, dq, integrator, steps, exact ? &*exact : nullptr, range, emit);
+            run(scenes[task], models[task], history, steps, exact ? &*exact : nullptr, range, emit);
         };
 
-        // 7. --plot: the force over the distance, and the exact one where there is one.
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            study::Plot plot{.title = "Rolling from rest",
-                             .x_label = "distance rolled q/a",
-                             .y_label = "-F / (a G {/Symbol x}_{ref})",
-                             .series = {}};
-            const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
-            study::add_series(plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
-            if (rows.empty()) return plot;  // of a shard
-            if (plot.series.size() == 1) plot.series.front().label = "computed";
-            study::Plot exact_plot = plot;
-            study::add_series(exact_plot, table.columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});
-            plot.series.push_back(exact_plot.series[plot.series.size()]);  // the same for all schemes
-            plot.series.back().label = "exact";
-            plot.series.back().style = 6;  // black and dashed
-            for (study::Series& series : plot.series) series.markers = false;
-            return plot;
-        };
+        // 7. --plot.
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(table.columns, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

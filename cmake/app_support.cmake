@@ -26,9 +26,14 @@ target_include_directories(rollbem_spectral_instances PUBLIC "${PROJECT_SOURCE_D
 target_link_libraries(rollbem_spectral_instances PUBLIC rollbem::reference PRIVATE rollbem_warnings)
 
 add_library(rollbem_app_support STATIC)
-foreach(part IN ITEMS config_file csv files non_steady options plot program scenes table)
+foreach(part IN ITEMS config_file csv files mesh_names non_steady options plot program scenes table)
     target_sources(rollbem_app_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
+if(NOT MSVC)
+    # it assembles, which studies time
+    set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp"
+        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+endif()
 target_include_directories(rollbem_app_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
 target_link_libraries(rollbem_app_support
     PUBLIC rollbem::reference rollbem::compiled rollbem_spectral_instances rollbem_build_info Threads::Threads

@@ -7,12 +7,18 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/status.hpp>
 
 namespace extremes {
 
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double rounding = std::numeric_limits<double>::epsilon();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What cases use that do not say otherwise: Poisson's ratio, and the scheme.
+inline constexpr double steel = 0.28;
+inline constexpr rollbem::Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 
 /// What came out. Cells that have no meaning are not numbers.
 struct Outcome {
@@ -31,14 +37,10 @@ struct Case {
     std::string says{};
 };
 
-inline std::string text(rollbem::Status status) {
-    switch (status) {
-        case rollbem::Status::ok: return "";
-        case rollbem::Status::ill_conditioned: return "status ill_conditioned";
-        case rollbem::Status::inconsistent: return "status inconsistent";
-        case rollbem::Status::not_finite: break;
-    }
-    return "status not_finite";
+/// What a Status or StepStatus tells: nothing where it is ok.
+template <class AnyStatus>
+std::string told_by(AnyStatus status) {
+    return status == AnyStatus::ok ? std::string() : std::string("status ") + name(status);
 }
 
 /// 1e-06, 1000, inf: for names.

@@ -6,8 +6,6 @@
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/steady.hpp>
 
-#include "meshes.hpp"
-
 namespace extremes {
 
 namespace {
@@ -20,15 +18,17 @@ rollbem::PlaneKernel<Real> plane(double aspect, double nu) { return {aspect, 1 -
 
 }  // namespace
 
-long double steady_c11(const MeshName& name, const rollbem::Collocation& scheme, double aspect, double poisson_ratio) {
-    const rollbem::Mesh<Real> mesh = make_mesh<Real>(name);
+long double steady_c11(const rollbem::MeshSpecification& specification, const rollbem::Collocation& scheme,
+                       double aspect, double poisson_ratio) {
+    const rollbem::Mesh<Real> mesh = rollbem::make_mesh<Real>(specification);
     if (std::isinf(aspect)) return rollbem::solve_steady(mesh, scheme, plane(aspect, poisson_ratio)).c11;
     return rollbem::solve_steady(mesh, scheme, strip(aspect, poisson_ratio)).c11;
 }
 
-std::complex<long double> harmonic_c11(const MeshName& name, const rollbem::Collocation& scheme, double aspect,
-                                       double poisson_ratio, double z) {
-    const rollbem::Mesh<Real> mesh = make_mesh<Real>(name);
+std::complex<long double> harmonic_c11(const rollbem::MeshSpecification& specification,
+                                       const rollbem::Collocation& scheme, double aspect, double poisson_ratio,
+                                       double z) {
+    const rollbem::Mesh<Real> mesh = rollbem::make_mesh<Real>(specification);
     return rollbem::solve_harmonic<Real>(rollbem::rolling_system(mesh, scheme, plane(aspect, poisson_ratio)), z).c11;
 }
 

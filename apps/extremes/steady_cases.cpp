@@ -1,7 +1,6 @@
 // Steady rolling at the edges of its domain.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@
 
 #include "cases.hpp"
 #include "long_double.hpp"
-#include "meshes.hpp"
 #include "support/strip_instances.hpp"
 
 namespace extremes {
@@ -20,20 +18,17 @@ namespace extremes {
 namespace {
 
 using rollbem::Collocation;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double steel = 0.28;
-constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
+using rollbem::Topology;
 
 struct Problem {
-    MeshName mesh;
+    rollbem::MeshSpecification mesh;
     Collocation scheme = equal;
     double aspect = infinity;
     double poisson_ratio = steel;
 };
 
 rollbem::UnitSteadySolution<double> solve(const Problem& p) {
-    const rollbem::Mesh<double> mesh = make_mesh<double>(p.mesh);
+    const rollbem::Mesh<double> mesh = rollbem::make_mesh(p.mesh);
     const double nu = p.poisson_ratio;
     if (std::isinf(p.aspect)) {
         return rollbem::solve_steady(mesh, p.scheme, rollbem::PlaneKernel<double>(p.aspect, 1 - nu, nu));
@@ -49,7 +44,7 @@ Outcome against(const Problem& p, double reference, double bound) {
             .residual = solution.residual,
             .condition = 1 / solution.rcond,
             .bound = bound,
-            .told = text(solution.status)};
+            .told = told_by(solution.status)};
 }
 
 /// The discretisation's error against the exact solution of the model.
@@ -75,33 +70,33 @@ void add_sizes(std::vector<Case>& cases, bool large) {
     // One element at alpha = 0.5 and 1: G' is a second difference of x ln|x|.
     const double carter = rollbem::steady_c11(steel);
     cases.push_back({"n = 1, alpha = 0.5", "c11 against 2 pi/(3 (1-nu) ln 3)", [=] {
-                         return against({{"uniform", 1}}, carter * 4 / (3 * std::log(3.0)), 8 * rounding);
+                         return against({{Topology::uniform, 1}}, carter * 4 / (3 * std::log(3.0)), 8 * rounding);
                      }});
     cases.push_back({"n = 1, alpha = 1", "c11 against pi/(2 (1-nu) ln 2)", [=] {
-                         return against({{"uniform", 1}, {1, 1}}, carter / std::numbers::ln2, 8 * rounding);
+                         return against({{Topology::uniform, 1}, {1, 1}}, carter / std::numbers::ln2, 8 * rounding);
                      }});
-    for (const int n : {2, 3}) cases.push_back(rounded("n = " + std::to_string(n), {{"uniform", n}}));
+    for (const int n : {2, 3}) cases.push_back(rounded("n = " + std::to_string(n), {{Topology::uniform, n}}));
     // first order 0.1507/n on the uniform mesh; second order on the cosine mesh, from 0.31/n^2 down to 0.168/n^2
     for (const int n : {2, 3, 1000}) {
-        cases.push_back(exact("n = " + std::to_string(n) + ", uniform", {{"uniform", n}}, 0.16 / n));
+        cases.push_back(exact("n = " + std::to_string(n) + ", uniform", {{Topology::uniform, n}}, 0.16 / n));
         cases.push_back(
-            exact("n = " + std::to_string(n) + ", cosine", {{"cosine", n}}, (n < 10 ? 0.32 : 0.18) / n / n));
+            exact("n = " + std::to_string(n) + ", cosine", {{Topology::cosine, n}}, (n < 10 ? 0.32 : 0.18) / n / n));
     }
     if (!large) return;
-    cases.push_back(rounded("n = 1000, cosine", {{"cosine", 1000}}));
-    cases.push_back(exact("n = 4000, uniform", {{"uniform", 4000}}, 0.16 / 4000));
-    cases.push_back(exact("n = 4000, cosine", {{"cosine", 4000}}, 0.18 / 4000 / 4000));
+    cases.push_back(rounded("n = 1000, cosine", {{Topology::cosine, 1000}}));
+    cases.push_back(exact("n = 4000, uniform", {{Topology::uniform, 4000}}, 0.16 / 4000));
+    cases.push_back(exact("n = 4000, cosine", {{Topology::cosine, 4000}}, 0.18 / 4000 / 4000));
 }
 
 void add_contacts(std::vector<Case>& cases) {
     for (const double nu : {0.0, 0.5}) {
-        cases.push_back(exact("nu = " + shown(nu), {{"cosine", 40}, equal, infinity, nu}, 1.1e-4));
-        cases.push_back(rounded("nu = " + shown(nu) + ", b/a = 1", {{"cosine", 40}, equal, 1, nu}));
+        cases.push_back(exact("nu = " + shown(nu), {{Topology::cosine, 40}, equal, infinity, nu}, 1.1e-4));
+        cases.push_back(rounded("nu = " + shown(nu) + ", b/a = 1", {{Topology::cosine, 40}, equal, 1, nu}));
     }
     // The strip, narrow to wide, against the spectral solution of the same model. The error is that of the cosine mesh
     // until the elements in the middle, 3.1/n wide, do not see the width b any more.
     for (const double aspect : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12}) {
-        const Problem p{{"cosine", 80}, equal, aspect};
+        const Problem p{{Topology::cosine, 80}, equal, aspect};
         cases.push_back({"b/a = " + shown(aspect), "c11 against the spectral solution", [=] {
                              const rollbem::reference::StripC11 reference =
                                  rollbem::reference::strip_c11(0, steel, aspect);
@@ -112,20 +107,20 @@ void add_contacts(std::vector<Case>& cases) {
                          }});
         cases.push_back(rounded("b/a = " + shown(aspect), p));
     }
-    cases.push_back(exact("b/a = inf", {{"cosine", 80}}, 3e-5));
+    cases.push_back(exact("b/a = inf", {{Topology::cosine, 80}}, 3e-5));
 }
 
 void add_meshes(std::vector<Case>& cases) {
     for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
-        const Problem p{{"geometric", 40, ratio}};
+        const Problem p{{Topology::geometric, 40, ratio}};
         cases.push_back(exact("size ratio " + shown(ratio), p, 0.1));
         cases.push_back(rounded("size ratio " + shown(ratio), p));
         cases.push_back(rounded("size ratio " + shown(ratio) + ", b/a = 0.1", {p.mesh, equal, 0.1}));
     }
-    for (const char* maker : {"knothe", "modified-knothe"}) {
+    for (const Topology topology : {Topology::knothe, Topology::modified_knothe}) {
         for (const double epsilon : {1e-8, 1e-4, 10.0}) {
-            const std::string name = std::string(maker) + ", epsilon = " + shown(epsilon);
-            const Problem p{{maker, 40, epsilon}};
+            const std::string name = std::string(rollbem::name(topology)) + ", epsilon = " + shown(epsilon);
+            const Problem p{{topology, 40, epsilon}};
             cases.push_back(exact(name, p, 0.1));
             cases.push_back(rounded(name, p));
         }
@@ -133,7 +128,7 @@ void add_meshes(std::vector<Case>& cases) {
 }
 
 void add_schemes(std::vector<Case>& cases) {
-    const auto at = [](Eigen::Index n, double alpha) { return Problem{{"uniform", n}, {alpha, alpha}}; };
+    const auto at = [](Eigen::Index n, double alpha) { return Problem{{Topology::uniform, n}, {alpha, alpha}}; };
     // On a uniform mesh G' of alpha = 0 is antisymmetric: singular for an odd number of elements, without force for an
     // even one.
     cases.push_back(told("alpha = 0, n = 1", at(1, 0), "not_finite"));
@@ -176,7 +171,7 @@ void add_units(std::vector<Case>& cases) {
                                 .residual = si.residual,
                                 .condition = 1 / si.rcond,
                                 .bound = 100 * rounding,
-                                .told = text(si.status)};
+                                .told = told_by(si.status)};
              }});
     }
 }

@@ -1,6 +1,5 @@
 // Stability and rolling in time at the edges of their domain.
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include <rollbem/reference/step_response.hpp>
 
 #include "cases.hpp"
+#include "support/non_steady.hpp"
 
 namespace extremes {
 
@@ -21,9 +21,6 @@ namespace {
 using Model = rollbem::TransientModel<double>;
 using rollbem::Collocation;
 using rollbem::Integrator;
-
-constexpr double steel = 0.28;
-constexpr Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 
 rollbem::Contact<double> contact(double aspect) { return rollbem::Contact<double>::dimensionless(aspect, steel); }
 
@@ -35,10 +32,6 @@ Model stable_model(const rollbem::Contact<double>& contact, Integrator integrato
     return {contact, system, rollbem::verdict<double>(system), integrator};
 }
 
-std::string text(rollbem::StepStatus status) {
-    return status == rollbem::StepStatus::ok ? "" : std::string("status ") + name(status);
-}
-
 /// Force per width after `count` steps of dq [m] at unit creepage, from rest.
 Outcome roll(const Model& model, double dq, int count) {
     Model::State now = model.at_rest(), next = now;
@@ -47,7 +40,7 @@ Outcome roll(const Model& model, double dq, int count) {
     for (int k = 0; k < count; ++k) {
         const rollbem::TransientStep<double> result = model.advance(now, step, 1.0, next);
         outcome.value = result.force_per_width;
-        outcome.told = text(result.status);
+        outcome.told = told_by(result.status);
         std::swap(now, next);
     }
     return outcome;
@@ -60,17 +53,11 @@ Outcome compare(Outcome outcome, double reference, double bound) {
     return outcome;
 }
 
-const char* name_of(Integrator integrator) {
-    return integrator == Integrator::implicit_euler ? "implicit-euler"
-           : integrator == Integrator::sdirk2       ? "sdirk2"
-                                                    : "exponential";
-}
-
 void add_steps(std::vector<Case>& cases) {
     for (const Integrator integrator :
          {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
         for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
-            const std::string where = std::string(", ") + name_of(integrator) + ", b/a = " + shown(aspect);
+            const std::string where = ", " + study::word(integrator) + ", b/a = " + shown(aspect);
             // Far above 1/|nu_max|: the steady force. What is left of the start falls by Lambda a/dq a step or faster.
             for (const double dq : {1e3, 1e6}) {
                 cases.push_back({"dq = " + shown(dq) + where, "force against steady rolling", [=] {
@@ -121,9 +108,8 @@ void add_spectra(std::vector<Case>& cases) {
                  const auto result =
                      rollbem::solve_stability<double>(rollbem::rolling_system(rollbem::cosine_mesh(n), equal, kernel),
                                                       {.settle_signs = true, .condition = true});
-                 Outcome outcome{.value = result.spectral_abscissa,
-                                 .condition = *result.cond_G,
-                                 .told = extremes::text(result.status)};
+                 Outcome outcome{
+                     .value = result.spectral_abscissa, .condition = *result.cond_G, .told = told_by(result.status)};
                  if (!rollbem::verdict(result).stable()) outcome.told = "not certainly stable";
                  return compare(outcome, rollbem::reference::eigenvalues(1, steel, 100)[0].real(),
                                 0.3 / n / std::sqrt(n));
@@ -141,7 +127,6 @@ void add_refusals(std::vector<Case>& cases) {
             return roll(model, 1, 1);
         };
     };
-    const double infinity = std::numeric_limits<double>::infinity();
     cases.push_back(
         {"time, alpha = 0, n = 40", "force", build(40, {0, 0}, 1000), "must be 0: a mode of the scheme grows"});
     cases.push_back(

@@ -22,15 +22,7 @@ using Mesh = rollbem::Mesh<double>;
 
 Kernel strip() { return Kernel::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio)); }
 
-Mesh make_mesh(const Case& c) {
-    switch (c.mesh) {
-        case Topology::uniform: break;
-        case Topology::geometric: return rollbem::geometric_mesh(c.n, c.grading);
-        case Topology::knothe: return rollbem::knothe_mesh(c.n, c.grading);
-        case Topology::modified_knothe: return rollbem::modified_knothe_mesh(c.n, c.grading);
-    }
-    return rollbem::uniform_mesh(c.n);
-}
+Mesh mesh_of(const Case& c) { return rollbem::make_mesh({c.mesh, c.n, c.grading}); }
 
 /// function(scheme) with the scheme's own type.
 template <class Function>
@@ -43,15 +35,15 @@ auto with_scheme(const Case& c, const Function& function) {
 }
 
 rollbem::ElementSystem<double> system_of(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::rolling_system(make_mesh(c), scheme, strip()); });
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::rolling_system(mesh_of(c), scheme, strip()); });
 }
 
 Eigen::MatrixXd G_prime(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble_G_prime(make_mesh(c), scheme, strip()); });
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble_G_prime(mesh_of(c), scheme, strip()); });
 }
 
 rollbem::UnitSteadySolution<double> steady(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::solve_steady(make_mesh(c), scheme, strip()); });
+    return with_scheme(c, [&](const auto& scheme) { return rollbem::solve_steady(mesh_of(c), scheme, strip()); });
 }
 
 double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
@@ -59,16 +51,6 @@ double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& 
 }
 
 }  // namespace
-
-std::string name(Topology mesh) {
-    switch (mesh) {
-        case Topology::uniform: break;
-        case Topology::geometric: return "geometric";
-        case Topology::knothe: return "knothe";
-        case Topology::modified_knothe: return "modified-knothe";
-    }
-    return "uniform";
-}
 
 std::string name(Method method) {
     switch (method) {
@@ -103,15 +85,12 @@ double c11_ratio(const Case& c) {
 }
 
 Tractions tractions(const Case& c) {
-    const Mesh mesh = make_mesh(c);
-    Tractions result{mesh.centres(), steady(c).traction, Eigen::ArrayXd(c.n), Eigen::ArrayXd(c.n)};
+    const Mesh mesh = mesh_of(c);
+    Tractions result{mesh.centres(), steady(c).traction, Eigen::ArrayXd(c.n),
+                     rollbem::carter_mean_tractions(mesh, poisson_ratio)};
     for (Eigen::Index i = 0; i < c.n; ++i) {
         result.carter[i] = rollbem::carter_traction(
             rollbem::EdgeDistances<double>{mesh.from_trailing()[i], mesh.from_leading()[i]}, poisson_ratio);
-        result.carter_mean[i] = rollbem::carter_mean_traction(
-            rollbem::ContactInterval<double>{mesh.edges_from_trailing()[i], mesh.widths()[i],
-                                             mesh.edges_from_leading()[i + 1]},
-            poisson_ratio);
     }
     return result;
 }
@@ -154,7 +133,7 @@ bool certainly_unstable(const Case& c) { return rollbem::verdict<double>(system_
 
 std::optional<double> critical_alpha_T(const Case& c) {
     const rollbem::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};
-    const Mesh mesh = make_mesh(c);
+    const Mesh mesh = mesh_of(c);
     return with_scheme(c, [&](auto scheme) {
         const auto scheme_of = [&scheme](double alpha_T) {
             auto moved = scheme;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 
 namespace paper {
@@ -17,9 +18,9 @@ namespace paper {
 inline constexpr double poisson_ratio = 0.28;
 inline constexpr double aspect = 1000;  ///< b/a [-]
 
-enum class Topology { uniform, geometric, knothe, modified_knothe };
 enum class Method { collocation, galerkin_7, galerkin_exact };  ///< Galerkin with 7 Gauss points or in closed form
 using rollbem::Derivative;
+using rollbem::Topology;
 
 /// One discretisation. Defaults: the paper's recommended scheme at n = 40.
 struct Case {
@@ -31,7 +32,6 @@ struct Case {
     double grading = 1;  ///< geometric: dx_trailing/dx_leading; knothe, modified_knothe: epsilon [-]
 };
 
-std::string name(Topology mesh);
 std::string name(Method method);
 std::string name(Derivative derivative);
 

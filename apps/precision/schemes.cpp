@@ -35,6 +35,7 @@ using rollbem::Contact;
 using rollbem::Galerkin;
 using rollbem::MatrixX;
 using rollbem::Mesh;
+using rollbem::Topology;
 using Complex = std::complex<double>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -45,36 +46,37 @@ using Forces = std::array<double, steps>;
 
 // --- what a scheme is: a mesh for every n, and how the equations are taken
 
-enum class Topology { uniform, geometric, knothe, cosine };
-
 struct Elements {
     Topology topology;
     std::variant<Collocation, Galerkin> scheme;
     double order = 0;  // of the extrapolation from n/2 and n; 0: none
 };
 
-constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+const std::vector<std::pair<std::string, Elements>>& element_schemes() {
+    constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+    static const std::vector<std::pair<std::string, Elements>> all{
+        {"uniform-0.5/0.5", {Topology::uniform, halves}},
+        {"uniform-0/0.63", {Topology::uniform, Collocation{}}},
+        {"geometric", {Topology::geometric, halves}},
+        {"knothe", {Topology::knothe, halves}},
+        {"cosine", {Topology::cosine, halves}},
+        {"galerkin-uniform", {Topology::uniform, Galerkin{}}},
+        {"galerkin-cosine", {Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}}},
+        {"richardson-uniform", {Topology::uniform, halves, 1}},
+        {"richardson-cosine", {Topology::cosine, halves, 2}}};
+    return all;
+}
 
 std::optional<Elements> elements(const std::string& name) {
-    if (name == "uniform-0.5/0.5") return Elements{Topology::uniform, halves};
-    if (name == "uniform-0/0.63") return Elements{Topology::uniform, Collocation{}};
-    if (name == "geometric") return Elements{Topology::geometric, halves};
-    if (name == "knothe") return Elements{Topology::knothe, halves};
-    if (name == "cosine") return Elements{Topology::cosine, halves};
-    if (name == "galerkin-uniform") return Elements{Topology::uniform, Galerkin{}};
-    if (name == "galerkin-cosine") return Elements{Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}};
-    if (name == "richardson-uniform") return Elements{Topology::uniform, halves, 1};
-    if (name == "richardson-cosine") return Elements{Topology::cosine, halves, 2};
+    for (const auto& [known, elements] : element_schemes()) {
+        if (name == known) return elements;
+    }
     return std::nullopt;
 }
 
 Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
-    switch (topology) {
-        case Topology::geometric: return rollbem::geometric_mesh(n, scene.size_ratio);
-        case Topology::knothe: return rollbem::knothe_mesh(n, scene.epsilon);
-        case Topology::cosine: return rollbem::cosine_mesh(n);
-        default: return rollbem::uniform_mesh(n);
-    }
+    const bool by_ratio = rollbem::info(topology).grading == rollbem::Grading::size_ratio;
+    return rollbem::make_mesh({topology, n, by_ratio ? scene.size_ratio : scene.epsilon});
 }
 
 // --- the problems on one mesh
@@ -185,15 +187,6 @@ double weighted_norm(const Mesh<double>& mesh, const ArrayX<double>& traction) {
     return std::sqrt((traction.square() * mesh.widths() * rollbem::mean_hertz_pressure(mesh)).sum());
 }
 
-ArrayX<double> carter_means(const Mesh<double>& mesh, double poisson_ratio) {
-    ArrayX<double> means(mesh.size());
-    for (Eigen::Index i = 0; i < mesh.size(); ++i) {
-        means[i] = rollbem::carter_mean_traction<double>(
-            {mesh.edges_from_trailing()[i], mesh.widths()[i], mesh.edges_from_leading()[i + 1]}, poisson_ratio);
-    }
-    return means;
-}
-
 // The same norm for functions: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
 double polynomial_traction_error(double poisson_ratio, double aspect, long order) {
     const auto solution = rollbem::solve_chebyshev(Complex(0), poisson_ratio, aspect, order);
@@ -255,7 +248,7 @@ double element_error(const Scene& scene, const Elements& elements, long n, const
         case Problem::steady: {
             if (quantity.name == "traction") {
                 const Tractions found = tractions(scene, elements, n);
-                const ArrayX<double> exact = carter_means(found.mesh, nu);
+                const ArrayX<double> exact = rollbem::carter_mean_tractions(found.mesh, nu);
                 return weighted_norm(found.mesh, found.values - exact) / weighted_norm(found.mesh, exact);
             }
             const auto c11 = [&](const Mesh<double>& mesh) { return steady_c11(scene, elements, mesh); };
@@ -296,9 +289,12 @@ std::vector<double> exact_step_forces(const Contact<double>& contact) {
 }
 
 const std::vector<std::string>& scheme_names() {
-    static const std::vector<std::string> all{
-        "uniform-0.5/0.5", "uniform-0/0.63",     "geometric",         "knothe",    "cosine",     "galerkin-uniform",
-        "galerkin-cosine", "richardson-uniform", "richardson-cosine", "chebyshev", "closed-form"};
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> names;
+        for (const auto& [name, elements] : element_schemes()) names.push_back(name);
+        names.insert(names.end(), {"chebyshev", "closed-form"});
+        return names;
+    }();
     return all;
 }
 
@@ -307,8 +303,9 @@ Case::Case(const Scene& scene, std::string scheme, long n) : scene_(scene), sche
 bool Case::exists(const std::string& scheme, long n) {
     if (scheme == "closed-form") return n == 0;
     if (scheme == "chebyshev") return n >= 1;
-    if (elements(scheme)->order > 0) return n >= 4 && n % 2 == 0;
-    return n >= (scheme == "knothe" ? 3 : 2);
+    const Elements found = *elements(scheme);
+    const long least = std::max(2l, long(rollbem::info(found.topology).least_n));
+    return found.order > 0 ? n % 2 == 0 && n / 2 >= least : n >= least;
 }
 
 bool Case::has(const std::string& scheme, const Quantity& quantity) {

@@ -1,13 +1,16 @@
 #include "non_steady.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "csv.hpp"
 #include "errors.hpp"
@@ -45,8 +48,45 @@ Sine read_sine(const Options& options, const Rule& rule) {
     return {*amplitude, *omega};
 }
 
-void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict,
-                       const rollbem::ElementSystem<double>& system) {
+void add_steps(Options& options, const std::string& when) {
+    options.add("dq", "D", when + "distance rolled in a step, in units of a (dimensionless)", "0.05");
+    options.add("until", "Q", when + "distance rolled in all, in units of a (dimensionless)", "10");
+}
+
+Steps read_steps(const Options& options) {
+    const double dq = options.number("dq", positive()), until = options.number("until", positive());
+    const double count = std::floor(until / dq * (1 + 1e-12));  // rounding of 0.3/0.1 costs no step
+    if (count < 1) throw BadInput(options.said("until") + " must be at least --dq");
+    if (count > 1e7) throw BadInput(options.said("until") + " must be at most 1e7 times --dq");
+    return {dq, static_cast<std::size_t>(count)};
+}
+
+std::string word(rollbem::Integrator integrator) {
+    switch (integrator) {
+        case rollbem::Integrator::implicit_euler: return "implicit-euler";
+        case rollbem::Integrator::sdirk2: return "sdirk2";
+        case rollbem::Integrator::matrix_exponential: break;
+    }
+    return "exponential";
+}
+
+rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed) {
+    std::vector<std::string> words;
+    for (const rollbem::Integrator integrator : allowed) words.push_back(word(integrator));
+    const auto chosen = std::find(words.begin(), words.end(), options.choice("integrator", words));
+    return allowed[static_cast<std::size_t>(chosen - words.begin())];
+}
+
+rollbem::ElementSystem<double> system_of(const Scene& scene) {
+    return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
+        return rollbem::rolling_system(mesh, scheme, kernel);
+    });
+}
+
+rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene) {
+    rollbem::ElementSystem<double> system = system_of(scene);
+    if (options.flag("unchecked")) return system;
+    const rollbem::StabilityVerdict verdict = rollbem::verdict<double>(system);
     const std::string scheme = "n = " + std::to_string(scene.n()) + ": the scheme ";
     if (verdict.status != rollbem::Status::ok) {
         throw BadInput(scheme + "has eigenvalues that were not found; they must be, or --unchecked be given");
@@ -61,6 +101,7 @@ void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verd
                        "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions "
                        "must oppose the creepage, or --unchecked be given");
     }
+    return system;
 }
 
 }  // namespace study

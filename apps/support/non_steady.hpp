@@ -1,10 +1,12 @@
 // What studies of problems in time share: scenes whose model is stable before any discretisation, whether the exact
-// solutions of the plane model exist for a contact, and which schemes are fit to be stepped.
+// solutions of the plane model exist for a contact, which schemes are fit to be stepped, and the options that say how.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
-#include <rollbem/adhesion/stability_verdict.hpp>
+#include <rollbem/adhesion/integrator.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/scene/contact.hpp>
 
@@ -31,9 +33,25 @@ struct Sine {
 /// "must be AMP,OMEGA with AMP".
 Sine read_sine(const Options& options, const Rule& amplitude);
 
-/// Throws BadInput unless steps of a scene's scheme tend to steady rolling: no eigenvalue is unstable or uncertain, and
-/// steady rolling of its system is not inconsistent.
-void require_steppable(const Scene& scene, const rollbem::StabilityVerdict& verdict,
-                       const rollbem::ElementSystem<double>& system);
+/// Declares --dq and --until, and reads them as so many steps of dq in units of a: from 1 to 1e7. `when` stands before
+/// the text of --help. Throws BadInput.
+struct Steps {
+    double dq;
+    std::size_t count;
+};
+void add_steps(Options& options, const std::string& when);
+Steps read_steps(const Options& options);
+
+/// How options and columns name an integrator.
+std::string word(rollbem::Integrator integrator);
+
+/// --integrator, one of those `allowed`. Throws BadInput.
+rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
+
+rollbem::ElementSystem<double> system_of(const Scene& scene);
+
+/// The same. Throws BadInput unless --unchecked is given or steps of the scene's scheme tend to steady rolling: no
+/// eigenvalue is unstable or uncertain, and steady rolling is not inconsistent.
+rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene);
 
 }  // namespace study

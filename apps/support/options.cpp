@@ -9,6 +9,7 @@
 #include "build_info.hpp"
 #include "config_file.hpp"
 #include "files.hpp"
+#include "mesh_names.hpp"
 
 namespace study {
 
@@ -56,6 +57,10 @@ Rule between(double low, double high) {
     return {[=](double value) { return value >= low && value <= high; }, text.str()};
 }
 
+Rule finite() {
+    return {[](double value) { return std::isfinite(value); }, "be finite"};
+}
+
 Rule positive() {
     return {[](double value) { return value > 0 && std::isfinite(value); }, "be positive and finite"};
 }
@@ -87,11 +92,14 @@ Options::Options(std::string program, const std::string& purpose)
 
     group("Discretisation");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
-    add("mesh", "NAME", "uniform, geometric, knothe, modified-knothe or cosine", "uniform");
+    add("mesh", "NAME", listed(mesh_names(), "or"), "uniform");
     add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
-    add("size-ratio", "R", "geometric mesh: dx_trailing / dx_leading (dimensionless)", "2");
+    add("size-ratio", "R",
+        join(mesh_names(rollbem::Grading::size_ratio), ", ") + " mesh: dx_trailing / dx_leading (dimensionless)", "2");
     add("epsilon", "E",
-        "knothe, modified-knothe mesh: size of the end element over that of an inner one (dimensionless)", "0.4");
+        join(mesh_names(rollbem::Grading::epsilon), ", ") +
+            " mesh: size of the end element over that of an inner one (dimensionless)",
+        "0.4");
     add("method", "NAME", "collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary conditions)",
         "collocation");
     add("quadrature", "N|exact", "galerkin: 1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact");
@@ -138,20 +146,16 @@ void Options::add(const std::string& name, const std::string& value, const std::
     set_default(name, default_text);
 }
 
-void Options::add_input(const std::string& name, const std::string& help) {
+void Options::add_file(const std::string& name, const std::string& help, Kind kind) {
     add(name, "FILE", help);
-    entries_[name].kind = Kind::input;
+    entries_[name].kind = kind;
 }
 
-void Options::add_output(const std::string& name, const std::string& help) {
-    add(name, "FILE", help);
-    entries_[name].kind = Kind::output;
-}
+void Options::add_input(const std::string& name, const std::string& help) { add_file(name, help, Kind::input); }
 
-void Options::add_table(const std::string& name, const std::string& help) {
-    add(name, "FILE", help);
-    entries_[name].kind = Kind::table;
-}
+void Options::add_output(const std::string& name, const std::string& help) { add_file(name, help, Kind::output); }
+
+void Options::add_table(const std::string& name, const std::string& help) { add_file(name, help, Kind::table); }
 
 void Options::add_flag(const std::string& name, const std::string& help) {
     CLI::Option* option = app_->add_flag("--" + name, help);
@@ -169,6 +173,11 @@ void Options::set_default(const std::string& name, const std::string& default_te
 void Options::refuse(const std::string& name, const std::string& reason) {
     entries_.at(name).option->group("");
     refused_.emplace_back(name, reason);
+}
+
+void Options::refuse_group(const std::string& heading, const std::string& reason,
+                           const std::vector<std::string>& allowed) {
+    for (const std::string& name : members(heading, allowed)) refuse(name, reason);
 }
 
 void Options::footer(const std::string& text) {
@@ -216,6 +225,11 @@ std::string Options::said(const std::string& name) const {
 
 void Options::ignored(const std::string& name, const std::string& reason) const {
     if (given(name)) throw BadInput(said(name) + " has no effect " + reason);
+}
+
+void Options::ignored_group(const std::string& heading, const std::string& reason,
+                            const std::vector<std::string>& allowed) const {
+    for (const std::string& name : members(heading, allowed)) ignored(name, reason);
 }
 
 bool Options::flag(const std::string& name) const {
@@ -272,6 +286,21 @@ std::vector<double> Options::numbers(const std::string& name, const Rule& rule) 
 
 std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
     return list<std::ptrdiff_t>(name, [&](const std::string& item) { return to_integer(name, item, low, high); });
+}
+
+std::vector<std::string> Options::choices(const std::string& name, const std::vector<std::string>& known) const {
+    const auto contains = [](const std::vector<std::string>& words, const std::string& word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    const std::vector<std::string> given = list<std::string>(name, [&](const std::string& item) {
+        if (item == "all" || contains(known, item)) return item;
+        throw BadInput("--" + name + " = " + item + " must be all, or some of " + join(known, ","));
+    });
+    std::vector<std::string> result;
+    for (const std::string& word : known) {
+        if (contains(given, "all") || contains(given, word)) result.push_back(word);
+    }
+    return result;
 }
 
 std::vector<std::pair<std::string, std::string>> Options::values() const {
@@ -339,6 +368,15 @@ void Options::check_files() const {
 }
 
 const Options::Entry& Options::entry(const std::string& name) const { return entries_.at(name); }
+
+std::vector<std::string> Options::members(const std::string& heading, const std::vector<std::string>& allowed) const {
+    std::vector<std::string> names;
+    for (const auto& [name, entry] : entries_) {
+        const bool is_allowed = std::find(allowed.begin(), allowed.end(), name) != allowed.end();
+        if (entry.option->get_group() == heading && !is_allowed) names.push_back(name);
+    }
+    return names;
+}
 
 std::vector<std::string> Options::raw(const std::string& name) const {
     if (entry(name).option->count() > 0) return entry(name).option->results();

@@ -29,6 +29,7 @@ struct Rule {
 };
 
 Rule between(double low, double high);
+Rule finite();
 Rule positive();
 Rule positive_or_infinite();
 
@@ -81,6 +82,10 @@ public:
     /// Makes --name bad input for this study, with the reason; --help leaves it out.
     void refuse(const std::string& name, const std::string& reason);
 
+    /// The same for all options under a heading but `allowed`.
+    void refuse_group(const std::string& heading, const std::string& reason,
+                      const std::vector<std::string>& allowed = {});
+
     /// Text below the options in --help, exactly as given; the exit codes follow it.
     void footer(const std::string& text);
 
@@ -99,6 +104,10 @@ public:
     /// Throws BadInput that `name` is ignored because of `reason`, if it was given.
     void ignored(const std::string& name, const std::string& reason) const;
 
+    /// The same for all options under a heading but `allowed`.
+    void ignored_group(const std::string& heading, const std::string& reason,
+                       const std::vector<std::string>& allowed = {}) const;
+
     /// A flag's state. In a configuration file a flag is true or false.
     bool flag(const std::string& name) const;
 
@@ -107,6 +116,9 @@ public:
 
     /// The one value, which must be among `names`.
     std::string choice(const std::string& name, const std::vector<std::string>& names) const;
+
+    /// A list of some of `known`, or of all where one item is "all"; in the order of `known`.
+    std::vector<std::string> choices(const std::string& name, const std::vector<std::string>& known) const;
 
     double number(const std::string& name, const Rule& rule) const;
 
@@ -130,6 +142,8 @@ private:
         std::vector<std::string> configured{};  ///< by the configuration file
     };
 
+    void add_file(const std::string& name, const std::string& help, Kind kind);
+
     std::string version() const;
 
     void read_config();
@@ -138,6 +152,9 @@ private:
     void check_files() const;
 
     const Entry& entry(const std::string& name) const;
+
+    /// Names of the options under a heading but `allowed`.
+    std::vector<std::string> members(const std::string& heading, const std::vector<std::string>& allowed) const;
 
     std::vector<std::string> raw(const std::string& name) const;
 

@@ -5,6 +5,7 @@
 
 #include "errors.hpp"
 #include "files.hpp"
+#include "mesh_names.hpp"
 
 namespace study {
 
@@ -38,35 +39,35 @@ MeshPointer mesh_from_file(const Options& options) {
 
 /// The mesh of every n, and its name in the columns.
 std::pair<std::string, std::vector<MeshPointer>> make_meshes(const Options& options) {
-    const std::vector<std::string> names{"uniform", "geometric", "knothe", "modified-knothe", "cosine"};
     const bool from_file = options.given("edges");
     if (from_file) {
         options.ignored("mesh", "with --edges");
         options.ignored("n", "with --edges");
     }
-    const std::string name = from_file ? "edges" : options.choice("mesh", names);
+    const std::string name = from_file ? "edges" : options.choice("mesh", mesh_names());
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
-    const bool knothe = name == "knothe" || name == "modified-knothe";
-    const double size_ratio = options.number("size-ratio", between(1e-12, 1e12));
-    const double epsilon = options.number("epsilon", between(1e-12, 1e12));
-    if (name != "geometric") options.ignored("size-ratio", used + "; it is for --mesh geometric");
-    if (!knothe) options.ignored("epsilon", used + "; it is for --mesh knothe and modified-knothe");
-    if (from_file) return {name, {mesh_from_file(options)}};
+    const auto topology = rollbem::topology_named(name);  // none with --edges
+    rollbem::MeshSpecification specification;
+    for (const auto& [option, grading] :
+         {std::pair{"size-ratio", rollbem::Grading::size_ratio}, {"epsilon", rollbem::Grading::epsilon}}) {
+        const double value = options.number(option, between(1e-12, 1e12));
+        if (topology && rollbem::info(*topology).grading == grading) {
+            specification.grading = value;
+        } else {
+            options.ignored(option, used + "; it is for --mesh " + listed(mesh_names(grading), "and"));
+        }
+    }
+    if (!topology) return {name, {mesh_from_file(options)}};
 
-    const Eigen::Index least = name == "knothe" ? 3 : name == "geometric" || name == "modified-knothe" ? 2 : 1;
+    specification.topology = *topology;
+    const Eigen::Index least = rollbem::info(*topology).least_n;
     std::vector<MeshPointer> meshes;
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {
         if (n < least) {
             throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(least) + " " + used);
         }
-        const auto make = [&]() {
-            if (name == "geometric") return rollbem::geometric_mesh(n, size_ratio);
-            if (name == "knothe") return rollbem::knothe_mesh(n, epsilon);
-            if (name == "modified-knothe") return rollbem::modified_knothe_mesh(n, epsilon);
-            if (name == "cosine") return rollbem::cosine_mesh(n);
-            return rollbem::uniform_mesh(n);
-        };
-        meshes.push_back(std::make_shared<rollbem::Mesh<double>>(make()));
+        specification.n = n;
+        meshes.push_back(std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(specification)));
     }
     return {name, meshes};
 }

@@ -116,6 +116,8 @@ void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::s
 
 std::size_t job_count(const Options& options) { return static_cast<std::size_t>(options.integer("jobs", 1, 1024)); }
 
+bool has_header(const Options& options) { return shard_of(options).index == 1; }
+
 void write_table(const Options& options, const Table& table) {
     const std::size_t jobs = job_count(options);
     const Shard shard = shard_of(options);
@@ -135,7 +137,7 @@ void write_table(const Options& options, const Table& table) {
     for (const std::size_t rows : table.rows_of_task) total += rows;
     const RowRange wanted = shard.rows(total);
     const std::size_t count = wanted.last - wanted.first;
-    if (shard.index == 1) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
+    if (has_header(options)) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
     Progress progress(options.program(), count, !quiet && (to_file || isatty(STDOUT_FILENO) == 0));
     std::vector<Row> kept;
     std::size_t written = 0;

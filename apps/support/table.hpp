@@ -44,6 +44,9 @@ void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::s
 /// --jobs.
 std::size_t job_count(const Options& options);
 
+/// Whether this run's rows come with the header: the others of --shard do not repeat it.
+bool has_header(const Options& options);
+
 /// Writes the table where --output says, with its companion file, and draws it. Throws BadInput before it computes
 /// anything, WriteError, or PlotError once the rows are written.
 void write_table(const Options& options, const Table& table);

@@ -89,8 +89,6 @@ TEST_CASE("Values that differ by rounding have converged", "[richardson]") {
 
 // --- Recommended schemes: that they keep their promise is tested with the problems they are for
 
-using Topology = RecommendedScheme::Topology;
-
 TEST_CASE("The measured table, and tolerances that are refused", "[recommendation]") {
     const auto elements = [](double tolerance, Purpose purpose) { return recommended_scheme(tolerance, purpose).n; };
     CHECK(elements(1e-3, Purpose::steady) == 8);

@@ -50,8 +50,8 @@ bad 'foo' "$steady" foo
 bad '--n' "$steady" --n
 
 # options that would be ignored
-bad '--epsilon = 0.5 has no effect with --mesh uniform' "$steady" --epsilon 0.5
-bad '--size-ratio = 2 has no effect with --mesh cosine' "$steady" --mesh cosine --size-ratio 2
+bad '--epsilon = 0.5 has no effect with --mesh uniform; it is for --mesh knothe and modified-knothe' "$steady" --epsilon 0.5
+bad '--size-ratio = 2 has no effect with --mesh cosine; it is for --mesh geometric' "$steady" --mesh cosine --size-ratio 2
 bad '--quadrature = 3 has no effect with --method collocation' "$steady" --quadrature 3
 bad '--alpha-T = 0.5 has no effect with --alpha' "$steady" --alpha 0.5 --alpha-T 0.5
 bad '--alpha-T = 0.5 has no effect with --method knothe-bc' "$steady" --method knothe-bc --alpha-T 0.5

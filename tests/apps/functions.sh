@@ -27,6 +27,23 @@ bad() {
     rm -rf work
 }
 
+# bad_pairs COLUMNS PROGRAM ARG...: what is bad in the file of pairs that the last argument names and that is not there.
+bad_pairs() {
+    columns=$1
+    shift
+    bad 'must be a file that can be read' "$@" "$scratch/pairs"
+    printf 'x,y\n0,1\n' >"$scratch/pairs"
+    bad "line 1 = x,y must be $columns" "$@" "$scratch/pairs"
+    for pair in 0,one 0,nan 0; do
+        printf '%s\n%s\n' "$columns" $pair >"$scratch/pairs"
+        bad "line 2 = $pair must be two finite numbers" "$@" "$scratch/pairs"
+    done
+    printf '%s\n0.5,1\n0,1\n' "$columns" >"$scratch/pairs"
+    bad 'line 3 = 0,1 must not lie before' "$@" "$scratch/pairs"
+    printf '%s\n' "$columns" >"$scratch/pairs"
+    bad 'must have at least one row below its header' "$@" "$scratch/pairs"
+}
+
 # good LINES PROGRAM ARG...: exit 0, so many lines in the file out, nothing on stderr.
 good() {
     lines=$1
@@ -54,6 +71,20 @@ shards() {
     "$@" --jobs 3 >whole
     for k in 1 2 3 4; do "$@" --jobs 2 --shard $k/4; done >parts
     cmp -s whole parts || fail "shards or jobs change rows: $*"
+}
+
+# orders COLUMN PROGRAM ARG...: at the end of the run, halving --dq shows second order with sdirk2 and first with
+# implicit-euler.
+orders() {
+    column=$1
+    shift
+    for integrator in sdirk2 implicit-euler; do
+        for dq in 0.2 0.1 0.0125; do
+            "$@" --dq $dq --integrator $integrator | tail -n 1 | cut -d, -f"$column"
+        done | awk -v order=$integrator '{ f[NR] = $1 } END { ratio = (f[1] - f[3]) / (f[2] - f[3])
+            exit !(order == "sdirk2" ? ratio > 3.4 && ratio < 4.8 : ratio > 1.8 && ratio < 2.4) }' ||
+            fail "order of $integrator: $*"
+    done
 }
 
 # interrupt SIGNAL FILE PROGRAM ARG...: the signal, sent once FILE is being written; leaves the exit code in $code.

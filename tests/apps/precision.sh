@@ -11,7 +11,7 @@ for option in --mesh --edges --method --quadrature --alpha --alpha-L --alpha-T -
     bad "$option = 1 cannot be used here" $p $option 1
 done
 bad '--schemes = foo must be all, or some of uniform-0.5/0.5' $p --schemes cosine,foo
-bad "--schemes = '' must not be empty" $p --schemes ''
+bad "--schemes = '' must be a list without empty items" $p --schemes ''
 bad 'repeated items: cosine' $p --schemes cosine,knothe,cosine
 bad '--schemes = cosine, ,knothe must be a list without empty items' $p --schemes 'cosine, ,knothe'
 bad '--quantity = c11, must be a list without empty items' $p --quantity c11,

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -162,6 +163,47 @@ TEMPLATE_TEST_CASE("Graded meshes have the uniform mesh as their limit", "[mesh]
     CHECK(cosine_mesh<Scalar>(1).widths()[0] == 2);
     CHECK(uniform_mesh<Scalar>(1).widths()[0] == 2);
     CHECK(in_eps(cosine_mesh<Scalar>(2).widths(), uniform_mesh<Scalar>(2).widths()) < 2);
+}
+
+TEMPLATE_TEST_CASE("A specification makes the mesh of its topology", "[mesh]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar grading = static_cast<Scalar>(0.3);
+    const auto direct = [&](Topology topology, Eigen::Index n) {
+        switch (topology) {
+            case Topology::geometric: return geometric_mesh<Scalar>(n, grading);
+            case Topology::knothe: return knothe_mesh<Scalar>(n, grading);
+            case Topology::modified_knothe: return modified_knothe_mesh<Scalar>(n, grading);
+            case Topology::cosine: return cosine_mesh<Scalar>(n);
+            default: return uniform_mesh<Scalar>(n);
+        }
+    };
+    for (const TopologyInfo& known : topologies) {
+        CAPTURE(known.name);
+        const Mesh<Scalar> mesh = make_mesh<Scalar>({known.topology, 7, 0.3});
+        const Mesh<Scalar> expected = direct(known.topology, 7);
+        CHECK(mesh.is_uniform() == (known.topology == Topology::uniform));
+        CHECK((mesh.widths() == expected.widths()).all());
+        CHECK((mesh.edges_from_trailing() == expected.edges_from_trailing()).all());
+        CHECK((mesh.edges_from_leading() == expected.edges_from_leading()).all());
+    }
+}
+
+TEST_CASE("What is known of a topology holds for its meshes", "[mesh]") {
+    for (const TopologyInfo& known : topologies) {
+        CAPTURE(known.name);
+        CHECK(&info(known.topology) == &known);
+        CHECK(name(known.topology) == std::string_view(known.name));
+        CHECK(topology_named(known.name) == known.topology);
+        CHECK(make_mesh({known.topology, known.least_n, 0.3}).size() == known.least_n);
+        CHECK_THROWS_AS(make_mesh({known.topology, known.least_n - 1, 0.3}), std::invalid_argument);
+        // a grading is used where one is taken, and only there
+        const auto widths = [&](double grading) { return make_mesh({known.topology, 5, grading}).widths(); };
+        CHECK((widths(0.3) == widths(0.6)).all() == (known.grading == Grading::none));
+        if (known.grading == Grading::size_ratio) CHECK(std::abs(widths(0.3)[0] / widths(0.3)[4] - 0.3) < 1e-15);
+        if (known.grading == Grading::epsilon) CHECK(std::abs(widths(0.3)[0] / widths(0.3)[1] - 0.3) < 1e-15);
+    }
+    CHECK_FALSE(topology_named("knothe mesh").has_value());
+    CHECK_FALSE(topology_named("").has_value());
 }
 
 TEST_CASE("A mesh from edges keeps them", "[mesh]") {

@@ -1,5 +1,5 @@
-// Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p by the QZ algorithm, and which
-// signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
+// Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm,
+// and which signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -176,8 +176,8 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
 
 }  // namespace detail
 
-/// All eigenvalues of G' p = nu G p by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose triangular pair is
-/// needed here). Without options no vectors are computed. No convergence gives Status::ill_conditioned.
+/// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
+/// triangular pair is needed here). Without options no vectors are computed. No convergence gives Status::ill_conditioned.
 template <class Scalar>
 StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, StabilityOptions options = {}) {
     const Eigen::Index n = system.size();

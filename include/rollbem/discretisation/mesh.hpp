@@ -1,12 +1,18 @@
-// Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction, and one maker per topology.
-// Elements are numbered from the trailing edge (index 0) to the leading edge (index n-1).
+// Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction; one maker per topology, Eq. (32)
+// among them, and all of them behind one specification. Elements are numbered from the trailing edge (index 0) to the
+// leading edge (index n-1).
 #pragma once
 
 #include "../detail/language.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <Eigen/Core>
@@ -95,10 +101,52 @@ private:
     Array from_trailing_, from_leading_, centres_;
 };
 
+/// How the elements of a mesh are laid out; each has a maker below.
+enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
+
+/// The number besides n that a topology takes.
+enum class Grading {
+    none,
+    size_ratio,  ///< dx_trailing / dx_leading [-]
+    epsilon,     ///< width of an end element over that of an inner one [-]
+};
+
+/// What is known of a topology without making a mesh.
+struct TopologyInfo {
+    Topology topology;
+    const char* name;  ///< as in the programs' options
+    Grading grading;
+    Eigen::Index least_n;  ///< fewest elements
+};
+
+/// All topologies, in the order of the enumeration.
+inline constexpr std::array<TopologyInfo, 5> topologies{{
+    {Topology::uniform, "uniform", Grading::none, 1},
+    {Topology::geometric, "geometric", Grading::size_ratio, 2},
+    {Topology::knothe, "knothe", Grading::epsilon, 3},
+    {Topology::modified_knothe, "modified-knothe", Grading::epsilon, 2},
+    {Topology::cosine, "cosine", Grading::none, 1},
+}};
+
+constexpr const TopologyInfo& info(Topology topology) { return topologies[static_cast<std::size_t>(topology)]; }
+
+constexpr const char* name(Topology topology) { return info(topology).name; }
+
+/// The topology of a name, empty where there is none.
+constexpr std::optional<Topology> topology_named(std::string_view name) {
+    for (const TopologyInfo& known : topologies) {
+        if (name == known.name) return known.topology;
+    }
+    return std::nullopt;
+}
+
 namespace detail {
 
-inline void require_elements(const char* who, Eigen::Index n, Eigen::Index least, const char* rule) {
-    require(n >= least, who, "n", n, rule);
+inline void require_elements(const char* who, Topology topology, Eigen::Index n) {
+    const Eigen::Index least = info(topology).least_n;
+    if (n >= least) return;
+    const std::string rule = "be at least " + to_text(least);
+    require(false, who, "n", n, rule.c_str());
 }
 
 /// The data of a mesh from a function edge(j) = distance of edge j from the trailing edge, and its mirror image.
@@ -122,7 +170,7 @@ typename Mesh<Scalar>::Data mesh_data(Eigen::Index n, const FromTrailing& from_t
 /// A: n equal elements. Throws for n < 1.
 template <class Scalar = double>
 Mesh<Scalar> uniform_mesh(Eigen::Index n) {
-    detail::require_elements("uniform_mesh", n, 1, "be at least 1");
+    detail::require_elements("uniform_mesh", Topology::uniform, n);
     const Scalar count = static_cast<Scalar>(n);
     typename Mesh<Scalar>::Data data = detail::mesh_data<Scalar>(
         n, [=](Eigen::Index j) { return Scalar(2 * j) / count; },
@@ -135,7 +183,7 @@ Mesh<Scalar> uniform_mesh(Eigen::Index n) {
 /// that is not positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
-    detail::require_elements("geometric_mesh", n, 2, "be at least 2");
+    detail::require_elements("geometric_mesh", Topology::geometric, n);
     detail::require(detail::is_finite(size_ratio) && size_ratio > 0, "geometric_mesh", "size_ratio", size_ratio,
                     "be positive and finite");
     // width i is proportional to exp(i * growth); expm1 keeps the sums accurate when growth is small
@@ -154,7 +202,7 @@ Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
 /// that is not positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
-    detail::require_elements("knothe_mesh", n, 3, "be at least 3");
+    detail::require_elements("knothe_mesh", Topology::knothe, n);
     detail::require(detail::is_finite(epsilon) && epsilon > 0, "knothe_mesh", "epsilon", epsilon,
                     "be positive and finite");
     const Scalar inner = 2 / (static_cast<Scalar>(n - 2) + 2 * epsilon);
@@ -170,7 +218,7 @@ Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
 /// positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
-    detail::require_elements("modified_knothe_mesh", n, 2, "be at least 2");
+    detail::require_elements("modified_knothe_mesh", Topology::modified_knothe, n);
     detail::require(detail::is_finite(epsilon) && epsilon > 0, "modified_knothe_mesh", "epsilon", epsilon,
                     "be positive and finite");
     const Scalar inner = 2 / (static_cast<Scalar>(n - 1) + epsilon);
@@ -187,7 +235,7 @@ Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
 /// vertical tangent. Throws for n < 1.
 template <class Scalar = double>
 Mesh<Scalar> cosine_mesh(Eigen::Index n) {
-    detail::require_elements("cosine_mesh", n, 1, "be at least 1");
+    detail::require_elements("cosine_mesh", Topology::cosine, n);
     const Scalar quarter = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * n);
     const auto sine = [=](Eigen::Index k) { return std::sin(static_cast<Scalar>(k) * quarter); };
     // 1 + x_j = 2 sin^2(pi j / 2n); the width is a product of two sines: no subtraction anywhere. Arguments are kept
@@ -196,6 +244,28 @@ Mesh<Scalar> cosine_mesh(Eigen::Index n) {
     return Mesh<Scalar>(detail::mesh_data<Scalar>(
         n, edge, [=](Eigen::Index j) { return edge(n - j); },
         [=](Eigen::Index i) { return 2 * sine(2 * i + 1 <= n ? 2 * i + 1 : 2 * (n - i) - 1) * sine(1); }));
+}
+
+/// A mesh as an input file or a table of cases names it.
+struct MeshSpecification {
+    Topology topology = Topology::uniform;
+    Eigen::Index n = 1;  ///< number of elements
+    double grading = 1;  ///< what info(topology).grading says; without meaning where that is none
+};
+
+/// The mesh of a specification. Throws std::invalid_argument for an n or a grading that the topology's maker refuses.
+template <class Scalar = double>
+Mesh<Scalar> make_mesh(const MeshSpecification& specification) {
+    const Eigen::Index n = specification.n;
+    const Scalar grading = static_cast<Scalar>(specification.grading);
+    switch (specification.topology) {
+        case Topology::uniform: break;
+        case Topology::geometric: return geometric_mesh<Scalar>(n, grading);
+        case Topology::knothe: return knothe_mesh<Scalar>(n, grading);
+        case Topology::modified_knothe: return modified_knothe_mesh<Scalar>(n, grading);
+        case Topology::cosine: return cosine_mesh<Scalar>(n);
+    }
+    return uniform_mesh<Scalar>(n);
 }
 
 /// Any mesh from its n+1 edges x/a, strictly increasing from -1 to 1. Throws naming the first edge that breaks this.
