@@ -34,11 +34,11 @@ void emit_tractions(const study::Scene& scene, study::RowRange elements, const s
     // 4. Compare with Carter: his traction at the element's centre, and its mean, which a constant element stands for.
     const rollbem::Mesh<double>& mesh = *scene.mesh;
     const double nu = scene.contact.poisson_ratio();
-    const Eigen::ArrayXd means = rollbem::carter_mean_tractions(mesh, nu);
+    const Eigen::ArrayXd mean = rollbem::carter_mean_tractions(mesh, nu);
     for (Eigen::Index i = Eigen::Index(elements.first); i < Eigen::Index(elements.last); ++i) {
         const rollbem::EdgeDistances<double> centre{mesh.from_trailing()[i], mesh.from_leading()[i]};
-        emit({scene.n(), mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), means[i],
-              traction[i] / means[i] - 1, scene.alpha_L, scene.alpha_T});
+        emit({scene.n(), mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), mean[i],
+              traction[i] / mean[i] - 1, scene.alpha_L, scene.alpha_T});
     }
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using namespace rollbem;
 using brute_force::Real;
-using detail::Quantity;
 
 // Rows of a fine mesh against long double: a naive second difference loses 8e-8 here.
 void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const brute_force::Kernel& kernel, int averages,

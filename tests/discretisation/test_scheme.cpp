@@ -66,4 +66,46 @@ TEST_CASE("Schemes refuse what cannot be, by name and value", "[scheme]") {
     CHECK_NOTHROW(check_scheme(KnotheBoundary{}, 2));
 }
 
+// A scheme whose rows are whatever a test makes of them.
+struct Given {
+    SchemeRows<double> slope, displacement;
+
+    template <class Scalar>
+    SchemeRows<Scalar> rows(Quantity quantity, Eigen::Index) const {
+        return quantity == Quantity::slope ? slope : displacement;
+    }
+};
+
+TEST_CASE("Rows that break what is asked of them are refused", "[scheme]") {
+    const auto check = [](const auto& change, Quantity quantity = Quantity::slope) {
+        Given scheme{Collocation{}.rows<double>(Quantity::slope, 5),
+                     Collocation{}.rows<double>(Quantity::displacement, 5)};
+        change(quantity == Quantity::slope ? scheme.slope : scheme.displacement);
+        check_scheme(scheme, 5);
+    };
+    using Rows = SchemeRows<double>;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_NOTHROW(check([](Rows&) {}));
+    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.alpha_L = nan; }), "SchemeRows: alpha_L = nan must be finite");
+    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.alpha_T = nan; }), "SchemeRows: alpha_T = nan must be finite");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.offsets.resize(0); }),
+                      "SchemeRows: number of offsets = 0 must be at least 1");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.weights.setConstant(2, 0.5); }),
+                      "SchemeRows: number of weights = 2 must equal that of offsets");
+    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.offsets[0] = nan; }), "SchemeRows: offset = nan must be finite");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.weights[0] = 2; }), "SchemeRows: sum of weights = 2 must be 1");
+    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.weights[0] = nan; }), "SchemeRows: sum of weights = nan must be 1");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.averages = 3; }),
+                      "SchemeRows: averages = 3 must be 0, 1 or 2 for the slope");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.averages = 2; }, Quantity::displacement),
+                      "SchemeRows: averages = 2 must be 0 or 1 for the displacement");
+    CHECK_THROWS_AS(check([](Rows& rows) { rows.averages = -1; }), std::invalid_argument);
+    for (const Eigen::Index count : {0, 6}) {
+        CHECK_THROWS_AS(check([=](Rows& rows) { rows.unknown_count = count; }), std::invalid_argument);
+    }
+    for (const Eigen::Index first : {-1, 1}) {
+        CHECK_THROWS_AS(check([=](Rows& rows) { rows.first_equation = first; }), std::invalid_argument);
+    }
+}
+
 }  // namespace

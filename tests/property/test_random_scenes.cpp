@@ -58,19 +58,23 @@ struct Kernel {
 Kernel kernel_of(const Scene& scene) { return {scene.plane, scene.aspect, scene.c1(), scene.c2()}; }
 
 // what assemble() does, with types of schemes and kernels erased: one instance serves all tests
-Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel, detail::Quantity quantity) {
+Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel, Quantity quantity) {
     const PlaneKernel<double> plane(kernel.half_width, kernel.c1, kernel.c2);
     const StripKernel<double> strip(kernel.half_width, kernel.c1, kernel.c2);
     const auto view = kernel.plane ? detail::KernelView<double>(plane) : detail::KernelView<double>(strip);
-    return std::visit([&](const auto& s) { return detail::influence_matrix<double>(mesh, s, view, quantity); }, scheme);
+    return std::visit(
+        [&](const auto& s) {
+            return detail::influence_matrix<double>(mesh, scheme_rows<double>(s, quantity, mesh.size()), view,
+                                                    quantity);
+        },
+        scheme);
 }
 InfluenceMatrices<double> assemble_both(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    return {assemble_one(mesh, scheme, kernel, detail::Quantity::displacement),
-            assemble_one(mesh, scheme, kernel, detail::Quantity::slope)};
+    return {assemble_one(mesh, scheme, kernel, Quantity::displacement),
+            assemble_one(mesh, scheme, kernel, Quantity::slope)};
 }
 UnitSteadySolution<double> steady_of(const Scene& scene, const Kernel& kernel) {
-    return solve_steady<double>(assemble_one(scene.mesh, scene.scheme, kernel, detail::Quantity::slope),
-                                scene.widths());
+    return solve_steady<double>(assemble_one(scene.mesh, scene.scheme, kernel, Quantity::slope), scene.widths());
 }
 
 class Scenes {
@@ -212,7 +216,7 @@ TEST_CASE("Matrices are finite, and those of the mirrored scene", "[property]") 
 TEST_CASE("A steady solution is what its status says", "[property]") {
     std::uint64_t good = 0, modest = 0;
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
-        const Matrix G_prime = assemble_one(scene.mesh, scene.scheme, kernel_of(scene), detail::Quantity::slope);
+        const Matrix G_prime = assemble_one(scene.mesh, scene.scheme, kernel_of(scene), Quantity::slope);
         const ArrayX<double> widths = scene.widths();
         const UnitSteadySolution<double> solution = solve_steady<double>(G_prime, widths);
         if (scene.modest) {

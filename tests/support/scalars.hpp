@@ -13,9 +13,7 @@
 #include "support/polynomial_instances.hpp"
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
-    keyword template MatrixX<Scalar> detail::influence_matrix<Scalar>(                              \
-        const Mesh<Scalar>&, const detail::Sampling<Scalar>&, Eigen::Index, Eigen::Index,           \
-        const detail::KernelView<Scalar>&, detail::Quantity);                                       \
+    keyword template decltype(detail::influence_matrix<Scalar>) detail::influence_matrix<Scalar>;   \
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
     keyword template decltype(detail::factorise_steady<Scalar>) detail::factorise_steady<Scalar>;   \
     keyword template decltype(detail::judge_steady<Scalar>) detail::judge_steady<Scalar>;           \

@@ -1,5 +1,5 @@
 // Which mesh, how many elements, and whether to extrapolate: a stable and cheap element scheme for a required precision.
-// Stands on measured errors, given below; knows no matrices.
+// Stands on measured errors, a table below; knows no matrices.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -53,57 +53,62 @@ struct RecommendedScheme {
     }
 };
 
-/// An element scheme, stable and among the cheapest, whose relative error stays below the tolerance, as measured against
-/// the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. The
-/// measured errors obey
-///
-///     purpose    mesh     extrapolated   error below     n from   e.g. tolerance -> n
-///     steady     uniform  yes, order 1   0.19 n^-2.8      6       1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34
-///     steady     cosine   yes, order 2   0.9 n^-3.4       6       1e-6 -> 58, 1e-8 -> 220
-///     frequency  cosine   yes, order 2   33 n^-3          4       1e-2 -> 16, 1e-4 -> 70, 1e-6 -> 322
-///     time_loop  cosine   no             0.18 n^-2        4       1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
-///     friction   cosine   no             1.4 n^-1.85      4       1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
-///
-/// so that no change of sign of an error counts as precision. With the strip kernel the error against the strip's own
-/// solution is the same from b/a = 10 on; narrower strips need more elements (steady: up to 5 times the error at b/a = 1,
-/// 150 times at 0.1). A strip's distance from the plane, of order (a/b)^2, is the model's. With friction, errors jump
-/// with the element at the border of slip; extrapolation, which helps at some creepages, is not relied on. Where only
-/// c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost.
+namespace detail {
+
+/// A measured bound of relative errors: below factor n^-exponent for n from least_n on.
+struct MeasuredError {
+    Purpose purpose;
+    Topology topology;
+    double order;  ///< of Richardson's extrapolation; 0: none
+    double factor, exponent;
+    Eigen::Index least_n;
+    double smallest_tolerance;  ///< for which it is the cheapest
+};
+
+/// In the order of preference for each purpose. Measured against the closed forms of the plane kernel for n up to 640, nu
+/// from 0 to 0.5 and (where it matters) b/a from 10 on. For steady rolling at a coarse tolerance, the Toeplitz assembly
+/// on the uniform mesh counts for more than the finer mesh.
+inline constexpr MeasuredError measured_errors[] = {
+    {Purpose::steady, Topology::uniform, 1, 0.19, 2.8, 6, 1e-5},  // 1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34 elements
+    {Purpose::steady, Topology::cosine, 2, 0.9, 3.4, 6, 0},       // 1e-6 -> 58, 1e-8 -> 220
+    {Purpose::frequency, Topology::cosine, 2, 33, 3, 4, 0},       // 1e-2 -> 16, 1e-4 -> 70, 1e-6 -> 322
+    {Purpose::time_loop, Topology::cosine, 0, 0.18, 2, 4, 0},     // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
+    {Purpose::friction, Topology::cosine, 0, 1.4, 1.85, 4, 0},    // 1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
+};
+
+inline const MeasuredError& measured_error(double tolerance, Purpose purpose) {
+    const MeasuredError* last = measured_errors;
+    for (const MeasuredError& measured : measured_errors) {
+        if (measured.purpose != purpose) continue;
+        last = &measured;
+        if (!(tolerance < measured.smallest_tolerance)) break;
+    }
+    return *last;
+}
+
+}  // namespace detail
+
+/// An element scheme, stable and among the cheapest, whose relative error stays below the tolerance, by the measured
+/// errors above: so that no change of sign of an error counts as precision. With the strip kernel the error against the
+/// strip's own solution is the same from b/a = 10 on; narrower strips need more elements (steady: up to 5 times the error
+/// at b/a = 1, 150 times at 0.1). A strip's distance from the plane, of order (a/b)^2, is the model's. With friction,
+/// errors jump with the element at the border of slip; extrapolation, which helps at some creepages, is not relied on.
+/// Where only c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost.
 /// Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
 inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
     constexpr Eigen::Index largest = 640;
-    constexpr double cheaper_on_uniform = 1e-5;  // the Toeplitz assembly counts for more than the finer mesh
+    const detail::MeasuredError& measured = detail::measured_error(tolerance, purpose);
+    const double factor = measured.factor, exponent = measured.exponent;
     RecommendedScheme result;
-    double factor = 0, exponent = 0;
-    Eigen::Index least = 4;
-    switch (purpose) {
-        case Purpose::steady:
-            result.topology = tolerance < cheaper_on_uniform ? Topology::cosine : Topology::uniform;
-            result.order = result.topology == Topology::cosine ? 2 : 1;
-            factor = result.topology == Topology::cosine ? 0.9 : 0.19;
-            exponent = result.topology == Topology::cosine ? 3.4 : 2.8;
-            least = 6;
-            break;
-        case Purpose::frequency:
-            result.order = 2;
-            factor = 33;
-            exponent = 3;
-            break;
-        case Purpose::time_loop:
-            factor = 0.18;
-            exponent = 2;
-            break;
-        case Purpose::friction:
-            factor = 1.4;
-            exponent = 1.85;
-            break;
-    }
+    result.topology = measured.topology;
+    result.order = measured.order;
     const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
     if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
         const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): no more was measured";
         detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
     }
-    result.n = std::max(least, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
+    result.n =
+        std::max(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
     if (result.order > 0) result.n += result.n % 2;
     result.n = std::min(result.n, largest);  // the rounding of pow
     result.error_bound = std::min(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));

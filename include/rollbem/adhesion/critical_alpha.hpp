@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include <Eigen/LU>
 
@@ -65,8 +66,9 @@ private:
 /// from above; nothing where there is none. `scheme_of(alpha_T)` makes the scheme. Throws as rolling_system does, and
 /// std::invalid_argument for a range or a step that is not positive.
 template <class Scalar, class SchemeOf, LineKernel Kernel>
-std::optional<double> critical_alpha_T(const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
-                                       const CriticalAlphaOptions& options = {}) {
+requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> std::optional<double> critical_alpha_T(
+    const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
+    const CriticalAlphaOptions& options = {}) {
     detail::require(detail::is_finite(options.first), "critical_alpha_T", "first", options.first, "be finite");
     detail::require(detail::is_finite(options.last) && options.last >= options.first, "critical_alpha_T", "last",
                     options.last, "be finite and at least first");

@@ -110,7 +110,7 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
 }
 
 /// The same for a discretisation by elements. Throws as rolling_system does, too.
-template <class Scalar, class Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                         std::type_identity_t<Scalar> z) {
     return solve_harmonic(rolling_system(mesh, scheme, kernel), z);

@@ -137,18 +137,21 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
 
 /// Assembles and solves for unit creepage, dimensionless (a = G = 1). Above 1000 elements the memory is that of one
 /// matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws as assemble_G_prime does.
-template <class Scalar, class Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    const ArrayX<Scalar> widths = unknown_widths(mesh, scheme);
-    MatrixX<Scalar> G_prime = assemble_G_prime(mesh, scheme, kernel);
+    const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
+    const detail::KernelView<Scalar> view(kernel);
+    const ArrayX<Scalar> widths = detail::segment(mesh.widths(), 0, rows.unknown_count);
+    MatrixX<Scalar> G_prime = detail::influence_matrix<Scalar>(mesh, rows, view, Quantity::slope);
     if (widths.size() <= detail::largest_copied_G_prime) return solve_steady<Scalar>(std::move(G_prime), widths);
-    return detail::solve_steady_in_place<Scalar>(
-        G_prime, widths, [&](const VectorX<Scalar>& p) { return detail::G_prime_times(mesh, scheme, kernel, p); });
+    return detail::solve_steady_in_place<Scalar>(G_prime, widths, [&](const VectorX<Scalar>& p) {
+        return detail::influence_product<Scalar>(mesh, rows, view, Quantity::slope, p);
+    });
 }
 
 /// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
 /// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
-template <class Scalar, class Scheme>
+template <class Scalar, RollingScheme<Scalar> Scheme>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                                     std::type_identity_t<Scalar> creepage) {
     const UnitSteadySolution<Scalar> unit = solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));

@@ -110,7 +110,7 @@ public:
     /// Elements of the mesh; more than unknowns where a scheme leaves elements without traction at the leading edge.
     Eigen::Index element_count() const { return element_count_; }
 
-    template <class S, class Scheme, LineKernel Kernel>
+    template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
     friend ElementSystem<S> rolling_system(const Mesh<S>& mesh, const Scheme& scheme, const Kernel& kernel);
 
 private:
@@ -119,7 +119,7 @@ private:
 
 /// Assembles both matrices. Throws std::invalid_argument when the scheme does not fit the mesh, when G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model grows in time.
-template <class Scalar, class Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
     InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);

@@ -1,6 +1,6 @@
 #pragma once
 // Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
-// the creep coefficient, and the compliance number Lambda of the plane model. Dimensionless: a = G = V = 1.
+// and the creep coefficient. Dimensionless: a = G = V = 1.
 
 #include "../detail/language.hpp"
 
@@ -8,22 +8,13 @@
 #include <concepts>
 #include <limits>
 #include <numbers>
-#include <string>
 
+#include "../detail/angle_minus_sine.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
+#include "plane_lambda.hpp"
 
 namespace rollbem {
-
-namespace detail {
-
-template <std::floating_point Scalar>
-void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
-    require(is_finite(poisson_ratio) && poisson_ratio >= Scalar(0) && poisson_ratio <= Scalar(0.5), who,
-            "poisson_ratio", poisson_ratio, "lie in [0, 0.5]");
-}
-
-}  // namespace detail
 
 /// Steady creep coefficient c11 = pi/(2(1-nu)) of Eq. (30), per unit width of a rectangle (or of an infinitely long
 /// contact). Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
@@ -39,30 +30,6 @@ Scalar steady_c11(Scalar poisson_ratio) {
 template <std::floating_point Scalar>
 Scalar ellipse_limit_c11(Scalar poisson_ratio) {
     return std::numbers::pi_v<Scalar> / 2 * steady_c11(poisson_ratio);
-}
-
-/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over that of its first harmonics. Non-steady
-/// plane problems are stable only while Lambda > 0. `aspect` is b/a. Throws std::invalid_argument unless aspect is
-/// positive and finite and 0 <= poisson_ratio <= 0.5.
-template <std::floating_point Scalar>
-Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
-    detail::require_poisson_ratio("plane_lambda", poisson_ratio);
-    detail::require(detail::is_finite(aspect) && aspect > Scalar(0), "plane_lambda", "aspect", aspect,
-                    "be positive and finite (only steady problems have a limit for an infinite aspect)");
-    return std::log(4 * aspect) + poisson_ratio / (1 - poisson_ratio);
-}
-
-/// Lambda where a non-steady plane problem needs it, as plane_lambda. Throws std::invalid_argument besides, naming
-/// `who`, for Lambda <= 0: there the plane model itself is unstable (its kernel turns negative inside the contact).
-template <std::floating_point Scalar>
-Scalar stable_plane_lambda(const char* who, Scalar poisson_ratio, Scalar aspect) {
-    const Scalar lambda = plane_lambda(poisson_ratio, aspect);
-    if (!(lambda > Scalar(0))) {
-        const std::string rule = "be positive: at aspect b/a = " + detail::to_text(aspect) +
-                                 " the plane model is unstable in time; use the strip kernel";
-        detail::require(false, who, "Lambda = ln(4b/a) + nu/(1-nu)", lambda, rule.c_str());
-    }
-    return lambda;
 }
 
 /// A position in the contact by its distances from both edges, over a: trailing = 1 + x/a, leading = 1 - x/a. Near an
@@ -136,15 +103,7 @@ Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar pois
     const Scalar half = atan2(sine_half, cosine_1 * cosine_2 + sine_1 * sine_2);
     const Scalar one_plus_cosine_mean = cosine_mean >= 0 ? 1 + cosine_mean : sine_mean * sine_mean / (1 - cosine_mean);
 
-    Scalar half_minus_sine = half - sine_half;
-    if (half < Scalar(0.5)) {  // Taylor series: eight terms leave less than 0.5^19/19!, below long double's epsilon
-        Scalar term = half * half * half / 6;
-        half_minus_sine = term;
-        for (int k = 4; k <= 16; k += 2) {
-            term *= -half * half / Scalar(k * (k + 1));
-            half_minus_sine += term;
-        }
-    }
+    const Scalar half_minus_sine = detail::angle_minus_sine(half, sine_half);
     const Scalar integral = 2 * (half_minus_sine + sine_half * one_plus_cosine_mean);
     return -integral / (interval.width * 2 * (1 - poisson_ratio));
 }
@@ -161,15 +120,14 @@ Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_r
                                 poisson_ratio);
 }
 
-/// Exact means of Carter's traction p/(G xi) over the n elements of a Mesh, trailing to leading: what the tractions of
-/// steady rolling tend to. Throws std::invalid_argument for a Poisson's ratio outside [0, 0.5].
-template <class AnyMesh>
-typename AnyMesh::Array carter_mean_tractions(const AnyMesh& mesh, typename AnyMesh::Scalar poisson_ratio) {
-    using Scalar = typename AnyMesh::Scalar;
-    typename AnyMesh::Array means(mesh.size());
+/// Exact means of Carter's traction p/(G xi) over the elements of a mesh, trailing to leading: what constant elements
+/// stand for. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
+template <class Mesh>
+typename Mesh::Array carter_mean_tractions(const Mesh& mesh, typename Mesh::Scalar poisson_ratio) {
+    typename Mesh::Array means(mesh.size());
     for (decltype(mesh.size()) i = 0; i < mesh.size(); ++i) {
-        const ContactInterval<Scalar> element{mesh.edges_from_trailing()[i], mesh.widths()[i],
-                                              mesh.edges_from_leading()[i + 1]};
+        const ContactInterval<typename Mesh::Scalar> element{mesh.edges_from_trailing()[i], mesh.widths()[i],
+                                                             mesh.edges_from_leading()[i + 1]};
         means[i] = carter_mean_traction(element, poisson_ratio);
     }
     return means;

@@ -2,11 +2,10 @@
 
 namespace rollbem {
 
-template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                          Eigen::Index, Eigen::Index, const detail::KernelView<double>&,
-                                                          detail::Quantity);
-template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                           Eigen::Index, const detail::KernelView<double>&,
-                                                           detail::Quantity, const VectorX<double>&);
+template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                          const detail::KernelView<double>&, Quantity);
+template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                           const detail::KernelView<double>&, Quantity,
+                                                           const VectorX<double>&);
 
 }  // namespace rollbem

@@ -10,11 +10,10 @@
 
 namespace rollbem {
 
-extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                 Eigen::Index, Eigen::Index,
-                                                                 const detail::KernelView<double>&, detail::Quantity);
-extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const detail::Sampling<double>&,
-                                                                  Eigen::Index, const detail::KernelView<double>&,
-                                                                  detail::Quantity, const VectorX<double>&);
+extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                                 const detail::KernelView<double>&, Quantity);
+extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                                  const detail::KernelView<double>&, Quantity,
+                                                                  const VectorX<double>&);
 
 }  // namespace rollbem

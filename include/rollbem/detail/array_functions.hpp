@@ -34,6 +34,14 @@ Scalar sum_of_magnitudes(const Scalar* a, Eigen::Index size) {
     return Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>(a, size).abs().sum();
 }
 
+/// `size` times the same value.
+template <class Scalar>
+Eigen::Array<Scalar, Eigen::Dynamic, 1> constant_array(Eigen::Index size, Scalar value) {
+    Eigen::Array<Scalar, Eigen::Dynamic, 1> result(size);
+    std::fill_n(result.data(), size, value);
+    return result;
+}
+
 template <class Scalar>
 Scalar largest(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
     return x.maxCoeff();

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "../closed_form/plane_lambda.hpp"
 #include "../detail/array_functions.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
@@ -57,6 +58,24 @@ concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, cons
 
 namespace detail {
 
+/// What a kernel of a contact 2b wide asks of its parameters.
+template <class Scalar>
+void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2) {
+    require(!is_nan(half_width) && half_width > 0, who, "half_width", half_width, "be positive");
+    require(is_finite(c1), who, "c1", c1, "be finite");
+    require(is_finite(c2), who, "c2", c2, "be finite");
+}
+
+/// Cerruti's constants of Eqs. (3) and (7), for either direction of creepage.
+template <class Kernel>
+Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact) {
+    return Kernel(contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
+}
+template <class Kernel>
+Kernel lateral_kernel(const Contact<typename Kernel::Scalar>& contact) {
+    return Kernel(contact.aspect(), typename Kernel::Scalar(1), -contact.poisson_ratio());
+}
+
 /// ln|x|, with ln 0 replaced by a finite number so that x ln|x| is 0 at x = 0.
 template <class Scalar>
 ArrayX<Scalar> finite_log(const ArrayX<Scalar>& x) {
@@ -94,22 +113,23 @@ public:
     /// finite.
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
         : b_(half_width),
+          lambda_(detail::plane_lambda_of(half_width, c2 / c1)),
           strength_(2 * c1 / std::numbers::pi_v<Scalar>),
           constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
-        detail::require(!detail::is_nan(half_width) && half_width > 0, "PlaneKernel", "half_width", half_width,
-                        "be positive");
-        detail::require(detail::is_finite(c1), "PlaneKernel", "c1", c1, "be finite");
-        detail::require(detail::is_finite(c2), "PlaneKernel", "c2", c2, "be finite");
+        detail::check_line_kernel("PlaneKernel", half_width, c1, c2);
     }
 
     static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
-        return {contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio()};
+        return detail::longitudinal_kernel<PlaneKernel>(contact);
     }
-    static PlaneKernel lateral(const Contact<Scalar>& contact) {
-        return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
-    }
+    static PlaneKernel lateral(const Contact<Scalar>& contact) { return detail::lateral_kernel<PlaneKernel>(contact); }
 
     Scalar half_width() const { return b_; }  ///< b in units of a
+
+    /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance of a constant displacement
+    /// over that of the first harmonic. All modes of the plane model decay where Lambda > 0, one of them grows where
+    /// Lambda < 0: the kernel is then used far outside b >> a.
+    Scalar lambda() const { return lambda_; }
 
     Array g(const Array& x) const {
         Array result(x.size());
@@ -133,7 +153,7 @@ public:
     std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
 
 private:
-    Scalar b_, strength_, constant_;
+    Scalar b_, lambda_, strength_, constant_;
 };
 
 /// Cerruti's solution, Eq. (3), integrated over -b <= y <= b and seen from y = 0:
@@ -147,18 +167,13 @@ public:
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
     /// finite.
     StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
-        detail::require(!detail::is_nan(half_width) && half_width > 0, "StripKernel", "half_width", half_width,
-                        "be positive");
-        detail::require(detail::is_finite(c1), "StripKernel", "c1", c1, "be finite");
-        detail::require(detail::is_finite(c2), "StripKernel", "c2", c2, "be finite");
+        detail::check_line_kernel("StripKernel", half_width, c1, c2);
     }
 
     static StripKernel longitudinal(const Contact<Scalar>& contact) {
-        return {contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio()};
+        return detail::longitudinal_kernel<StripKernel>(contact);
     }
-    static StripKernel lateral(const Contact<Scalar>& contact) {
-        return {contact.aspect(), Scalar(1), -contact.poisson_ratio()};
-    }
+    static StripKernel lateral(const Contact<Scalar>& contact) { return detail::lateral_kernel<StripKernel>(contact); }
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 

@@ -79,7 +79,7 @@ namespace detail {
 /// The steady problem as a function of the border, dimensionless, for creepage >= 0: p = -bound up to and with the last
 /// element behind the border, where slip just begins, and stick ahead of it. The creepage that belongs to the border is
 /// unknown along with the tractions of the stick zone: one linear system.
-template <class Scalar, class Scheme, class Kernel, class Bound>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel, class Bound>
 class BorderProblem {
 public:
     struct Point {

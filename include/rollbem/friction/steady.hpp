@@ -43,7 +43,7 @@ public:
     using Workspace = FrictionWorkspace<Scalar>;
 
     /// Throws std::invalid_argument as assemble_G_prime does and where the law breaks what CoulombFriction asks for.
-    template <class Scheme, LineKernel Kernel>
+    template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),

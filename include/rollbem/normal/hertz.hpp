@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../detail/angle_minus_sine.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
@@ -105,15 +106,7 @@ ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh) {
         const Scalar sine_half = mesh.widths()[i] / (2 * sine_mean);
         const Scalar cosine_half = cosine_1 * cosine_2 + sine_1 * sine_2;
         const Scalar half = std::atan2(sine_half, cosine_half);
-        Scalar half_minus_sine = half - sine_half;
-        if (half < Scalar(0.5)) {  // Taylor series: what is cut off is below 0.5^19/19!
-            Scalar term = half * half * half / 6;
-            half_minus_sine = term;
-            for (int k = 4; k <= 16; k += 2) {
-                term *= -half * half / static_cast<Scalar>(k * (k + 1));
-                half_minus_sine += term;
-            }
-        }
+        const Scalar half_minus_sine = detail::angle_minus_sine(half, sine_half);
         // 1 - cos(h) cos(2m) = (1 - cos h) + 2 cos(h) sin^2 m
         const Scalar versine = sine_half * sine_half / (1 + cosine_half);
         mean[i] =

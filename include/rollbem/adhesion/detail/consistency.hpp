@@ -2,11 +2,12 @@
 // No user includes this by itself.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "../../detail/finite.hpp"
-#include "../../detail/language.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 

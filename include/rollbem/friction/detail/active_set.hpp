@@ -2,6 +2,8 @@
 // The core of the steady and of the non-steady friction problem; knows neither rolling nor units.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,6 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
-#include "../../detail/language.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"

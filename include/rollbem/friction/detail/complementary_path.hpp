@@ -2,6 +2,8 @@
 // Knows neither rolling nor units.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +14,6 @@
 
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
-#include "../../detail/language.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

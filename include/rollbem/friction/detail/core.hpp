@@ -1,6 +1,8 @@
 // What the steady and the non-steady friction model share: solutions for one or two stages, in the contact's units.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -10,7 +12,6 @@
 
 #include "../../assembly/rolling_system.hpp"
 #include "../../detail/finite.hpp"
-#include "../../detail/language.hpp"
 #include "../../scene/contact.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"

@@ -2,6 +2,8 @@
 // What it computes depends on M and S alone, to the last bit, never on the sets that came before.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,7 +13,6 @@
 
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
-#include "../../detail/language.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

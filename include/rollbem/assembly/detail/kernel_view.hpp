@@ -1,0 +1,61 @@
+// A view of any line kernel with its type erased.
+// What integrates kernels is compiled once for a scalar type.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "../../elasticity/line_kernel.hpp"
+#include "../../types.hpp"
+
+namespace rollbem::detail {
+
+/// A kernel behind functions of arrays, so that the integrals below are compiled once for a scalar type and not for
+/// every kernel; a call costs nothing beside the array it works on. Refers to the kernel. Pointers to functions instead
+/// of std::function, for the sake of the user's compiler.
+template <class Scalar>
+struct KernelView {
+    using Array = ArrayX<Scalar>;
+    using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+    template <LineKernel Kernel>
+    KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor): a view of any kernel
+        : kernel_(&kernel), antiderivative_([](const void* self, int level, const Array& x) -> Array {
+              const Kernel& k = *static_cast<const Kernel*>(self);
+              if (level == 0) return k.g(x);
+              if (level == 1) return k.H(x);
+              return k.H_integral(x);
+          }) {
+        if constexpr (SplitKernel<Kernel>) {
+            log_split_ = [](const void* self, Scalar reach) {
+                return static_cast<const Kernel*>(self)->log_split(reach);
+            };
+        }
+        if constexpr (TaylorKernel<Kernel>) {
+            taylor_ = [](const void* self, const Array& x, Eigen::Index order) -> Table {
+                return static_cast<const Kernel*>(self)->taylor(x, order);
+            };
+        }
+    }
+
+    /// g (level 0), H (1), H_integral (2).
+    Array antiderivative(int level, const Array& x) const { return antiderivative_(kernel_, level, x); }
+    /// Empty where there is none.
+    std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
+        if (!log_split_) return std::nullopt;
+        return log_split_(kernel_, reach);
+    }
+    bool has_taylor() const { return taylor_ != nullptr; }
+    Table taylor(const Array& x, Eigen::Index order) const { return taylor_(kernel_, x, order); }
+
+private:
+    const void* kernel_;
+    Array (*antiderivative_)(const void*, int, const Array&);
+    std::optional<LogSplit<Scalar>> (*log_split_)(const void*, Scalar) = nullptr;
+    Table (*taylor_)(const void*, const Array&, Eigen::Index) = nullptr;
+};
+
+}  // namespace rollbem::detail

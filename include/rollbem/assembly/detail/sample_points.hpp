@@ -1,0 +1,56 @@
+// The points at which a scheme takes its rows, Eqs. (28) and (29).
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <limits>
+
+#include "../../detail/array_functions.hpp"
+#include "../../discretisation/mesh.hpp"
+#include "../../discretisation/scheme.hpp"
+#include "../../types.hpp"
+#include "entries.hpp"
+
+namespace rollbem::detail {
+
+// Offset from the centre of element `own` of the point `position` widths ahead of it, moved to 0.001 dx from any edge
+// it lies nearer to; dx is the width of the element the point lies in, on an edge the one on the trailing side.
+template <class Scalar>
+Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar position) {
+    const auto& widths = mesh.widths();
+    const Scalar half = Scalar(0.5), inside = Scalar(0.499), outside = Scalar(0.501);
+    const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();  // this near to an edge is on it
+    const Scalar upper = half + rounding, lower = rounding - half;
+    Eigen::Index e = own;
+    while (position > upper && e + 1 < mesh.size()) {
+        position = (position - half) * widths[e] / widths[e + 1] - half;
+        ++e;
+    }
+    while (position <= lower && e > 0) {
+        position = half - (-half - position) * widths[e] / widths[e - 1];
+        --e;
+    }
+    if (position > inside && position <= upper) position = inside;
+    if (position > upper && position < outside) position = outside;
+    if (position < -inside && position > lower) position = -inside;
+    if (position <= lower && position > -outside) position = -outside;
+    const Scalar between = mesh.centres()[own] < 0 ? mesh.from_trailing()[e] - mesh.from_trailing()[own]
+                                                   : mesh.from_leading()[own] - mesh.from_leading()[e];
+    return between + position * widths[e];
+}
+
+// x_l + (alpha_l + offset) dx_l of every element, and the intervals dx_l about these points: what Eq. (29) takes
+// differences over, and Eq. (14) means.
+template <class Scalar>
+RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, Scalar offset) {
+    const ArrayX<Scalar> alpha = interpolate_alpha(mesh, scheme.alpha_L, scheme.alpha_T);
+    RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), ArrayX<Scalar>(mesh.size()),
+                           halved(mesh.widths())};
+    for (Eigen::Index l = 0; l < mesh.size(); ++l) {
+        const Scalar position = alpha[l] + offset;
+        rows.offset[l] = scheme.guard ? guarded_offset(mesh, l, position) : position * mesh.widths()[l];
+    }
+    return rows;
+}
+
+}  // namespace rollbem::detail

@@ -1,0 +1,56 @@
+#pragma once
+// Lambda, the compliance number of the plane model: where it is not positive, that model is unstable in time, before any
+// discretisation. Dimensionless: a = G = V = 1.
+
+#include "../detail/language.hpp"
+
+#include <cmath>
+#include <concepts>
+#include <string>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+namespace detail {
+
+template <std::floating_point Scalar>
+void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
+    require(is_finite(poisson_ratio) && poisson_ratio >= Scalar(0) && poisson_ratio <= Scalar(0.5), who,
+            "poisson_ratio", poisson_ratio, "lie in [0, 0.5]");
+}
+
+/// Lambda = ln(4b/a) + c2/c1, with c2/c1 = nu/(1-nu) for longitudinal creepage and -nu for lateral; unchecked.
+template <std::floating_point Scalar>
+Scalar plane_lambda_of(Scalar aspect, Scalar c2_over_c1) {
+    return std::log(4 * aspect) + c2_over_c1;
+}
+
+}  // namespace detail
+
+/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over that of its first harmonics. Non-steady
+/// plane problems are stable only while Lambda > 0. `aspect` is b/a. Throws std::invalid_argument unless aspect is
+/// positive and finite and 0 <= poisson_ratio <= 0.5.
+template <std::floating_point Scalar>
+Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
+    detail::require_poisson_ratio("plane_lambda", poisson_ratio);
+    detail::require(detail::is_finite(aspect) && aspect > Scalar(0), "plane_lambda", "aspect", aspect,
+                    "be positive and finite (only steady problems have a limit for an infinite aspect)");
+    return detail::plane_lambda_of(aspect, poisson_ratio / (1 - poisson_ratio));
+}
+
+/// Lambda where a non-steady plane problem needs it, as plane_lambda. Throws std::invalid_argument besides, naming
+/// `who`, for Lambda <= 0: there the plane model itself is unstable (its kernel turns negative inside the contact).
+template <std::floating_point Scalar>
+Scalar stable_plane_lambda(const char* who, Scalar poisson_ratio, Scalar aspect) {
+    const Scalar lambda = plane_lambda(poisson_ratio, aspect);
+    if (!(lambda > Scalar(0))) {
+        const std::string rule = "be positive: at aspect b/a = " + detail::to_text(aspect) +
+                                 " the plane model is unstable in time; use the strip kernel";
+        detail::require(false, who, "Lambda = ln(4b/a) + nu/(1-nu)", lambda, rule.c_str());
+    }
+    return lambda;
+}
+
+}  // namespace rollbem

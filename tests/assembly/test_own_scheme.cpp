@@ -1,0 +1,106 @@
+// A scheme of one's own, rollbem/discretisation/scheme.hpp, through every problem: all that the library asks for is
+// rows(). Here the mean of two collocation points, whose matrices are the means of those of both points.
+#include <cmath>
+
+#include "../support/catch.hpp"
+#include "rollbem/adhesion/frequency.hpp"
+#include "rollbem/adhesion/stability_count.hpp"
+#include "rollbem/adhesion/steady.hpp"
+#include "rollbem/adhesion/transient.hpp"
+#include "rollbem/assembly/rolling_system.hpp"
+#include "rollbem/friction/steady.hpp"
+#include "rollbem/normal/hertz.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+// Finite differences at alpha_l - half and alpha_l + half.
+struct TwoPoints {
+    double alpha_L, alpha_T, half;
+
+    template <class Scalar>
+    SchemeRows<Scalar> rows(Quantity quantity, Eigen::Index n) const {
+        SchemeRows<Scalar> rows;
+        rows.alpha_L = alpha_L;
+        rows.alpha_T = alpha_T;
+        rows.offsets.resize(2);
+        rows.offsets << static_cast<Scalar>(-half), static_cast<Scalar>(half);
+        rows.weights.setConstant(2, Scalar(0.5));
+        rows.averages = quantity == Quantity::slope ? 1 : 0;
+        rows.unknown_count = n;
+        return rows;
+    }
+    Collocation behind() const { return {alpha_L - half, alpha_T - half}; }
+    Collocation ahead() const { return {alpha_L + half, alpha_T + half}; }
+};
+static_assert(RollingScheme<TwoPoints> && RollingScheme<TwoPoints, float> && RollingScheme<TwoPoints, long double>);
+
+const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+const TwoPoints stable{0.5, 0.5, 0.125}, unstable{0, 1, 0.15};
+
+ElementSystem<double> mean_of_both(const Mesh<double>& mesh, const TwoPoints& scheme) {
+    const auto [G, G_prime] = assemble(mesh, scheme.behind(), kernel);
+    const auto [other_G, other_G_prime] = assemble(mesh, scheme.ahead(), kernel);
+    return {(G + other_G) / 2, (G_prime + other_G_prime) / 2, mesh.widths()};
+}
+
+TEST_CASE("The matrices of two points are the means of those of each", "[scheme]") {
+    for (const TwoPoints& scheme : {stable, unstable}) {
+        for (const Mesh<double>& mesh : {uniform_mesh(20), cosine_mesh(17), geometric_mesh(12, 3.0)}) {
+            const ElementSystem<double> own = rolling_system(mesh, scheme, kernel), mean = mean_of_both(mesh, scheme);
+            CAPTURE(scheme.alpha_T, mesh.size());
+            CHECK((own.G() - mean.G()).cwiseAbs().maxCoeff() < 1e-14 * mean.G().cwiseAbs().maxCoeff());
+            CHECK((own.G_prime() - mean.G_prime()).cwiseAbs().maxCoeff() <
+                  1e-13 * mean.G_prime().cwiseAbs().maxCoeff());
+            CHECK((own.weights() == mesh.widths()).all());
+        }
+    }
+}
+
+TEST_CASE("Two points: steady, stability, frequency and time", "[scheme]") {
+    const Mesh<double> mesh = uniform_mesh(20);
+    const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
+
+    const UnitSteadySolution<double> steady = solve_steady(mesh, stable, kernel);
+    CHECK(steady.status == Status::ok);
+    CHECK(steady.c11 == Approx(solve_steady<double>(mean.G_prime(), mesh.widths()).c11).epsilon(1e-12));
+    CHECK(solve_steady(contact, mesh, stable, 1e-3).c11 == steady.c11);
+
+    CHECK(count_unstable<double>(own).unstable_count == 0);
+    const Eigen::Index grown = count_unstable<double>(mean_of_both(mesh, unstable)).unstable_count;
+    CHECK(grown > 0);
+    CHECK(count_unstable<double>(rolling_system(mesh, unstable, kernel)).unstable_count == grown);
+
+    const HarmonicSolution<double> harmonic = solve_harmonic(mesh, stable, kernel, 2.0);
+    CHECK(harmonic.status == Status::ok);
+    CHECK(std::abs(harmonic.c11 - solve_harmonic(mean, 2.0).c11) < 1e-12);
+
+    const TransientModel<double> model(contact, own, unchecked), expected(contact, mean, unchecked);
+    TransientState<double> now = model.at_rest(), next = now;
+    TransientState<double> expected_now = expected.at_rest(), expected_next = expected_now;
+    for (int step = 0; step < 5; ++step) {
+        const TransientStep<double> made = model.advance(now, 0.2, 1e-3, next);
+        const TransientStep<double> wanted = expected.advance(expected_now, 0.2, 1e-3, expected_next);
+        REQUIRE(made.status == StepStatus::ok);
+        CHECK(made.force == Approx(wanted.force).epsilon(1e-11));
+        std::swap(now, next);
+        std::swap(expected_now, expected_next);
+    }
+}
+
+TEST_CASE("Two points: friction", "[scheme]") {
+    const Mesh<double> mesh = uniform_mesh(20);
+    const CoulombFriction<double> friction{0.3, 1e-2 * mean_hertz_pressure(mesh)};
+    const SteadyFrictionModel<double> model(contact, mesh, stable, kernel, friction);
+    const SteadyFrictionModel<double> expected(contact, mean_of_both(mesh, stable).G_prime(), mesh.widths(), friction);
+    const auto force = [](const SteadyFrictionModel<double>& of) {
+        FrictionWorkspace<double> workspace = of.workspace();
+        FrictionState<double> now = of.at_rest(), next = now;
+        return of.solve(now, 2e-3, next, workspace).force;
+    };
+    CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
+}
+
+}  // namespace

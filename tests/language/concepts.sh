@@ -1,0 +1,60 @@
+#!/bin/sh
+# concepts.sh COMPILER INCLUDE_DIR...: a wrong scheme and a wrong kernel, each told so in at most 50 lines.
+set -eu
+compiler=$1
+shift
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+includes=
+for include in "$@"; do
+    includes="$includes -isystem $include"
+done
+
+# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of a mesh and ARGUMENTS do not compile, because of CONCEPT.
+try() {
+    for call in solve_steady rolling_system; do
+        cat > "$folder/unit.cpp" <<END
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+using namespace rollbem;
+struct RightScheme {
+    template <class Scalar> SchemeRows<Scalar> rows(Quantity, Eigen::Index) const;
+};
+struct NoRows {};
+struct RowsOfDouble {
+    SchemeRows<double> rows(Quantity, Eigen::Index) const;
+};
+struct OtherRows {
+    template <class Scalar> int rows(Quantity, Eigen::Index) const;
+};
+struct RightKernel {
+    using Scalar = double;
+    ArrayX<double> g(const ArrayX<double>&) const, H(const ArrayX<double>&) const, H_integral(const ArrayX<double>&) const;
+};
+struct WrongKernel {
+    using Scalar = double;
+    double g(double) const;
+};
+void function(const Mesh<double>& mesh) { $call(mesh, $3); }
+END
+        # shellcheck disable=SC2086 # one word an option
+        if "$compiler" -std=c++20 -fsyntax-only $includes "$folder/unit.cpp" > "$folder/said" 2>&1; then
+            [ "$2" = - ] && continue
+            echo "$call of $1 compiles"
+            exit 1
+        fi
+        lines=$(wc -l < "$folder/said")
+        echo "$call of $1: $lines lines"
+        if [ "$lines" -gt 50 ] || ! grep -q "$2" "$folder/said"; then
+            head -n 60 "$folder/said"
+            exit 1
+        fi
+    done
+}
+
+try "the right ones" - "RightScheme{}, RightKernel{}"
+try "a scheme without rows" RollingScheme "NoRows{}, RightKernel{}"
+try "a scheme with rows for one scalar type" RollingScheme "RowsOfDouble{}, RightKernel{}"
+try "a scheme whose rows are none" RollingScheme "OtherRows{}, RightKernel{}"
+try "a kernel without antiderivatives" LineKernel "RightScheme{}, WrongKernel{}"
