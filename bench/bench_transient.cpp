@@ -4,8 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/compiled/transient.hpp>
-
-#include "rollbem/reference/step_response.hpp"
+#include <rollbem/reference/step_response.hpp>
 
 namespace {
 

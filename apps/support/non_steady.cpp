@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/plane_lambda.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 

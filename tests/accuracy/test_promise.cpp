@@ -6,20 +6,21 @@
 #include <numbers>
 #include <utility>
 
-#include "../support/catch.hpp"
-#include "rollbem/accuracy/recommendation.hpp"
-#include "rollbem/accuracy/richardson.hpp"
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/closed_form/friction.hpp"
-#include "rollbem/compiled/frequency.hpp"
-#include "rollbem/compiled/stability.hpp"
-#include "rollbem/compiled/steady.hpp"
-#include "rollbem/compiled/transient.hpp"
-#include "rollbem/friction/steady.hpp"
-#include "rollbem/normal/hertz.hpp"
-#include "rollbem/reference/bessel.hpp"
-#include "rollbem/reference/step_response.hpp"
-#include "rollbem/reference/strip.hpp"
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/friction/steady.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/step_response.hpp>
+#include <rollbem/reference/strip.hpp>
+
+#include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 
 namespace {

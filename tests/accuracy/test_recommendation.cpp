@@ -6,9 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "../support/catch.hpp"
-#include "rollbem/accuracy/recommendation.hpp"
-#include "rollbem/accuracy/richardson.hpp"
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/accuracy/richardson.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <complex>
 
-#include "../support/catch.hpp"
-#include "../support/scalars.hpp"
-#include "rollbem/compiled/stability.hpp"
+#include <rollbem/compiled/stability.hpp>
+
+#include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace rollbem {
 

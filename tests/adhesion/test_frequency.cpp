@@ -8,10 +8,11 @@
 
 #include <gsl/gsl_sf_bessel.h>
 
-#include "../support/catch.hpp"
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/compiled/frequency.hpp"
-#include "rollbem/compiled/steady.hpp"
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/steady.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

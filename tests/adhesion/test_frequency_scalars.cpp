@@ -2,9 +2,10 @@
 #include <complex>
 #include <limits>
 
-#include "../support/catch.hpp"
-#include "../support/scalars.hpp"
-#include "rollbem/compiled/frequency.hpp"
+#include <rollbem/compiled/frequency.hpp>
+
+#include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

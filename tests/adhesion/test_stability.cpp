@@ -4,9 +4,10 @@
 #include <complex>
 #include <limits>
 
-#include "../support/catch.hpp"
-#include "../support/dense.hpp"
-#include "rollbem/compiled/stability.hpp"
+#include <rollbem/compiled/stability.hpp>
+
+#include "support/catch.hpp"
+#include "support/dense.hpp"
 
 namespace {
 

@@ -4,10 +4,11 @@
 #include <optional>
 #include <utility>
 
-#include "../support/catch.hpp"
-#include "rollbem/adhesion/critical_alpha.hpp"
-#include "rollbem/compiled/assembly.hpp"
-#include "rollbem/compiled/stability.hpp"
+#include <rollbem/adhesion/critical_alpha.hpp>
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/stability.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

@@ -5,12 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/observed_order.hpp"
-#include "../support/reference.hpp"
-#include "../support/scalars.hpp"
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/compiled/steady.hpp"
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+#include "support/reference.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

@@ -7,9 +7,10 @@
 #include <cstdlib>
 #include <utility>
 
-#include "../support/catch.hpp"
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/compiled/steady.hpp"
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
+
+#include "support/catch.hpp"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 

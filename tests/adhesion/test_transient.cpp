@@ -8,14 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/dense.hpp"
-#include "../support/observed_order.hpp"
-#include "../support/scalars.hpp"
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/compiled/steady.hpp"
-#include "rollbem/compiled/transient.hpp"
-#include "rollbem/reference/step_response.hpp"
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/reference/step_response.hpp>
+
+#include "support/catch.hpp"
+#include "support/dense.hpp"
+#include "support/observed_order.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

@@ -6,9 +6,10 @@
 #include <new>
 #include <utility>
 
-#include "../support/catch.hpp"
-#include "rollbem/compiled/friction.hpp"
-#include "rollbem/compiled/transient.hpp"
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/transient.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

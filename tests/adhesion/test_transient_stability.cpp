@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "rollbem/compiled/stability.hpp"
-#include "rollbem/compiled/transient.hpp"
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/transient.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../support/catch.hpp"
+#include "support/catch.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
 

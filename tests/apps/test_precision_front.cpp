@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "../support/catch.hpp"
 #include "precision/front.hpp"
+#include "support/catch.hpp"
 
 namespace {
 

@@ -2,8 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../support/catch.hpp"
-#include "rollbem/detail/gauss_legendre.hpp"
+#include <rollbem/detail/gauss_legendre.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

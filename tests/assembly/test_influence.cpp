@@ -8,10 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/reference.hpp"
-#include "../support/scalars.hpp"
-#include "rollbem/compiled/assembly.hpp"
+#include <rollbem/compiled/assembly.hpp>
+
+#include "support/catch.hpp"
+#include "support/reference.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

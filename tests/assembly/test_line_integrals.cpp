@@ -4,9 +4,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/reference.hpp"
-#include "rollbem/assembly/detail/line_integrals.hpp"
+#include <rollbem/assembly/detail/line_integrals.hpp>
+
+#include "support/catch.hpp"
+#include "support/reference.hpp"
 
 namespace {
 

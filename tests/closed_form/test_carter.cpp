@@ -8,8 +8,9 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/discretisation/mesh.hpp"
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/discretisation/mesh.hpp>
+
 #include "support/catch.hpp"
 
 namespace {
@@ -130,19 +131,6 @@ TEMPLATE_TEST_CASE("Carter's solution in every scalar type", "[carter]", float, 
                           carter_mean_traction(Scalar(0.5), Scalar(1), nu) * Scalar(0.5);
     CHECK(std::abs(halves / steady_c11(nu) + 1) < 8 * eps);
     CHECK(std::abs(plane_lambda(nu, Scalar(0.25)) - Scalar(1) / 3) < 2 * eps);
-}
-
-TEMPLATE_TEST_CASE("Means over elements are those of their intervals and add up to the force", "[carter]", float,
-                   double, long double) {
-    using Scalar = TestType;
-    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-    const Mesh<Scalar> mesh = geometric_mesh<Scalar>(7, Scalar(0.3));
-    const typename Mesh<Scalar>::Array means = carter_mean_tractions(mesh, Scalar(0.25)), edges = mesh.edges();
-    REQUIRE(means.size() == 7);
-    for (Eigen::Index i = 0; i < 7; ++i) {
-        CHECK(std::abs(means[i] / carter_mean_traction(edges[i], edges[i + 1], Scalar(0.25)) - 1) < 64 * eps);
-    }
-    CHECK(std::abs((means * mesh.widths()).sum() / steady_c11(Scalar(0.25)) + 1) < 8 * eps);
 }
 
 TEST_CASE("Carter's functions refuse bad input by name", "[carter]") {

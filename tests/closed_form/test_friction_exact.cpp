@@ -8,7 +8,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-#include "rollbem/closed_form/friction.hpp"
+#include <rollbem/closed_form/friction.hpp>
+
 #include "support/catch.hpp"
 
 namespace {

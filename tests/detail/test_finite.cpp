@@ -4,8 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "../support/catch.hpp"
-#include "rollbem/detail/finite.hpp"
+#include <rollbem/detail/finite.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

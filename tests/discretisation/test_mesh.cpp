@@ -6,9 +6,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/reference.hpp"
-#include "rollbem/discretisation/mesh.hpp"
+#include <rollbem/discretisation/mesh.hpp>
+
+#include "support/catch.hpp"
+#include "support/reference.hpp"
 
 namespace {
 

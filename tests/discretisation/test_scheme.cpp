@@ -2,9 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "../support/catch.hpp"
-#include "../support/reference.hpp"
-#include "rollbem/discretisation/scheme.hpp"
+#include <rollbem/discretisation/scheme.hpp>
+
+#include "support/catch.hpp"
+#include "support/reference.hpp"
 
 namespace {
 

@@ -10,10 +10,11 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-#include "../support/catch.hpp"
-#include "../support/observed_order.hpp"
-#include "../support/reference.hpp"
-#include "rollbem/elasticity/line_kernel.hpp"
+#include <rollbem/elasticity/line_kernel.hpp>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+#include "support/reference.hpp"
 
 namespace {
 

@@ -8,15 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "rollbem/accuracy/recommendation.hpp"
-#include "rollbem/adhesion/frequency.hpp"
-#include "rollbem/adhesion/stability_count.hpp"
-#include "rollbem/adhesion/steady.hpp"
-#include "rollbem/adhesion/transient.hpp"
-#include "rollbem/closed_form/friction.hpp"
-#include "rollbem/friction/friction.hpp"
-#include "rollbem/spectral/polynomial.hpp"
+#include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability_count.hpp>
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/friction/friction.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/catch.hpp"
 
 #ifndef __FAST_MATH__
 #error "compile this file with -ffast-math"

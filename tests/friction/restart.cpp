@@ -13,7 +13,8 @@
 #include <string>
 #include <utility>
 
-#include "rollbem/adhesion/transient.hpp"
+#include <rollbem/adhesion/transient.hpp>
+
 #include "scene.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "rollbem/friction/friction.hpp"
+#include <rollbem/friction/friction.hpp>
 
 namespace friction_tests {
 

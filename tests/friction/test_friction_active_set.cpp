@@ -3,8 +3,9 @@
 #include <random>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "rollbem/friction/detail/active_set.hpp"
+#include <rollbem/friction/detail/active_set.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

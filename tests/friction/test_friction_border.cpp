@@ -4,10 +4,11 @@
 #include <limits>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/observed_order.hpp"
-#include "rollbem/closed_form/friction.hpp"
+#include <rollbem/closed_form/friction.hpp>
+
 #include "scene.hpp"
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
 
 namespace {
 

@@ -11,9 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "rollbem/adhesion/transient.hpp"
+#include <rollbem/adhesion/transient.hpp>
+
 #include "scene.hpp"
+#include "support/catch.hpp"
 
 namespace {
 

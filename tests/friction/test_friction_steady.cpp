@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "../support/catch.hpp"
-#include "../support/observed_order.hpp"
-#include "rollbem/adhesion/steady.hpp"
-#include "rollbem/closed_form/friction.hpp"
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/closed_form/friction.hpp>
+
 #include "scene.hpp"
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
 
 namespace {
 

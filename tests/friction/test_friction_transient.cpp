@@ -11,13 +11,14 @@
 
 #include <Eigen/LU>
 
-#include "../support/catch.hpp"
-#include "../support/observed_order.hpp"
-#include "../support/scalars.hpp"
-#include "rollbem/adhesion/steady.hpp"
-#include "rollbem/adhesion/transient.hpp"
-#include "rollbem/closed_form/friction.hpp"
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/closed_form/friction.hpp>
+
 #include "scene.hpp"
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 

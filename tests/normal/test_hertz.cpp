@@ -4,9 +4,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "../support/catch.hpp"
-#include "rollbem/detail/gauss_legendre.hpp"
-#include "rollbem/normal/hertz.hpp"
+#include <rollbem/detail/gauss_legendre.hpp>
+#include <rollbem/normal/hertz.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

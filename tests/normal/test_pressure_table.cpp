@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "../support/catch.hpp"
-#include "rollbem/normal/pressure_table.hpp"
+#include <rollbem/normal/pressure_table.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

@@ -10,7 +10,8 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>
 
-#include "rollbem/reference/bessel.hpp"
+#include <rollbem/reference/bessel.hpp>
+
 #include "support/catch.hpp"
 
 namespace {

@@ -4,9 +4,10 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "rollbem/reference/bessel.hpp"
-#include "rollbem/reference/fitted_polynomial.hpp"
-#include "rollbem/spectral/polynomial.hpp"
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/fitted_polynomial.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
 #include "support/catch.hpp"
 #include "support/scalars.hpp"
 

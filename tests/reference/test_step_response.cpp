@@ -7,8 +7,9 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "rollbem/detail/gauss_legendre.hpp"
-#include "rollbem/reference/step_response.hpp"
+#include <rollbem/detail/gauss_legendre.hpp>
+#include <rollbem/reference/step_response.hpp>
+
 #include "support/catch.hpp"
 
 namespace {

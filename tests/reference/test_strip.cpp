@@ -4,9 +4,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "rollbem/closed_form/carter.hpp"
-#include "rollbem/reference/bessel.hpp"
-#include "rollbem/reference/strip.hpp"
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/strip.hpp>
+
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 

@@ -1,8 +1,9 @@
 // rollbem/scene/contact.hpp
 #include <limits>
 
-#include "../support/catch.hpp"
-#include "rollbem/scene/contact.hpp"
+#include <rollbem/scene/contact.hpp>
+
+#include "support/catch.hpp"
 
 namespace {
 

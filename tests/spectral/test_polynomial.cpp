@@ -6,8 +6,9 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "rollbem/reference/bessel.hpp"
-#include "rollbem/spectral/polynomial.hpp"
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 #include "support/scalars.hpp"

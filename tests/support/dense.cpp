@@ -1,4 +1,4 @@
-#include "dense.hpp"
+#include "support/dense.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -4,8 +4,9 @@
 
 #include <utility>
 
-#include "catch.hpp"
-#include "rollbem/friction/friction.hpp"
+#include <rollbem/friction/friction.hpp>
+
+#include "support/catch.hpp"
 
 namespace rollbem {
 

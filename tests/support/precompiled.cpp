@@ -1,1 +1,1 @@
-#include "precompiled.hpp"
+#include "support/precompiled.hpp"

@@ -13,4 +13,4 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "catch.hpp"
+#include "support/catch.hpp"

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "rollbem/compiled/assembly.hpp"
+#include <rollbem/compiled/assembly.hpp>
 
 namespace brute_force {
 

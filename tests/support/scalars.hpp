@@ -3,13 +3,14 @@
 // says that they are, ROLLBEM_SCALARS(, Scalar) makes them.
 #pragma once
 
-#include "friction_of_scalars.hpp"
-#include "rollbem/adhesion/frequency.hpp"
-#include "rollbem/adhesion/stability.hpp"
-#include "rollbem/adhesion/stability_count.hpp"
-#include "rollbem/adhesion/steady.hpp"
-#include "rollbem/adhesion/transient.hpp"
-#include "rollbem/spectral/polynomial.hpp"
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/stability_count.hpp>
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/friction_of_scalars.hpp"
 #include "support/polynomial_instances.hpp"
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \

@@ -1,4 +1,4 @@
-#include "scalars.hpp"
+#include "support/scalars.hpp"
 
 namespace rollbem {
 
