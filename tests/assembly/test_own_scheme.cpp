@@ -2,12 +2,12 @@
 // rows(). Here the mean of two collocation points, whose matrices are the means of those of both points.
 #include <cmath>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/stability_count.hpp>
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/friction/steady.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"

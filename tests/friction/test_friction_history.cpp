@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/transient.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

@@ -11,9 +11,9 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

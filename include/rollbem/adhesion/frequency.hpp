@@ -81,7 +81,8 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
     MatrixX<Complex> A(n, n);
     A.real() = system.G_prime() / scale - ratio.real() * system.G();
     A.imag() = -ratio.imag() * system.G();
-    const ArrayX<Scalar> row_sums = A.cwiseAbs().rowwise().sum();
+    const MatrixX<Scalar> magnitudes = A.cwiseAbs();
+    const ArrayX<Scalar> row_sums = magnitudes.rowwise().sum();
     const Scalar norm = row_sums.maxCoeff();
     const VectorX<Complex> xi = VectorX<Complex>::Constant(n, 1 / scale);
     const Eigen::PartialPivLU<MatrixX<Complex>> lu(A);
@@ -91,7 +92,7 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
     if (!finite || !detail::is_finite(solution.c11)) return solution;
     solution.residual = (A * solution.traction - xi).cwiseAbs().maxCoeff() /
                         (norm * solution.traction.cwiseAbs().maxCoeff() + 1 / scale);
-    solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(A));
+    solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(magnitudes));
     solution.status = detail::harmonic_status(n, solution.rcond, solution.residual);
     return solution;
 }
