@@ -26,7 +26,8 @@ enum class StepStatus {
     not_finite,     ///< the motion or the result is not a number or infinite
     invalid_step,   ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
     needs_prepare,  ///< the distance rolled has to be prepared: too many elements, or Integrator::matrix_exponential
-    wrong_state,    ///< a state, prepared step or workspace of another system, or one object both `from` and `to`
+    wrong_state,    ///< a state or workspace of another system, a prepared step of another model, or one object both
+                    ///< `from` and `to`
 };
 
 /// The name of a status as it stands in this header.

@@ -402,6 +402,8 @@ TEST_CASE("In the loop bad input is a status and touches nothing", "[transient]"
     refused(model.advance(from, model.prepare(0), 1.0, to), StepStatus::invalid_step);
     refused(model.advance(from, Model::Prepared(), Motion::shift(1.0), to), StepStatus::wrong_state);
     refused(model.advance(from, plane_model(11, Integrator::sdirk2).prepare(0.1), 1.0, to), StepStatus::wrong_state);
+    refused(model.advance(from, plane_model(10, Integrator::implicit_euler).prepare(0.1), 1.0, to),
+            StepStatus::wrong_state);
     refused(model.advance(Model::State(), prepared, 1.0, to), StepStatus::wrong_state);
     refused(model.advance(to, prepared, 1.0, to), StepStatus::wrong_state);
     refused(plane_model(10, Integrator::matrix_exponential).advance(from, 0.1, 1.0, to), StepStatus::needs_prepare);
@@ -443,6 +445,9 @@ TEST_CASE("Construction refuses bad input by name", "[transient]") {
     CHECK_THROWS_WITH(Model(contact, rolling_system(mesh, Collocation{1.5, 1.5}, kernel), good),
                       ContainsSubstring("does not converge to full adhesion"));
     CHECK_NOTHROW(Model(contact, rolling_system(mesh, Collocation{1.5, 1.5}, kernel), unchecked));
+
+    const ElementSystem<double> singular(MatrixX<double>::Identity(8, 8), MatrixX<double>::Zero(8, 8), mesh.widths());
+    CHECK_THROWS_WITH(Model(contact, singular, good), ContainsSubstring("G_prime is singular"));
 
     const Contact<double> infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
     CHECK_THROWS_WITH(Model(infinite, rolling_system(mesh, halves, kernel), unchecked),

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 
 #include "support/catch.hpp"
@@ -107,6 +108,20 @@ TEST_CASE("Rows that break what is asked of them are refused", "[scheme]") {
     for (const Eigen::Index first : {-1, 1}) {
         CHECK_THROWS_AS(check([=](Rows& rows) { rows.first_equation = first; }), std::invalid_argument);
     }
+}
+
+TEST_CASE("A scheme whose rows for G and G' differ in number or place is refused", "[scheme]") {
+    const auto build = [](Eigen::Index first_equation, Eigen::Index unknown_count) {
+        Given scheme{KnotheBoundary{}.rows<double>(Quantity::slope, 5),
+                     KnotheBoundary{}.rows<double>(Quantity::displacement, 5)};
+        scheme.displacement.first_equation = first_equation;
+        scheme.displacement.unknown_count = unknown_count;
+        return rolling_system(uniform_mesh(5), scheme, PlaneKernel<double>(100, 0.75, 0.25)).size();
+    };
+    CHECK(build(1, 4) == 4);
+    CHECK_THROWS_WITH(build(0, 4),
+                      "rolling_system: first_equation of the scheme for G = 0 must equal that for G_prime");
+    CHECK_THROWS_WITH(build(1, 3), "rolling_system: unknown_count of the scheme for G = 3 must equal that for G_prime");
 }
 
 }  // namespace

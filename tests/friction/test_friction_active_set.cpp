@@ -81,4 +81,31 @@ TEST_CASE("A solution is found where all elements are alike", "[friction]") {
     CHECK(fallbacks > 1000);
 }
 
+TEST_CASE("A solver that has solved other problems gives what a fresh one gives, singular matrices included",
+          "[friction]") {
+    std::mt19937 generator(1);
+    const auto integer = [&](unsigned count) { return static_cast<double>(generator() % count); };
+    int singular = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        const Eigen::Index n = 3 + trial % 3;
+        const MatrixX<double> matrix = MatrixX<double>::NullaryExpr(n, n, [&] { return integer(3) - 1; });
+        const VectorX<double> bound = VectorX<double>::NullaryExpr(n, [&] { return integer(3); });
+        const VectorX<double> constant = VectorX<double>::NullaryExpr(n, [&] { return (integer(5) - 2) / 2; });
+        if (bound.isZero(0)) continue;
+        const std::vector<Zone> stick(static_cast<std::size_t>(n), Zone::stick);
+        detail::ActiveSet<double> fresh(n), used(n);
+        fresh.new_matrix() = used.new_matrix() = matrix;
+        used.constant().setConstant(1e6);
+        used.solve(bound, stick);
+        fresh.constant() = used.constant() = constant;
+        const auto first = fresh.solve(bound, stick), again = used.solve(bound, stick);
+        CAPTURE(trial, n, first.pivots);
+        REQUIRE(first.residual == again.residual);
+        REQUIRE(first.status == again.status);
+        REQUIRE(fresh.traction() == used.traction());
+        if (!first.tangent_exists) ++singular;
+    }
+    CHECK(singular > 5);
+}
+
 }  // namespace

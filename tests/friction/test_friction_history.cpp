@@ -282,6 +282,8 @@ TEST_CASE("Friction in time asks of its system what full adhesion asks", "[frict
         const auto other = Contact<double>::dimensionless(10 * (1 + change), nu);
         refused(other, system, good, "b/a of the kernel over that of the contact");
         CHECK_THROWS_WITH(FrictionModel<double>(other, system, unchecked, scene.friction), ContainsSubstring("b/a"));
+        CHECK_THROWS_WITH(SteadyFrictionModel<double>(other, scene.mesh, scene.scheme, scene.kernel, scene.friction),
+                          ContainsSubstring("b/a"));
     }
     CHECK_NOTHROW(
         FrictionModel<double>(Contact<double>::dimensionless(10 * (1 + 5e-13), nu), system, unchecked, scene.friction));

@@ -395,6 +395,8 @@ TEST_CASE("bad input to friction is refused by name, or answered by a status", "
     G(2, 5) = nan;
     CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()),
                       ContainsSubstring(": G(2, 5) = nan must be finite"));
+    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, MatrixX<double>(), ArrayX<double>(), {1, {}}),
+                      "SteadyFrictionModel: number of unknown elements = 0 must be at least 1");
     ArrayX<double> width = scene.mesh.widths();
     width[4] = 0;
     CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, -one, width, good),

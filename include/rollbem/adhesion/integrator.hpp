@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "../assembly/rolling_system.hpp"
@@ -63,7 +64,10 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
     require(verdict.uncertain_count == 0, who, "uncertain_count", verdict.uncertain_count,
             "be 0: rounding leaves open whether a mode grows");
     if (!system.unknowns_are_tractions()) return;
-    const Scalar share = assisting_share<Scalar>(steady_unknowns(system).array(), system.weights());
+    const VectorX<Scalar> steady = steady_unknowns(system);
+    require(all_finite(steady), who, "largest steady traction", std::numeric_limits<Scalar>::infinity(),
+            "be finite: G_prime is singular");
+    const Scalar share = assisting_share<Scalar>(steady.array(), system.weights());
     require(is_finite(share) && share <= Scalar(largest_assisting_share), who,
             "share of steady traction that pushes with the creepage", share,
             "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");

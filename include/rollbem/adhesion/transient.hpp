@@ -40,9 +40,8 @@ template <class Scalar>
 struct TransientStep {
     Scalar force = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b F_bar on body 1 [N]
     Scalar force_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< F_bar [N/m]
-    Scalar tangent =
-        std::numeric_limits<Scalar>::quiet_NaN();  ///< d force / d creepage at the end of the step [N]; for
-                                                   ///< a rigid shift d force / d shift [N/m]
+    /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
+    Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();
     StepStatus status = StepStatus::not_finite;
 };
 
@@ -53,7 +52,7 @@ public:
     Scalar dq() const { return dq_; }  ///< distance rolled in the step [m]
 
 private:
-    std::uint64_t system_ = 0;  // fingerprint of the model that prepared it
+    std::uint64_t made_for_ = 0;  // the model that prepared it: its fingerprint, and its integrator
     Scalar dq_ = 0;
     // Columns [change, per_shift, per_ramp]: p_new - p = change p + per_shift (xi dq) + per_ramp (change of xi) dq.
     MatrixX<Scalar> map_;                              // n x (n+2) [-], [Pa/m], [Pa/m]
@@ -134,6 +133,8 @@ private:
         Scalar shift_per_end = 0, ramp_per_end = 0;  // derivatives by the motion's end value
     };
 
+    std::uint64_t preparation() const { return fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator_)); }
+
     static constexpr std::size_t index(int j) { return static_cast<std::size_t>(j); }
 
     // Coefficients of (r(w) - 1)/w - 1 in y^j: the response to linear creepage.
@@ -168,7 +169,6 @@ private:
                 State& to) const noexcept {
         to.system = fingerprint_;
         Step result;
-        result.status = StepStatus::ok;
         result.force = areas_.dot(to.traction);
         result.force_per_width = result.force / width_;
         result.tangent = travel.shift_per_end * force_per_shift + travel.ramp_per_end * force_per_ramp;
@@ -243,7 +243,7 @@ auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
     Y.col(n).setConstant(gamma_);
     solve(system_.G() - gamma_ * h * system_.G_prime(), Y);
     Prepared step;
-    step.system_ = fingerprint_;
+    step.made_for_ = preparation();
     step.dq_ = dq;
     MatrixX<Scalar>& map = step.map_;
     map.setZero(n, n + 2);
@@ -273,7 +273,7 @@ auto TransientModel<Scalar_>::advance(const State& from, const Prepared& step, c
     const StepStatus status = check(from, step.dq_, motion, to);
     if (status != StepStatus::ok) return failed(status);
     const Eigen::Index n = size();
-    if (step.system_ != fingerprint_) return failed(StepStatus::wrong_state);
+    if (step.made_for_ != preparation()) return failed(StepStatus::wrong_state);
     const Travel travel = travel_of(motion, step.dq_);
     to.traction = from.traction + travel.shift * step.map_.col(n) + travel.ramp * step.map_.col(n + 1);
     to.traction.noalias() += step.map_.leftCols(n) * from.traction;

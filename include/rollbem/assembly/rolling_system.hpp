@@ -117,15 +117,38 @@ private:
     Eigen::Index element_count_;
 };
 
+namespace detail {
+
+/// b/a of a kernel that tells it.
+template <class Scalar, class Kernel>
+std::optional<Scalar> aspect_of(const Kernel& kernel) {
+    if constexpr (requires { kernel.half_width(); }) return kernel.half_width();
+    return std::nullopt;
+}
+
+/// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
+template <class Scalar, class Scheme>
+void require_one_system(const Scheme& scheme, Eigen::Index n) {
+    const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
+    const SchemeRows<Scalar> displacement = scheme_rows<Scalar>(scheme, Quantity::displacement, n);
+    require(displacement.unknown_count == slope.unknown_count, "rolling_system", "unknown_count of the scheme for G",
+            displacement.unknown_count, "equal that for G_prime");
+    require(displacement.first_equation == slope.first_equation, "rolling_system", "first_equation of the scheme for G",
+            displacement.first_equation, "equal that for G_prime");
+}
+
+}  // namespace detail
+
 /// Assembles both matrices. Throws std::invalid_argument when the scheme does not fit the mesh, when G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model grows in time.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
+    detail::require_one_system<Scalar>(scheme, mesh.size());
     InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
     ElementSystem<Scalar> system(std::move(matrices.G), std::move(matrices.G_prime), unknown_widths(mesh, scheme));
     system.element_count_ = mesh.size();
-    if constexpr (requires { kernel.half_width(); }) system.aspect_ = kernel.half_width();
+    system.aspect_ = detail::aspect_of<Scalar>(kernel);
     return system;
 }
 
@@ -141,15 +164,21 @@ std::uint64_t fingerprint_of(const Contact<Scalar>& contact, std::uint64_t syste
     return fingerprint.value() ^ system;
 }
 
+/// Throws std::invalid_argument where a kernel's b/a, if known, is not the contact's to 1e-12. Both may be infinite.
+template <class Scalar>
+void require_same_aspect(const char* who, const Contact<Scalar>& contact, const std::optional<Scalar>& aspect) {
+    if (!aspect || (!is_finite(*aspect) && !is_finite(contact.aspect()))) return;
+    const Scalar ratio = *aspect / contact.aspect();
+    const bool same = std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon();
+    require(is_finite(ratio) && same, who, "b/a of the kernel over that of the contact", ratio, "be 1");
+}
+
 /// Throws std::invalid_argument where a system was made for another b/a than the contact's, or the contact's is infinite.
 template <class Scalar>
 void require_same_aspect(const char* who, const Contact<Scalar>& contact, const RollingSystem<Scalar>& system) {
     require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),
             "be finite: an infinite one is for steady problems only");
-    if (!system.aspect()) return;
-    const Scalar ratio = *system.aspect() / contact.aspect();
-    require(std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon(), who,
-            "b/a of the kernel over that of the contact", ratio, "be 1");
+    require_same_aspect(who, contact, system.aspect());
 }
 
 }  // namespace detail

@@ -25,6 +25,7 @@ namespace detail {
 template <class Scalar>
 VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& friction, Eigen::Index mesh_size,
                                Eigen::Index count, Scalar shear_modulus) {
+    require(count >= 1, who, "number of unknown elements", count, "be at least 1");
     require(is_finite(friction.friction_coefficient) && friction.friction_coefficient >= 0, who, "friction_coefficient",
             friction.friction_coefficient, "be finite and not negative");
     require(friction.normal_pressure.size() == mesh_size, who, "length of normal_pressure",

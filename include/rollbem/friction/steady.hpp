@@ -42,16 +42,20 @@ public:
     using Step = FrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// Throws std::invalid_argument as assemble_G_prime does and where the law breaks what CoulombFriction asks for.
+    /// Throws std::invalid_argument as assemble_G_prime does, where the law breaks what CoulombFriction asks for, and where
+    /// the kernel's half-width is not the contact's.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
                               detail::friction_bound("SteadyFrictionModel", friction, mesh.size(),
-                                                     unknown_count(scheme, mesh.size()), contact.shear_modulus())) {}
+                                                     unknown_count(scheme, mesh.size()), contact.shear_modulus())) {
+        detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
+    }
 
     /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a); the law has as many
-    /// pressures. Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width is not positive.
+    /// pressures. Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width is not
+    /// positive. That G has not taken the place of G' cannot be seen here: ElementSystem, which has both, sees it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths,

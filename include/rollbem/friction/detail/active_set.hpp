@@ -79,6 +79,7 @@ public:
 
     /// Solves for bounds >= 0, all finite, starting from `zones`.
     Outcome solve(const Vector& bound, const std::vector<Zone>& zones) noexcept {
+        imposed_ = constant_.cwiseAbs().maxCoeff();
         start_from(bound, zones);
         Outcome outcome;
         outcome.tangent_exists = settle(bound, outcome) || finish_by_path(bound, outcome);
@@ -142,7 +143,6 @@ private:
 
     // p and s from the zones. False when stick elements creep more than rounding explains, whatever the factors.
     bool evaluate(const Vector& bound) {
-        imposed_ = constant_.cwiseAbs().maxCoeff();
         for (;;) {
             right_ = -sign_.cwiseProduct(bound);
             const bool same = right_ == sliding_traction_;  // mostly the same elements slide as before
