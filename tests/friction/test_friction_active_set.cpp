@@ -86,7 +86,7 @@ TEST_CASE("A solver that has solved other problems gives what a fresh one gives,
     std::mt19937 generator(1);
     const auto integer = [&](unsigned count) { return static_cast<double>(generator() % count); };
     int singular = 0;
-    for (int trial = 0; trial < 5000; ++trial) {
+    for (int trial = 0; trial < 20000; ++trial) {
         const Eigen::Index n = 3 + trial % 3;
         const MatrixX<double> matrix = MatrixX<double>::NullaryExpr(n, n, [&] { return integer(3) - 1; });
         const VectorX<double> bound = VectorX<double>::NullaryExpr(n, [&] { return integer(3); });
@@ -105,7 +105,7 @@ TEST_CASE("A solver that has solved other problems gives what a fresh one gives,
         REQUIRE(fresh.traction() == used.traction());
         if (!first.tangent_exists) ++singular;
     }
-    CHECK(singular > 5);
+    CHECK(singular > 10);
 }
 
 }  // namespace
