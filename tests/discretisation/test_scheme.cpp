@@ -4,8 +4,8 @@
 
 #include <rollbem/discretisation/scheme.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/reference.hpp"
 
 namespace {
 
