@@ -112,18 +112,21 @@ TEST_CASE("Two points: friction", "[scheme]") {
     const FrictionModel<double> rolling(contact, own, verdict(own), friction);
     const FrictionModel<double> expected_rolling(contact, mean, verdict(mean), friction);
     FrictionWorkspace<double> workspace = rolling.workspace(), expected_workspace = expected_rolling.workspace();
+    Eigen::Index stick_count = 0;
     FrictionState<double> now = rolling.at_rest(), next = now;
     FrictionState<double> expected_now = expected_rolling.at_rest(), expected_next = expected_now;
     for (int step = 0; step < 5; ++step) {
-        const auto made = rolling.advance(now, 0.2, 2e-3, next, workspace);
-        const auto wanted = expected_rolling.advance(expected_now, 0.2, 2e-3, expected_next, expected_workspace);
+        const auto made = rolling.advance(now, 0.2, 1e-2, next, workspace);
+        const auto wanted = expected_rolling.advance(expected_now, 0.2, 1e-2, expected_next, expected_workspace);
         REQUIRE(made.status == StepStatus::ok);
         CHECK(made.force == Approx(wanted.force).epsilon(1e-11));
         CHECK(made.stick_count == wanted.stick_count);
-        CHECK(made.stick_count < mesh.size());
+        stick_count = made.stick_count;
         std::swap(now, next);
         std::swap(expected_now, expected_next);
     }
+    CHECK(stick_count > 0);
+    CHECK(stick_count < mesh.size());
 }
 
 }  // namespace
