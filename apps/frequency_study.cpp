@@ -14,12 +14,11 @@
 #include <vector>
 
 #include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
-#include "support/polynomial_instances.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"

@@ -1,5 +1,6 @@
-// Stability in time: the eigenvalues nu of G' p = nu G p, modes that grow like e^{nu V t}. How many grow, and which signs
-// rounding leaves open; the smallest alpha_T at which one grows; or the eigenvalues themselves beside the exact ones:
+// Stability in time: the eigenvalues nu of G' p = nu G p, modes that grow like e^{nu V t}. How many grow, and which
+// signs rounding leaves open; the smallest alpha_T at which one grows; or the eigenvalues themselves beside the exact
+// ones:
 //
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
 //     ./stability_study --critical --n 20,40,80,160

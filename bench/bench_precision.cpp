@@ -12,9 +12,9 @@
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "naive.hpp"
 

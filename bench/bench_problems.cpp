@@ -10,9 +10,9 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 namespace {
 

@@ -21,12 +21,8 @@ target_compile_features(rollbem_build_info PUBLIC cxx_std_20)
 target_include_directories(rollbem_build_info PUBLIC "${generated_dir}")
 target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
-add_library(rollbem_spectral_instances STATIC "${PROJECT_SOURCE_DIR}/apps/support/spectral_instances.cpp")
-target_include_directories(rollbem_spectral_instances PUBLIC "${PROJECT_SOURCE_DIR}/apps")
-target_link_libraries(rollbem_spectral_instances PUBLIC rollbem::reference PRIVATE rollbem_warnings)
-
 add_library(rollbem_app_support STATIC)
-foreach(part IN ITEMS config_file csv files mesh_names non_steady options plot program scenes table)
+foreach(part IN ITEMS config_file csv files mesh_names non_steady options plot program scenes strip_instances table)
     target_sources(rollbem_app_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 if(NOT MSVC)
@@ -36,5 +32,5 @@ if(NOT MSVC)
 endif()
 target_include_directories(rollbem_app_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
 target_link_libraries(rollbem_app_support
-    PUBLIC rollbem::reference rollbem::compiled rollbem_spectral_instances rollbem_build_info Threads::Threads
+    PUBLIC rollbem::reference rollbem::compiled rollbem_build_info Threads::Threads
     PRIVATE CLI11::CLI11 rollbem_quick_to_compile)

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/strip.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "cases.hpp"
 #include "long_double.hpp"
-#include "support/polynomial_instances.hpp"
 #include "support/strip_instances.hpp"
 
 namespace extremes {

@@ -19,8 +19,8 @@
 #include <gsl/gsl_integration.h>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "evaluate.hpp"
 #include "figures.hpp"

@@ -1,5 +1,5 @@
-// Every quantitative or comparative statement of the paper's sections 5 to 7: what it says, how it is measured here, and
-// whether it holds. Thresholds are fixed in claims.cpp and told in the remarks; none depends on the result.
+// Every quantitative or comparative statement of the paper's sections 5 to 7: what it says, how it is measured here,
+// and whether it holds. Thresholds are fixed in claims.cpp and told in the remarks; none depends on the result.
 #pragma once
 
 #include <array>

@@ -72,8 +72,8 @@ ElementField element_field(double x_over_width) {
     return {(strip().H(ahead) - strip().H(behind))[0], (strip().g(ahead) - strip().g(behind))[0]};
 }
 
-// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too: its curves start
-// at alpha = 0, where tractions zigzag long before their sum is lost.
+// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too: its curves
+// start at alpha = 0, where tractions zigzag long before their sum is lost.
 static bool is_solved(rollbem::Status status) {
     return status == rollbem::Status::ok || status == rollbem::Status::inconsistent;
 }

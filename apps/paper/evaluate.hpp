@@ -54,8 +54,8 @@ struct Tractions {
 };
 Tractions tractions(const Case& c);
 
-/// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on n + 1 elements from those of
-/// collocation with alpha = 1 on n, over the largest traction (plane kernel, which knows no length).
+/// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on n + 1 elements from those
+/// of collocation with alpha = 1 on n, over the largest traction (plane kernel, which knows no length).
 double knothe_boundary_difference(Eigen::Index n, Derivative derivative);
 
 /// Largest difference of G' between two cases of equal n, over its largest entry.
@@ -74,7 +74,8 @@ Eigen::Index unstable_count(const Case& c);
 /// Whether an eigenvalue grows and rounding cannot have given it its sign, by the QZ algorithm.
 bool certainly_unstable(const Case& c);
 
-/// The smallest alpha_T from 0.45 to 1 at which certainly_unstable, found by steps of 0.001; nothing where there is none.
+/// The smallest alpha_T from 0.45 to 1 at which certainly_unstable, found by steps of 0.001; nothing where there is
+/// none.
 std::optional<double> critical_alpha_T(const Case& c);
 
 /// c11 under harmonic creepage of omega a/V = z, by the boundary elements.

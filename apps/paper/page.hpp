@@ -104,7 +104,8 @@ inline const char* page_head() {
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>Figures and claims of Giménez, Alonso and Baeza (2018), reproduced</title>
 <style>
-body { font: 16px/1.45 system-ui, sans-serif; max-width: 1200px; margin: 2em auto; padding: 0 1em; color: #111; background: #fff; }
+body { font: 16px/1.45 system-ui, sans-serif; max-width: 1200px; margin: 2em auto;
+       padding: 0 1em; color: #111; background: #fff; }
 h2 { margin-top: 2.5em; border-bottom: 1px solid #bbb; }
 figure { margin: 1.5em 0; }
 svg { width: 100%; height: auto; max-width: 900px; display: block; }

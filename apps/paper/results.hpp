@@ -13,15 +13,14 @@
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "evaluate.hpp"
 #include "figures.hpp"
 #include "measures.hpp"
 #include "support/csv.hpp"
 #include "support/plot.hpp"
-#include "support/polynomial_instances.hpp"
 
 namespace paper {
 

@@ -16,6 +16,7 @@
 #include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
@@ -23,7 +24,8 @@
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
-#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/non_steady.hpp"
 
 namespace precision {
 
@@ -370,7 +372,7 @@ double Case::run(const Quantity& quantity) const {
 std::optional<bool> Case::stable() const {
     const double aspect = scene_.contact.aspect();
     if (!std::isfinite(aspect)) return std::nullopt;
-    const bool plane_decays = rollbem::plane_lambda(scene_.contact.poisson_ratio(), aspect) > 0;
+    const bool plane_decays = study::plane_model_decays(scene_.contact);
     const auto found = elements(scheme_);
     if (!found) return plane_decays;  // of the model itself
     if (scene_.plane && !plane_decays) return std::nullopt;

@@ -1,6 +1,7 @@
-// A configuration file: options as NAME = VALUE, one a line, in what TOML and INI have in common and what of TOML options
-// have a use for. A value is a text in "" (with TOML's escapes) or in '', a bare word or comma-separated words, or a list
-// of such in [], which may go on over several lines. # and, at the start of a line, ; begin a comment. No sections.
+// A configuration file: options as NAME = VALUE, one a line, in what TOML and INI have in common and what of TOML
+// options have a use for. A value is a text in "" (with TOML's escapes) or in '', a bare word or comma-separated words,
+// or a list of such in [], which may go on over several lines. # and, at the start of a line, ; begin a comment. No
+// sections.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,8 @@ struct Setting {
     std::string where;                ///< file, line and what stands there, for messages
 };
 
-/// Reads the contents of a file, which `said` names in messages. Throws BadInput for whatever is malformed, and for a name
-/// that comes twice.
+/// Reads the contents of a file, which `said` names in messages. Throws BadInput for whatever is malformed, and for a
+/// name that comes twice.
 std::vector<Setting> read_settings(std::string_view text, const std::string& said);
 
 }  // namespace study

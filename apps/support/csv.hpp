@@ -108,7 +108,8 @@ std::string sidecar_text(const Options& options);
 /// the disk.
 class TableFile {
 public:
-    /// Writes where --name says, or to standard output where it is not given. Throws BadInput when that cannot be written.
+    /// Writes where --name says, or to standard output where it is not given. Throws BadInput when that cannot be
+    /// written.
     TableFile(const Options& options, const std::string& name);
 
     OutputFile& rows() { return csv_; }

@@ -31,7 +31,8 @@ private:
     std::size_t next_ = 0, number_ = 0;
 };
 
-/// The end of a chain of symbolic links, whether a file is there or not. A chain that does not end is returned as it is.
+/// The end of a chain of symbolic links, whether a file is there or not. A chain that does not end is returned as it
+/// is.
 std::string behind_links(const std::string& path);
 
 /// Whether `path` is a stream that is open already, such as /dev/fd/3, or anything else that is no regular file.

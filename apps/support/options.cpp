@@ -32,9 +32,10 @@ std::string wrap(const std::string& text, std::size_t width) {
     return result;
 }
 
-double to_number(const std::string& name, const std::string& text, const Rule& rule) {
+// `what` is asked for: "a number" of a list, or "one number".
+double to_number(const std::string& name, const std::string& text, const std::string& what, const Rule& rule) {
     const std::optional<double> value = detail::parse_number<double>(text);
-    if (!value) throw BadInput("--" + name + " = " + text + " must be a number and " + rule.text);
+    if (!value) throw BadInput("--" + name + " = " + text + " must be " + what + ", and it must " + rule.text);
     if (!rule.holds(*value)) throw BadInput("--" + name + " = " + text + " must " + rule.text);
     return *value;
 }
@@ -254,7 +255,9 @@ std::string Options::choice(const std::string& name, const std::vector<std::stri
     return value;
 }
 
-double Options::number(const std::string& name, const Rule& rule) const { return to_number(name, text(name), rule); }
+double Options::number(const std::string& name, const Rule& rule) const {
+    return to_number(name, text(name), "one number", rule);
+}
 
 std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
     return to_integer(name, text(name), low, high);
@@ -281,7 +284,7 @@ std::vector<Number> Options::list(const std::string& name, const Read& read) con
 }
 
 std::vector<double> Options::numbers(const std::string& name, const Rule& rule) const {
-    return list<double>(name, [&](const std::string& item) { return to_number(name, item, rule); });
+    return list<double>(name, [&](const std::string& item) { return to_number(name, item, "a number", rule); });
 }
 
 std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {

@@ -1,4 +1,4 @@
-// The spectral solution of the strip, which several programs and tests use: compiled once, in spectral_instances.cpp.
+// The spectral solution of the strip, which several programs use: compiled once, in strip_instances.cpp.
 #pragma once
 
 #include <complex>

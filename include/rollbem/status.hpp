@@ -20,8 +20,8 @@ enum class Status {
 /// What became of a step, or of a solution with friction that was sought from a state.
 enum class StepStatus {
     ok,
-    /// Friction: no solution was found to rounding, and the complementarity residual tells how far off this one is. With
-    /// finite bounds a solution always exists, so only matrices that are singular to rounding lead here.
+    /// Friction: no solution was found to rounding, and the complementarity residual tells how far off this one is.
+    /// With finite bounds a solution always exists, so only matrices that are singular to rounding lead here.
     no_solution,
     not_finite,     ///< the motion or the result is not a number or infinite
     invalid_step,   ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)

@@ -21,7 +21,6 @@
 #include <rollbem/reference/strip.hpp>
 
 #include "support/catch.hpp"
-#include "support/strip_instances.hpp"
 
 namespace {
 

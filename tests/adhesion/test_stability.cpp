@@ -102,7 +102,8 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
 }
 
 TEST_CASE("Uncertainty follows its definition, from vectors found in another way", "[stability]") {
-    // right vectors from the standard problem, left ones as rows of (G X)^-1: fit while the vectors are well-conditioned
+    // right vectors from the standard problem, left ones as rows of (G X)^-1: fit while the vectors are
+    // well-conditioned
     for (const unsigned seed : {11u, 12u, 13u}) {
         const Eigen::Index n = 12;
         const Matrix G = random_matrix(n, seed) + 3 * Matrix::Identity(n, n);

@@ -8,9 +8,9 @@
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
-#include "support/reference.hpp"
 #include "support/scalars.hpp"
 
 namespace {

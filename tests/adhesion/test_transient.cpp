@@ -124,7 +124,7 @@ TEST_CASE("Order of convergence in dq", "[transient]") {
                 std::abs(response(run(model, dq, steps, rectangles(dq), model.at_rest())) - sine_end));
         }
         const double expected = integrator == Integrator::implicit_euler ? 1 : 2;
-        CAPTURE(static_cast<int>(integrator), sine_errors, ramp_errors, rectangle_errors);
+        CAPTURE(name(integrator), sine_errors, ramp_errors, rectangle_errors);
         CHECK(std::abs(support::observed_order(sizes, sine_errors) - expected) < 0.1);
         CHECK(std::abs(support::observed_order(sizes, rectangle_errors) - 1) < 0.1);
         if (integrator == Integrator::matrix_exponential) {
@@ -153,7 +153,7 @@ TEST_CASE("A step is the rational function that its integrator's name says", "[t
             Model::State from = model.at_rest(), to = from;
             from.traction[0] = 1;
             REQUIRE(model.advance(from, model.prepare(-w / 2), 0.0, to).status == StepStatus::ok);
-            CAPTURE(static_cast<int>(integrator), w);
+            CAPTURE(name(integrator), w);
             CHECK(std::abs(to.traction[0] - expected) < 1e-14);
         }
     }
@@ -181,7 +181,7 @@ TEST_CASE("From dq = 1e-9 to 1e6 steps stay bounded and right in both limits", "
                 largest = std::max(largest, std::abs(force));
                 std::swap(state, next);
             }
-            CAPTURE(static_cast<int>(integrator), dq, largest);
+            CAPTURE(name(integrator), dq, largest);
             CHECK(largest < 1.3 * steady);  // L-stable steps may overshoot once
             if (dq > 0.5) CHECK(std::abs(-model.force(state) / 200 / steady - 1) < 1e-12);
             // steady rolling stays steady
@@ -205,7 +205,7 @@ TEST_CASE("Prepared and unprepared steps agree", "[transient]") {
                     Model::State left = from, right = from;
                     const TransientStep<double> a = model.advance(from, model.prepare(dq), motion, left);
                     const TransientStep<double> b = model.advance(from, dq, motion, right);
-                    CAPTURE(static_cast<int>(integrator), n, dq, a.force, b.force, a.tangent, b.tangent);
+                    CAPTURE(name(integrator), n, dq, a.force, b.force, a.tangent, b.tangent);
                     REQUIRE(a.status == StepStatus::ok);
                     REQUIRE(b.status == StepStatus::ok);
                     const double size = std::max(from.traction.norm(), left.traction.norm());
@@ -275,7 +275,7 @@ TEST_CASE("Matrices whose first pivots vanish are solved all the same", "[transi
         const Model model(plane_contact(),
                           ElementSystem<double>(matrices.G, matrices.G_prime, ArrayX<double>::Constant(3, 2.0 / 3)),
                           unchecked, integrator);
-        CAPTURE(static_cast<int>(integrator));
+        CAPTURE(name(integrator));
         CHECK(close(model.steady(0.5).traction, solution(matrices.G_prime, 0.5)));
         Model::State to = model.at_rest();
         REQUIRE(model.advance(model.at_rest(), model.prepare(0), Motion::shift(0.25), to).status == StepStatus::ok);

@@ -1,4 +1,4 @@
-// rollbem/adhesion/transient.hpp, friction.hpp: no step touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp and steady.hpp: no step touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <atomic>
 #include <cstddef>

@@ -28,7 +28,8 @@ StabilityVerdict make_verdict(Eigen::Index n, const Collocation& scheme) {
     return verdict(rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())));
 }
 
-/// Free motion after a kick, q from 0 to steps * dq: the forces, and the state's size at the end relative to the kick's.
+/// Free motion after a kick, q from 0 to steps * dq: the forces, and the state's size at the end relative to the
+/// kick's.
 struct Decay {
     std::vector<double> forces;
     double growth;

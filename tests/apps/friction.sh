@@ -24,7 +24,7 @@ bad '--tractions = t has no effect with --transient' $study --transient --creepa
 bad '--fit-border' $study --transient --creepage-ratio 1 --fit-border
 bad 'one of --creepage-ratio and --sine must be given with --transient' $study --transient --output x.csv
 bad '--creepage-ratio = 1 has no effect with --sine' $study --transient --sine 1,1 --creepage-ratio 1
-bad '--creepage-ratio = 1,2 must be' $study --transient --creepage-ratio 1,2
+bad '--creepage-ratio = 1,2 must be one number, and it must be finite' $study --transient --creepage-ratio 1,2
 bad '--sine = 1 must be AMP,OMEGA' $study --transient --sine 1
 bad '--sine = 1,0 must be AMP,OMEGA' $study --transient --sine 1,0
 bad '--shift = inf must be finite' $study --transient --creepage-ratio 1 --shift inf

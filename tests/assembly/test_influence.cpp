@@ -10,8 +10,8 @@
 
 #include <rollbem/compiled/assembly.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/reference.hpp"
 #include "support/scalars.hpp"
 
 namespace {

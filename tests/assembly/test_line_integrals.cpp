@@ -6,8 +6,8 @@
 
 #include <rollbem/assembly/detail/line_integrals.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/reference.hpp"
 
 namespace {
 

@@ -1,6 +1,7 @@
 // A scheme of one's own, rollbem/discretisation/scheme.hpp, through every problem: all that the library asks for is
 // rows(). Here the mean of two collocation points, whose matrices are the means of those of both points.
 #include <cmath>
+#include <utility>
 
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/compiled/frequency.hpp>
@@ -73,10 +74,14 @@ TEST_CASE("Two points: steady, stability, frequency and time", "[scheme]") {
     const Eigen::Index grown = count_unstable<double>(mean_of_both(mesh, unstable)).unstable_count;
     CHECK(grown > 0);
     CHECK(count_unstable<double>(rolling_system(mesh, unstable, kernel)).unstable_count == grown);
+    CHECK(verdict(own).stable());
+    CHECK(verdict(own).spectral_abscissa == Approx(verdict(mean).spectral_abscissa).epsilon(1e-9));
+    CHECK(verdict(rolling_system(mesh, unstable, kernel)).certainly_unstable());
 
     const HarmonicSolution<double> harmonic = solve_harmonic(mesh, stable, kernel, 2.0);
     CHECK(harmonic.status == Status::ok);
     CHECK(std::abs(harmonic.c11 - solve_harmonic(mean, 2.0).c11) < 1e-12);
+    CHECK(std::abs(FrequencySweep<double>(own)(2.0).c11 - solve_harmonic(mean, 2.0).c11) < 1e-12);
 
     const TransientModel<double> model(contact, own, unchecked), expected(contact, mean, unchecked);
     TransientState<double> now = model.at_rest(), next = now;
@@ -102,6 +107,26 @@ TEST_CASE("Two points: friction", "[scheme]") {
         return of.solve(now, 2e-3, next, workspace).force;
     };
     CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
+
+    const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
+    const FrictionModel<double> rolling(contact, own, verdict(own), friction);
+    const FrictionModel<double> expected_rolling(contact, mean, verdict(mean), friction);
+    FrictionWorkspace<double> workspace = rolling.workspace(), expected_workspace = expected_rolling.workspace();
+    Eigen::Index stick_count = 0;
+    FrictionState<double> now = rolling.at_rest(), next = now;
+    FrictionState<double> expected_now = expected_rolling.at_rest(), expected_next = expected_now;
+    for (int step = 0; step < 5; ++step) {
+        const auto made = rolling.advance(now, 0.2, 1e-2, next, workspace);
+        const auto wanted = expected_rolling.advance(expected_now, 0.2, 1e-2, expected_next, expected_workspace);
+        REQUIRE(made.status == StepStatus::ok);
+        CHECK(made.force == Approx(wanted.force).epsilon(1e-11));
+        CHECK(made.stick_count == wanted.stick_count);
+        stick_count = made.stick_count;
+        std::swap(now, next);
+        std::swap(expected_now, expected_next);
+    }
+    CHECK(stick_count > 0);
+    CHECK(stick_count < mesh.size());
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ Complex exact_c11(Complex s, const Contact& contact) {
     return rollbem::steady_c11(nu) * both / (I0 + s * rollbem::plane_lambda(nu, contact.aspect()) * both);
 }
 
-/// Root of s + kappa c11(s) = 0, kappa = 2 a^2 b G (1/m + R^2/J) / V^2: the sliding speed V - R omega under the contact's
-/// force; by the secant method from the root that c11 = C/(1 + (Lambda - 1/2) s) would give.
+/// Root of s + kappa c11(s) = 0, kappa = 2 a^2 b G (1/m + R^2/J) / V^2: the sliding speed V - R omega under the
+/// contact's force; by the secant method from the root that c11 = C/(1 + (Lambda - 1/2) s) would give.
 Complex closed_loop(const Wheel& wheel, const Contact& contact, double speed) {
     const double a = contact.half_length();
     const double mobility = 1 / wheel.mass + wheel.radius * wheel.radius / wheel.inertia;

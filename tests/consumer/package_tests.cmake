@@ -1,4 +1,5 @@
 # Installs the library to a fresh place and builds a user's project against it, in each way a user can get it.
+include(GNUInstallDirs)
 set(prefix "${CMAKE_CURRENT_BINARY_DIR}/consumer/prefix")
 
 add_test(NAME package.clean COMMAND ${CMAKE_COMMAND} -E rm -rf "${CMAKE_CURRENT_BINARY_DIR}/consumer")
@@ -32,6 +33,20 @@ add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=re
 add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=compiled ${no_gsl})
 add_consumer_test(subdirectory slip -DROLLBEM_FROM=subdirectory ${no_gsl})
 add_consumer_test(pkg_config readme "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
+
+# The main package finds that of `compiled` where it is itself, although only its own folder is named.
+add_test(NAME package.compiled_beside
+    COMMAND ${CMAKE_COMMAND}
+        -G "${CMAKE_GENERATOR}"
+        -S "${CMAKE_CURRENT_SOURCE_DIR}/consumer"
+        -B "${CMAKE_CURRENT_BINARY_DIR}/consumer/compiled_beside"
+        "-DCMAKE_MAKE_PROGRAM=${CMAKE_MAKE_PROGRAM}"
+        "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+        "-DEigen3_DIR=${Eigen3_DIR}"
+        "-Drollbem_DIR=${prefix}/${CMAKE_INSTALL_DATADIR}/cmake/rollbem"
+        -DCOMPONENT=compiled
+        ${no_gsl})
+set_tests_properties(package.compiled_beside PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_prefix)
 
 # Without GSL the component is refused, and the message says why.
 add_consumer_test(reference_without_gsl exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference ${no_gsl})

@@ -113,8 +113,8 @@ int main() {
     bool balanced = std::abs(usual.gap()) < 3e-3 * usual.heat;
 
     // 2. Galerkin's method tests with the tractions' own elements: G comes out symmetric and G' antisymmetric, so that
-    // no energy is made or lost in space. What is left is the integration in time, of second order. The price: its modes
-    // neither decay nor grow, which no verdict lets pass.
+    // no energy is made or lost in space. What is left is the integration in time, of second order. The price: its
+    // modes neither decay nor grow, which no verdict lets pass.
     const auto galerkin = rollbem::rolling_system(mesh, rollbem::Galerkin{.alpha_L = 0, .alpha_T = 0}, kernel);
     const FrictionContact conservative(contact, galerkin, rollbem::unchecked, load);
     double coarse = 0, fine = 0;

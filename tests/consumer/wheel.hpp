@@ -30,10 +30,10 @@ inline double creepage(const Wheel& wheel, double speed, double rotation) {
     return (speed - wheel.radius * rotation) / speed;
 }
 
-/// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's method.
-/// Each trial advances the contact from the same state: what a rejected trial leaves in `next` is overwritten. The status
-/// is not ok where the contact refuses; the force is not a number where Newton does not settle. `workspace` is what the
-/// model asks for besides: that of this contact with friction, nothing without.
+/// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's
+/// method. Each trial advances the contact from the same state: what a rejected trial leaves in `next` is overwritten.
+/// The status is not ok where the contact refuses; the force is not a number where Newton does not settle. `workspace`
+/// is what the model asks for besides: that of this contact with friction, nothing without.
 template <class Model, class... Workspace>
 typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
                              State<Model>& next, Workspace&... workspace) {

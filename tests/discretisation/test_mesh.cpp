@@ -8,8 +8,8 @@
 
 #include <rollbem/discretisation/mesh.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/reference.hpp"
 
 namespace {
 

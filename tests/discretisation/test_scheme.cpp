@@ -5,8 +5,8 @@
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/reference.hpp"
 
 namespace {
 

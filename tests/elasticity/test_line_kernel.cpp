@@ -12,9 +12,9 @@
 
 #include <rollbem/elasticity/line_kernel.hpp>
 
+#include "support/brute_force.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
-#include "support/reference.hpp"
 
 namespace {
 

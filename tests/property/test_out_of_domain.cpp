@@ -11,6 +11,7 @@
 #include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
@@ -18,7 +19,6 @@
 #include <rollbem/elasticity/plane_model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
 

@@ -317,8 +317,8 @@ TEST_CASE("Steps of any length are finite or told, and long ones end in steady r
         const bool consistent = (any.status == StepStatus::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
-        // far beyond every eigenvalue, growing or not, an L-stable step forgets where it came from; |G'^-1 G| bounds the
-        // length of the slowest mode, which grows with the condition of G'
+        // far beyond every eigenvalue, growing or not, an L-stable step forgets where it came from; |G'^-1 G| bounds
+        // the length of the slowest mode, which grows with the condition of G'
         const Model::Prepared step = model.prepare(std::max(1e9, 1e4 * longest));
         TransientStep<double> last;
         for (int k = 0; k < 4; ++k) {

@@ -4,9 +4,9 @@
 
 #include <gsl/gsl_errno.h>
 
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/fitted_polynomial.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
 #include "support/scalars.hpp"

@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_errno.h>
 
+#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

@@ -8,10 +8,9 @@
 #include <rollbem/adhesion/stability_count.hpp>
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/adhesion/transient.hpp>
-#include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/compiled/polynomial.hpp>
 
 #include "support/friction_of_scalars.hpp"
-#include "support/polynomial_instances.hpp"
 
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template decltype(detail::influence_matrix<Scalar>) detail::influence_matrix<Scalar>;   \

@@ -1,5 +1,5 @@
-// Which mesh, how many elements, and whether to extrapolate: a stable and cheap element scheme for a required precision.
-// Stands on measured errors, a table below; knows no matrices.
+// Which mesh, how many elements, and whether to extrapolate: a stable and cheap element scheme for a required
+// precision. Stands on measured errors, a table below; knows no matrices.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -66,8 +66,8 @@ struct MeasuredError {
 };
 
 /// For each purpose, the first that is not too coarse for the tolerance. Measured against the closed forms of the plane
-/// kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. For steady rolling at a coarse tolerance, the Toeplitz assembly
-/// on the uniform mesh counts for more than the finer mesh.
+/// kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. For steady rolling at a coarse
+/// tolerance, the Toeplitz assembly on the uniform mesh counts for more than the finer mesh.
 inline constexpr MeasuredError measured_errors[] = {
     {Purpose::steady, Topology::uniform, 1, 0.19, 2.8, 6, 1e-5},  // 1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34 elements
     {Purpose::steady, Topology::cosine, 2, 0.9, 3.4, 6, 0},       // 1e-6 -> 58, 1e-8 -> 220
@@ -90,11 +90,11 @@ inline const MeasuredError& measured_error(double tolerance, Purpose purpose) {
 
 /// An element scheme, stable and among the cheapest, whose relative error stays below the tolerance, by the measured
 /// errors above: so that no change of sign of an error counts as precision. With the strip kernel the error against the
-/// strip's own solution is the same from b/a = 10 on; narrower strips need more elements (steady: up to 5 times the error
-/// at b/a = 1, 150 times at 0.1). A strip's distance from the plane, of order (a/b)^2, is the model's. With friction,
-/// errors jump with the element at the border of slip; extrapolation, which helps at some creepages, is not relied on.
-/// Where only c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost.
-/// Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
+/// strip's own solution is the same from b/a = 10 on; narrower strips need more elements (steady: up to 5 times the
+/// error at b/a = 1, 150 times at 0.1). A strip's distance from the plane, of order (a/b)^2, is the model's. With
+/// friction, errors jump with the element at the border of slip; extrapolation, which helps at some creepages, is not
+/// relied on. Where only c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at
+/// less cost. Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
 inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
     constexpr Eigen::Index largest = 640;
     const detail::MeasuredError& measured = detail::measured_error(tolerance, purpose);

@@ -1,5 +1,5 @@
-// Richardson extrapolation of any result of a scheme whose order of convergence is known: c11, real or complex, a force.
-// Knows neither meshes nor matrices.
+// Richardson extrapolation of any result of a scheme whose order of convergence is known: c11, real or complex, a
+// force. Knows neither meshes nor matrices.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -29,8 +29,9 @@ struct Extrapolation {
     Status status = Status::not_finite;  ///< order_differs: the finest value is returned as it is
 };
 
-/// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine) elements.
-/// Nothing is checked: p must be known to fit. Throws std::invalid_argument unless `order` p is positive and finite.
+/// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine)
+/// elements. Nothing is checked: p must be known to fit. Throws std::invalid_argument unless `order` p is positive and
+/// finite.
 template <class Value>
 Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
     detail::require(detail::is_finite(order) && order > 0, "richardson", "order", order, "be positive and finite");

@@ -67,8 +67,9 @@ Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
 
 }  // namespace detail
 
-/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme converges
-/// (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not finite.
+/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme
+/// converges (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not
+/// finite.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
                                            std::type_identity_t<std::complex<Scalar>> s) {
@@ -97,8 +98,8 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
     return solution;
 }
 
-/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent where the
-/// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument for a z that is not finite.
+/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent where
+/// the tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument for a z that is not finite.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
     detail::require(detail::is_finite(z), "solve_harmonic", "omega a/V", z, "be finite");
@@ -118,8 +119,8 @@ HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& 
 }
 
 /// c11 at many frequencies. With M = G'^-1 G = U H U^T, H of Hessenberg form, (G' - s G) p = xi turns into
-/// (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction here, O(n^2) per frequency. Where rcond(G') is too small for M
-/// to be relied on, each frequency takes its own LU; see reduced(). Const objects may be shared by threads.
+/// (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction here, O(n^2) per frequency. Where rcond(G') is too small for
+/// M to be relied on, each frequency takes its own LU; see reduced(). Const objects may be shared by threads.
 template <class Scalar_>
 class FrequencySweep {
 public:

@@ -1,5 +1,5 @@
 // Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm,
-// and which signs of their real parts are settled. Costs some 20 s of compile time; stability_count.hpp only counts.
+// and which signs of their real parts are settled. stability_count.hpp only counts.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -129,8 +129,8 @@ void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex
     }
 }
 
-/// StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution, each for its
-/// own eigenvalue: no matching of two spectra, no inverse of an ill-conditioned matrix of vectors. As v ends and w
+/// StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution, each for
+/// its own eigenvalue: no matching of two spectra, no inverse of an ill-conditioned matrix of vectors. As v ends and w
 /// starts at the eigenvalue's own entry i, where both are 1, y^H G x = T_ii / (|v| |w|).
 template <class Scalar>
 VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pair, Scalar norm_G_prime,
@@ -177,7 +177,8 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
 }  // namespace detail
 
 /// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
-/// triangular pair is needed here). Without options no vectors are computed. No convergence gives Status::ill_conditioned.
+/// triangular pair is needed here). Without options no vectors are computed. No convergence gives
+/// Status::ill_conditioned.
 template <class Scalar>
 StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, StabilityOptions options = {}) {
     const Eigen::Index n = system.size();

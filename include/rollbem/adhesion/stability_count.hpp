@@ -1,5 +1,5 @@
 // How many modes of G' p = nu G p grow, by the standard eigenvalue problem of M = G'^-1 G: several times as fast as
-// the QZ algorithm of stability.hpp, and much faster to compile; no vectors, no look at rounding.
+// the QZ algorithm of stability.hpp; no vectors, no look at rounding.
 #pragma once
 
 #include "../detail/language.hpp"

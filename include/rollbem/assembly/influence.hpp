@@ -1,5 +1,5 @@
 // Influence matrices: G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and kernel.
-// Everything after this stage sees only these matrices and the widths of the elements.
+// rolling_system.hpp carries them on with the weights that turn tractions into the force.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -24,9 +24,9 @@ struct InfluenceMatrices {
     MatrixX<Scalar> G_prime;  ///< du/dx per traction [1/G]
 };
 
-/// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G: G'_lm is the slope du/dx at the point of row l,
-/// Eq. (28), or its mean about it, Eqs. (14) and (29), under unit traction of element m. All that a steady problem needs.
-/// Throws std::invalid_argument when the scheme does not fit the mesh.
+/// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G: G'_lm is the slope du/dx at the point of row
+/// l, Eq. (28), or its mean about it, Eqs. (14) and (29), under unit traction of element m. All that a steady problem
+/// needs. Throws std::invalid_argument when the scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::influence_matrix<Scalar>(mesh, scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size()),

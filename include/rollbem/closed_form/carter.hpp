@@ -1,6 +1,6 @@
-#pragma once
 // Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
 // and the creep coefficient. Dimensionless: a = G = V = 1.
+#pragma once
 
 #include "../detail/language.hpp"
 

@@ -1,6 +1,6 @@
-#pragma once
 // Coulomb friction under Hertz pressure p0 sqrt(1 - x^2/a^2), in elementary functions: Carter's steady rolling with
 // partial slip and Cattaneo's shift from rest. Dimensionless: x in a, tractions in mu p0, forces in mu N.
+#pragma once
 
 #include "../detail/language.hpp"
 

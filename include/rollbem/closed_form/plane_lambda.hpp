@@ -1,6 +1,6 @@
+// Lambda, the compliance number of the plane model: where it is not positive, that model is unstable in time, before
+// any discretisation. Dimensionless: a = G = V = 1.
 #pragma once
-// Lambda, the compliance number of the plane model: where it is not positive, that model is unstable in time, before any
-// discretisation. Dimensionless: a = G = V = 1.
 
 #include "../detail/language.hpp"
 

@@ -6,6 +6,7 @@
 #include "assembly.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
+#include "polynomial.hpp"
 #include "stability.hpp"
 #include "steady.hpp"
 #include "transient.hpp"

@@ -1,5 +1,5 @@
-// Whether numbers are finite, by their bits. With -ffast-math compilers take std::isfinite for true, std::isnan for false
-// and !(x > 0) for x <= 0, so that neither a status nor what is accepted as input may hang on these alone.
+// Whether numbers are finite, by their bits. With -ffast-math compilers take std::isfinite for true, std::isnan for
+// false and !(x > 0) for x <= 0, so that neither a status nor what is accepted as input may hang on these alone.
 #pragma once
 
 #include "language.hpp"

@@ -15,8 +15,8 @@ using MatrixRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynami
 template <class Scalar>
 using VectorRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
 
-/// Overwrites the n x n matrix A with its factors, rows swapped as a whole; row k was swapped with row swaps[k] >= k, of
-/// n. A singular A leaves infinities or NaN in what is solved with it.
+/// Overwrites the n x n matrix A with its factors, rows swapped as a whole; row k was swapped with row swaps[k] >= k,
+/// of n. A singular A leaves infinities or NaN in what is solved with it.
 template <class Scalar>
 void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     const Eigen::Index n = A.rows();

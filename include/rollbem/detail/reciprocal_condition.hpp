@@ -43,8 +43,8 @@ void solve_transposed(const Factors& lu, Eigen::Matrix<typename Factors::Scalar,
     for (Eigen::Index k = 0; k < n; ++k) x[k] = permuted[places[k]];
 }
 
-/// Estimate of 1 / (|A| |A^-1|) in the 1-norm of a real A from its factors, never below it and hardly ever far above it:
-/// Higham, ACM Trans. Math. Softw. 14 (1988) 381-396. The same steps as those of Eigen's rcond().
+/// Estimate of 1 / (|A| |A^-1|) in the 1-norm of a real A from its factors, never below it and hardly ever far above
+/// it: Higham, ACM Trans. Math. Softw. 14 (1988) 381-396. The same steps as those of Eigen's rcond().
 template <class Factors>
 typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors::Scalar norm) {
     using Scalar = typename Factors::Scalar;

@@ -190,7 +190,8 @@ SchemeRows<Scalar> scheme_rows(const Scheme& scheme, Quantity quantity, Eigen::I
     return rows;
 }
 
-/// Throws std::invalid_argument where scheme_rows does, for G or G'.
+/// Throws std::invalid_argument where scheme_rows does, for G or G': to refuse a scheme before anything is assembled,
+/// and for the tests of one's own.
 template <RollingScheme Scheme>
 void check_scheme(const Scheme& scheme, Eigen::Index n) {
     scheme_rows<double>(scheme, Quantity::slope, n);

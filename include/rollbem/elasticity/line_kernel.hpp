@@ -126,9 +126,9 @@ public:
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 
-    /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance of a constant displacement
-    /// over that of the first harmonic. All modes of the plane model decay where Lambda > 0, one of them grows where
-    /// Lambda < 0: the kernel is then used far outside b >> a.
+    /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance of a constant
+    /// displacement over that of the first harmonic. All modes of the plane model decay where Lambda > 0, one of them
+    /// grows where Lambda < 0: the kernel is then used far outside b >> a.
     Scalar lambda() const { return lambda_; }
 
     Array g(const Array& x) const {

@@ -1,6 +1,6 @@
-#pragma once
 // Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
 // GSL; includes nothing of the discretised problem, so that it cannot share its errors. Dimensionless: a = G = V = 1.
+#pragma once
 
 #include "../detail/language.hpp"
 
@@ -25,9 +25,9 @@
 #include "../detail/require.hpp"
 
 /// Independent references. With u = A e^{sx} - xi/s the zero-slip condition du/dx - s u = xi holds for any A; the
-/// logarithmic kernel is diagonal in Chebyshev polynomials over sqrt(1-x^2) (T_0 -> 2 (1-nu) Lambda, T_n -> 2 (1-nu)/n),
-/// e^{sx} = I0(s) + 2 sum I_n(s) T_n(x), and p = 0 at the leading edge fixes A. Hence, with D = I0 + s Lambda (I0+I1),
-/// c11(s) = pi/(2(1-nu)) (I0+I1)/D for any complex s; s = i omega a/V is the harmonic case.
+/// logarithmic kernel is diagonal in Chebyshev polynomials over sqrt(1-x^2) (T_0 -> 2 (1-nu) Lambda,
+/// T_n -> 2 (1-nu)/n), e^{sx} = I0(s) + 2 sum I_n(s) T_n(x), and p = 0 at the leading edge fixes A. Hence, with
+/// D = I0 + s Lambda (I0+I1), c11(s) = pi/(2(1-nu)) (I0+I1)/D for any complex s; s = i omega a/V is the harmonic case.
 namespace rollbem::reference {
 
 namespace detail {
@@ -289,7 +289,8 @@ inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double p
 }
 
 /// Exact traction p/(G xi) under creepage xi e^{sx}-like in time (xi e^{s V t/a}): (sum p_n T_n(x))/sqrt(1-x^2) with
-/// p_0 = -(I0+I1)/(2(1-nu) D) and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing.
+/// p_0 = -(I0+I1)/(2(1-nu) D) and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the
+/// trailing.
 class ExactTraction {
 public:
     /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws as laplace_c11.

@@ -1,6 +1,6 @@
-#pragma once
 // B of Eq. (19) fitted by least squares to the integral of Eq. (20), as the paper obtains it: GSL quadrature with the
 // logarithm and the root singularities in the weight. Independent of the closed form in spectral/polynomial.hpp.
+#pragma once
 
 #include "../detail/language.hpp"
 

@@ -1,6 +1,6 @@
-#pragma once
 // Exact force histories of the plane model: the response to a step, a ramp, a sine and piecewise linear creepage in the
 // distance rolled q = V t/a, by the modal series and Taylor's series; de Hoog's method as an independent second route.
+#pragma once
 
 #include "../detail/language.hpp"
 

@@ -18,8 +18,8 @@ public:
     /// Creepage [-] that varies linearly along the way.
     static RigidMotion linear(Scalar start, Scalar end) { return {start, end, Kind::linear}; }
 
-    /// Rigid shift xi dq [m] of body 1 against body 2, even along the way: needs no division by a speed that may vanish,
-    /// and is allowed with dq = 0.
+    /// Rigid shift xi dq [m] of body 1 against body 2, even along the way: needs no division by a speed that may
+    /// vanish, and is allowed with dq = 0.
     static RigidMotion shift(Scalar shift) { return {shift, shift, Kind::shift}; }
 
     bool is_shift() const { return kind_ == Kind::shift; }

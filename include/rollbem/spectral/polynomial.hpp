@@ -1,6 +1,6 @@
+// Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel: in monomials as in the paper, and in
+// Chebyshev polynomials, where it costs O(order) and reaches machine precision. Dimensionless: a = G = V = 1.
 #pragma once
-// Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel: in monomials as in the paper, and in Chebyshev
-// polynomials, where it costs O(order) and reaches machine precision. Dimensionless: a = G = V = 1.
 
 #include "../detail/language.hpp"
 

@@ -34,10 +34,10 @@ struct ColumnElements {
     ArrayX<Scalar> half;           ///< h: half the width
 };
 
-/// The integrals of Eqs. (12)-(14) that are asked for: entry (l, m) = int w(tau) g^{(q)}(d + tau) dtau, with g the kernel,
-/// q = 0 for the displacement and 1 for the slope, d = point - centre of the element, and w the element's indicator
-/// (half-width h) convolved with `averages` normalised indicators of half-width delta. A finite difference, Eq. (29), is
-/// an average of the slope: collocation then has q = 1, averages = 1.
+/// The integrals of Eqs. (12)-(14) that are asked for: entry (l, m) = int w(tau) g^{(q)}(d + tau) dtau, with g the
+/// kernel, q = 0 for the displacement and 1 for the slope, d = point - centre of the element, and w the element's
+/// indicator (half-width h) convolved with `averages` normalised indicators of half-width delta. A finite difference,
+/// Eq. (29), is an average of the slope: collocation then has q = 1, averages = 1.
 template <class Scalar>
 struct Entries {
     using Array = ArrayX<Scalar>;

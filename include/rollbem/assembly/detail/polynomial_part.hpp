@@ -70,8 +70,8 @@ public:
     Eigen::Index length() const { return row_series_.cols(); }           ///< number of powers; 0: no such part
     const Table& common_coefficients() const { return common_powers_; }  ///< for equal widths
 
-    /// Row l of `powers`: coefficients of d^2i for element m seen from row l. With equal widths one row and one m, 0, serve
-    /// all: common_coefficients().
+    /// Row l of `powers`: coefficients of d^2i for element m seen from row l. With equal widths one row and one m, 0,
+    /// serve all: common_coefficients().
     void coefficients(Eigen::Index m, Table& powers) const {
         const Eigen::Index length = row_series_.cols();
         const Eigen::Index rows = row_series_.rows();
