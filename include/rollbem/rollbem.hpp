@@ -23,6 +23,7 @@
 #include "friction/friction.hpp"
 #include "scene/contact.hpp"
 #include "scene/rigid_motion.hpp"
+#include "spectral/chebyshev.hpp"
 #include "spectral/polynomial.hpp"
 #include "status.hpp"
 #include "types.hpp"
