@@ -142,7 +142,7 @@ SmoothSplit<typename Kernel::Scalar> chebyshev_split(const Chebyshev& method, co
     const SmoothSplit<Scalar> split = kernel.smooth_split();
     require(is_finite(split.strength) && split.strength > 0, "Chebyshev", "strength of the kernel's logarithm",
             split.strength, "be positive and finite");
-    require(split.distance >= Scalar(0.001), "Chebyshev",
+    require(!is_nan(split.distance) && split.distance >= Scalar(0.001), "Chebyshev",
             "b/a of the kernel (distance of its smooth part's singularity)", split.distance,
             "be at least 0.001: take elements for so narrow a strip");
     return split;
@@ -337,7 +337,8 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& m
     };
     const Scalar rounding = static_cast<Scalar>(m + 1) * std::numeric_limits<Scalar>::epsilon();
     solution.error_estimate = 2 * (by_smooth_part(m - 1) + by_smooth_part(m)) / std::abs(a[0]) + rounding;
-    const bool trusted = detail::is_finite(solution.error_estimate) && solution.rcond > 100 * rounding;
+    const bool trusted = detail::is_finite(solution.error_estimate) && detail::is_finite(solution.rcond) &&
+                         solution.rcond > 100 * rounding;
     solution.status = !trusted                                  ? Status::ill_conditioned
                       : solution.error_estimate <= Scalar(1e-2) ? Status::ok
                                                                 : Status::not_converged;
