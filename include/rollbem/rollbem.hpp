@@ -11,6 +11,7 @@
 #include "adhesion/frequency.hpp"
 #include "adhesion/stability.hpp"
 #include "adhesion/stability_count.hpp"
+#include "adhesion/state_space.hpp"
 #include "adhesion/steady.hpp"
 #include "adhesion/transient.hpp"
 #include "assembly/influence.hpp"
