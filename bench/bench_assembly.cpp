@@ -7,6 +7,7 @@
 
 #include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 
 #include "naive.hpp"
 
@@ -91,6 +92,15 @@ void lu_solve(benchmark::State& state) {
     state.counters["n"] = static_cast<double>(state.range(0));
 }
 
+/// The whole system of m Chebyshev states, beside BM_LU of elements.
+template <class Kernel>
+void chebyshev_system(benchmark::State& state, double aspect) {
+    const Kernel kernel = Kernel::longitudinal(Contact<double>::dimensionless(aspect, contact.poisson_ratio()));
+    const Chebyshev method{.states = state.range(0)};
+    for (auto _ : state) benchmark::DoNotOptimize(rolling_system(method, kernel));
+    state.counters["n"] = static_cast<double>(state.range(0));
+}
+
 void register_all() {
     for (const std::string mesh : {"uniform", "kalker", "cosine"}) {
         const auto sizes = [](benchmark::internal::Benchmark* bench) {
@@ -125,6 +135,10 @@ void register_all() {
     benchmark::RegisterBenchmark("BM_AssembleGradientGalerkin/uniform/strip", galerkin_gradient<StripKernel<double>>)
         ->Arg(80)
         ->Arg(160);
+    const auto plane = [](benchmark::State& state) { chebyshev_system<PlaneKernel<double>>(state, contact.aspect()); };
+    const auto strip = [](benchmark::State& state) { chebyshev_system<StripKernel<double>>(state, 1); };
+    benchmark::RegisterBenchmark("BM_ChebyshevSystem", plane)->Arg(8)->Arg(12)->Arg(24)->Arg(80);
+    benchmark::RegisterBenchmark("BM_ChebyshevSystemStrip", strip)->Arg(8)->Arg(12)->Arg(24)->Arg(80);
     benchmark::RegisterBenchmark("BM_LU", lu_solve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 }
 

@@ -5,6 +5,7 @@
 
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 
 namespace {
 
@@ -53,8 +54,7 @@ BENCHMARK(BM_Gemv)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 constexpr int steps_to_one = 64;
 
 /// A prepared step.
-void step(benchmark::State& bench, Integrator integrator) {
-    const TransientModel<double> model = make_model(bench.range(0), integrator);
+void step(benchmark::State& bench, const TransientModel<double>& model) {
     const PreparedStep<double> prepared = model.prepare(1.0 / steps_to_one);
     TransientState<double> state = model.at_rest(), next = state;
     for (auto _ : bench) {
@@ -63,12 +63,23 @@ void step(benchmark::State& bench, Integrator integrator) {
     }
     count(bench, step_error(model, prepared, steps_to_one));
 }
-void BM_TransientStep(benchmark::State& bench) { step(bench, Integrator::sdirk2); }
-void BM_TransientStepEuler(benchmark::State& bench) { step(bench, Integrator::implicit_euler); }
-void BM_TransientStepExponential(benchmark::State& bench) { step(bench, Integrator::matrix_exponential); }
+void BM_TransientStep(benchmark::State& bench) { step(bench, make_model(bench.range(0), Integrator::sdirk2)); }
+void BM_TransientStepEuler(benchmark::State& bench) {
+    step(bench, make_model(bench.range(0), Integrator::implicit_euler));
+}
+void BM_TransientStepExponential(benchmark::State& bench) {
+    step(bench, make_model(bench.range(0), Integrator::matrix_exponential));
+}
+/// A prepared step of Chebyshev states.
+void BM_ChebyshevStep(benchmark::State& bench) {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    step(bench, {contact, rolling_system(Chebyshev{bench.range(0)}, PlaneKernel<double>::longitudinal(contact)),
+                 unchecked, Integrator::matrix_exponential});
+}
 BENCHMARK(BM_TransientStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 BENCHMARK(BM_TransientStepEuler)->Arg(40);
 BENCHMARK(BM_TransientStepExponential)->Arg(40);
+BENCHMARK(BM_ChebyshevStep)->Arg(4)->Arg(8)->Arg(12)->Arg(24)->Arg(40);
 
 /// A step of a dq that was not prepared.
 void BM_TransientNewStep(benchmark::State& bench) {

@@ -11,12 +11,13 @@ for include in "$@"; do
     includes="$includes -isystem $include"
 done
 
-# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of a mesh and ARGUMENTS do not compile, because of CONCEPT.
+# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of ARGUMENTS do not compile, because of CONCEPT.
 try() {
     for call in solve_steady rolling_system; do
         cat > "$folder/unit.cpp" <<END
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 using namespace rollbem;
 struct RightScheme {
     template <class Scalar> SchemeRows<Scalar> rows(Quantity, Eigen::Index) const;
@@ -36,7 +37,7 @@ struct WrongKernel {
     using Scalar = double;
     double g(double) const;
 };
-void function(const Mesh<double>& mesh) { $call(mesh, $3); }
+void function(const Mesh<double>& mesh) { (void)$call($3); }
 END
         # shellcheck disable=SC2086 # one word an option
         if "$compiler" -std=c++20 -fsyntax-only $includes "$folder/unit.cpp" > "$folder/said" 2>&1; then
@@ -53,8 +54,10 @@ END
     done
 }
 
-try "the right ones" - "RightScheme{}, RightKernel{}"
-try "a scheme without rows" RollingScheme "NoRows{}, RightKernel{}"
-try "a scheme with rows for one scalar type" RollingScheme "RowsOfDouble{}, RightKernel{}"
-try "a scheme whose rows are none" RollingScheme "OtherRows{}, RightKernel{}"
-try "a kernel without antiderivatives" LineKernel "RightScheme{}, WrongKernel{}"
+try "the right ones" - "mesh, RightScheme{}, RightKernel{}"
+try "a scheme without rows" RollingScheme "mesh, NoRows{}, RightKernel{}"
+try "a scheme with rows for one scalar type" RollingScheme "mesh, RowsOfDouble{}, RightKernel{}"
+try "a scheme whose rows are none" RollingScheme "mesh, OtherRows{}, RightKernel{}"
+try "a kernel without antiderivatives" LineKernel "mesh, RightScheme{}, WrongKernel{}"
+try "Chebyshev states of a kernel with its split" - "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"
+try "Chebyshev states of a kernel without" SmoothSplitKernel "Chebyshev{}, RightKernel{}"

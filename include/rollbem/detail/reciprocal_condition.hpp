@@ -93,11 +93,15 @@ typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors
 
 /// Estimate of 1 / (|A| |A^-1|) in the 1-norm from the factors of an LU decomposition with partial pivoting and
 /// norm = |A|. Eigen's own takes |A^-1| from a few vectors, and two equal rows of A have no part in what it sees;
-/// 1 / (last pivot) is an entry of A^-1 and sees them.
+/// 1 / (last pivot) is an entry of A^-1 and sees them. A pivot that vanishes before the last would leave NaN in the
+/// vectors, and 1 in the estimate.
 template <class Factors>
 typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Factors::RealScalar norm) {
     using Scalar = typename Factors::RealScalar;
     const Eigen::Index last = lu.matrixLU().rows() - 1;
+    for (Eigen::Index k = 0; k < last; ++k) {
+        if (lu.matrixLU()(k, k) == typename Factors::Scalar(0)) return 0;
+    }
     Scalar estimate = 0;
     if constexpr (Eigen::NumTraits<typename Factors::Scalar>::IsComplex) {
         estimate = lu.rcond();

@@ -48,6 +48,24 @@ concept SplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel, typen
     { kernel.log_split(reach) } -> std::same_as<std::optional<LogSplit<typename Kernel::Scalar>>>;
 };
 
+/// g(x) = constant - strength ln|x| + smooth_part(x) for every x: the singularity, and what is analytic beside it.
+template <class Scalar>
+struct SmoothSplit {
+    Scalar constant;  ///< [1/G]; infinite for b = inf, where only the derivative of g exists
+    Scalar strength;  ///< [1/G], positive
+    Scalar distance;  ///< smooth_part is analytic but for +-i distance and beyond on the imaginary axis; infinite where
+                      ///< it is zero everywhere
+};
+
+/// A kernel that offers its SmoothSplit, and smooth_part(x), even in x and zero at x = 0: what a discretisation by
+/// polynomials asks for, which takes the logarithm in closed form and the rest by quadrature.
+template <class Kernel>
+concept SmoothSplitKernel = LineKernel<Kernel> &&
+    requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
+    { kernel.smooth_split() } -> std::same_as<SmoothSplit<typename Kernel::Scalar>>;
+    { kernel.smooth_part(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
+};
+
 /// A kernel that offers its Taylor coefficients: column k of taylor(x, order) is g^{(k)}(x) x^k / k!, k = 0 ... order.
 template <class Kernel>
 concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
@@ -151,6 +169,8 @@ public:
         return result;
     }
     std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
+    SmoothSplit<Scalar> smooth_split() const { return {constant_, strength_, std::numeric_limits<Scalar>::infinity()}; }
+    Array smooth_part(const Array& x) const { return detail::constant_array(x.size(), Scalar(0)); }
 
 private:
     Scalar b_, lambda_, strength_, constant_;
@@ -231,6 +251,21 @@ public:
             split.even[k - 1] = beta * (c2_ - c1_ / Scalar(2 * k));
         }
         return split;
+    }
+
+    /// With r = sqrt(x^2 + b^2), asinh(b/|x|) = ln(2b) - ln|x| + ln((b + r)/(2b)) and b/r = 1 + (b/r - 1): r has branch
+    /// points at +-ib.
+    SmoothSplit<Scalar> smooth_split() const { return {scale() * (c1_ * std::log(2 * b_) + c2_), scale() * c1_, b_}; }
+    /// (2/pi) [c1 ln((b + r)/(2b)) + c2 (b/r - 1)] with r - b = x^2/(r + b): nothing cancels in wide strips.
+    Array smooth_part(const Array& x) const {
+        const Array r = radius(x);
+        Array rise(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) rise[i] = x[i] * x[i] / (r[i] + b_);
+        Array u(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) u[i] = rise[i] / (2 * b_);
+        Array result = detail::log1p_array(u);
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = scale() * (c1_ * result[i] - c2_ * (rise[i] / r[i]));
+        return result;
     }
 
     /// g' = -(2b/pi) [c1/(x r) + c2 x/r^3]; the series of 1/r and 1/r^3 about x follow from

@@ -18,6 +18,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
+#include "detail/quotient.hpp"
 
 namespace rollbem {
 
@@ -120,16 +121,7 @@ private:
             }
             return -value;
         }
-        // Clenshaw's b_k in Reinsch's form; sum c_n T_n = (1 - x)(b_1 - 2 sum_{k>0} b_k) when the c_n add up to zero
-        Complex b = 0;
-        Complex difference = 0;
-        Complex sum = 0;
-        for (Eigen::Index k = c.size() - 1; k > 0; --k) {
-            difference += c[k] - 2 * position.leading * b;
-            b += difference;
-            sum += b;
-        }
-        return b - Scalar(2) * sum;
+        return detail::quotient_by_leading(c, position.leading);
     }
 };
 

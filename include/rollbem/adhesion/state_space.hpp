@@ -1,0 +1,93 @@
+// A contact in full adhesion as linear ordinary differential equations, for programs that integrate, linearise or design
+// controllers by themselves: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include <Eigen/LU>
+
+#include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/reciprocal_condition.hpp"
+#include "../detail/require.hpp"
+#include "../scene/contact.hpp"
+#include "../spectral/chebyshev.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// d x/d(q/a) = A x + B xi, C x + D xi = -F_bar/(a G): creepage in, force per unit width out; q = V t is the distance
+/// rolled, x are the unknowns of the system it was made from. At rest x = 0. c11(s) = C (s I - A)^-1 B + D, s in V/a.
+template <class Scalar>
+struct StateSpace {
+    MatrixX<Scalar> A;     ///< n x n
+    MatrixX<Scalar> B, C;  ///< n x 1, 1 x n
+    MatrixX<Scalar> D;     ///< 1 x 1, zero
+};
+
+/// dx/dt = A x + B xi, F = C x + D xi: creepage [-] in, force [N] on body 1 over the width 2b out, negative for positive
+/// creepage. The states stay dimensionless (of Chebyshev: displacement coefficients over a; of elements: p/G).
+template <class Scalar>
+struct StateSpaceSI {
+    MatrixX<Scalar> A;  ///< n x n [1/s]
+    MatrixX<Scalar> B;  ///< n x 1 [1/s]
+    MatrixX<Scalar> C;  ///< 1 x n [N]
+    MatrixX<Scalar> D;  ///< 1 x 1 [N], zero
+};
+
+/// Of any system: A = G^-1 G', B = -G^-1 1, C = -weights. Throws std::invalid_argument, naming rcond(G), where G is
+/// singular to working precision (rcond <= 100 n eps). Elements of alpha_L = 0 come near to that from n of about 150 on.
+template <class Scalar>
+StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
+    const Eigen::Index n = system.size();
+    const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G());
+    const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(system.G()));
+    const Scalar least = 100 * static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const std::string rule = "exceed " + detail::to_text(least) +
+                             ": G is singular to working precision, and its states cannot be told apart";
+    detail::require(detail::is_finite(rcond) && rcond > least, "state_space", "rcond of G", rcond, rule.c_str());
+    return {.A = lu.solve(system.G_prime()),
+            .B = lu.solve(MatrixX<Scalar>::Constant(n, 1, -1)),
+            .C = -system.weights().matrix().transpose(),
+            .D = MatrixX<Scalar>::Zero(1, 1)};
+}
+
+/// Of Chebyshev states: without an inverse, B = -e_0.
+template <class Scalar>
+StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
+    const Eigen::Index m = system.size();
+    StateSpace<Scalar> result{.A = system.rates(),
+                              .B = MatrixX<Scalar>::Zero(m, 1),
+                              .C = -system.weights().matrix().transpose(),
+                              .D = MatrixX<Scalar>::Zero(1, 1)};
+    result.B(0, 0) = -1;
+    return result;
+}
+
+/// The same of a kernel: 8 states are the contact to rounding where nothing changes within its length. Throws as
+/// rolling_system does.
+template <SmoothSplitKernel Kernel>
+StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
+    return state_space(rolling_system(method, kernel));
+}
+
+/// In SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D. Throws
+/// std::invalid_argument unless V is positive and finite and the contact's half-width is finite.
+template <class Scalar>
+StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
+                           std::type_identity_t<Scalar> speed) {
+    detail::require(detail::is_finite(speed) && speed > 0, "in_si", "speed", speed, "be positive and finite");
+    detail::require(detail::is_finite(contact.half_width()), "in_si", "half_width", contact.half_width(), "be finite");
+    const Scalar rate = speed / contact.half_length();
+    const Scalar force = -2 * contact.half_width() * contact.half_length() * contact.shear_modulus();
+    return {.A = rate * dimensionless.A,
+            .B = rate * dimensionless.B,
+            .C = force * dimensionless.C,
+            .D = force * dimensionless.D};
+}
+
+}  // namespace rollbem

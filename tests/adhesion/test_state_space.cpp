@@ -1,0 +1,167 @@
+// rollbem/adhesion/state_space.hpp
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <rollbem/adhesion/state_space.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/step_response.hpp>
+
+#include "support/catch.hpp"
+#include "support/dense.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+using Catch::Matchers::ContainsSubstring;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+const PlaneKernel<double> plane(100, 0.75, 0.25);
+const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+
+// C (s I - A)^-1 B + D
+template <class Space>
+Complex response(const Space& space, Complex s) {
+    Eigen::MatrixXcd resolvent = -space.A.template cast<Complex>();
+    resolvent.diagonal().array() += s;
+    return (space.C.template cast<Complex>() * dense::solve_complex(resolvent, space.B.template cast<Complex>()))(0,
+                                                                                                                  0) +
+           space.D(0, 0);
+}
+
+double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
+
+TEST_CASE("Eight equations are the contact where nothing changes within its length", "[state_space]") {
+    const StateSpace<double> space = state_space(Chebyshev{8}, plane);
+    CHECK(space.A.rows() == 8);
+    for (const double angle : {0.0, 0.7, 1.5707963267948966, 2.2}) {
+        for (const double radius : {1e-3, 0.1, 0.5, 1.0}) {
+            const Complex s = std::polar(radius, angle);
+            CAPTURE(s);
+            CHECK(relative_error(response(space, s), reference::laplace_c11(s, 0.25, 100)) < 1e-12);
+        }
+    }
+    // and not where something does
+    CHECK(relative_error(response(space, Complex(0, 5)), reference::laplace_c11(Complex(0, 5), 0.25, 100)) > 1e-4);
+    const Complex exact = reference::eigenvalues(1, 0.25, 100)[0];
+    CHECK((dense::spectrum(space.A).values.array() - exact).abs().minCoeff() < 1e-13);
+    CHECK(space.D(0, 0) == 0);
+}
+
+TEST_CASE("The state space of a system is the system", "[state_space]") {
+    const auto check = [](const RollingSystem<double>& system, double tolerance) {
+        const StateSpace<double> space = state_space(system);
+        for (const double z : {0.0, 0.3, 4.0}) {
+            CAPTURE(system.size(), z);
+            CHECK(relative_error(response(space, Complex(0, z)), solve_harmonic(system, z).c11) < tolerance);
+        }
+    };
+    check(rolling_system(cosine_mesh(1), halves, plane), 1e-14);
+    check(rolling_system(cosine_mesh(40), halves, plane), 1e-12);
+    check(rolling_system(uniform_mesh(20), Collocation{}, StripKernel<double>(0.5, 0.75, 0.25)), 1e-10);
+    check(rolling_system(Chebyshev{24}, plane), 1e-13);
+}
+
+TEST_CASE("Chebyshev states need no inverse, and give the same", "[state_space]") {
+    for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
+        for (const double aspect : {0.5, 100.0}) {
+            const ChebyshevSystem<double> system =
+                rolling_system(Chebyshev{m}, StripKernel<double>(aspect, 0.75, 0.25));
+            const StateSpace<double> direct = state_space(system),
+                                     inverted = state_space<double>(static_cast<const RollingSystem<double>&>(system));
+            CAPTURE(m, aspect);
+            CHECK((direct.A - inverted.A).cwiseAbs().maxCoeff() < 2000 * eps * direct.A.cwiseAbs().maxCoeff());
+            CHECK((direct.B - inverted.B).cwiseAbs().maxCoeff() < 100 * eps);
+            CHECK((direct.C - inverted.C).cwiseAbs().maxCoeff() == 0);
+            CHECK(direct.B.cwiseAbs().sum() == 1);
+            CHECK((state_space(Chebyshev{m}, StripKernel<double>(aspect, 0.75, 0.25)).A - direct.A)
+                      .cwiseAbs()
+                      .maxCoeff() == 0);
+        }
+    }
+}
+
+// x(q) of constant creepage from rest, by the classic Runge-Kutta method
+template <class Space>
+double stepped(const Space& space, double end, int steps) {
+    const double h = end / steps;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(space.A.rows());
+    const auto rate = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd { return space.A * at + space.B; };
+    for (int k = 0; k < steps; ++k) {
+        const Eigen::VectorXd k1 = rate(x), k2 = rate(x + h / 2 * k1), k3 = rate(x + h / 2 * k2), k4 = rate(x + h * k3);
+        x += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    return (space.C * x)(0, 0);
+}
+
+TEST_CASE("A step by an integrator of one's own", "[state_space]") {
+    const reference::StepResponse exact(0.25, 100);
+    const StateSpace<double> space = state_space(Chebyshev{24}, plane);
+    for (const double q : {5.0, 20.0}) CHECK(std::abs(stepped(space, q, 4000) / exact.step(q) - 1) < 2e-9);
+}
+
+TEST_CASE("In SI units the force is that of the time loop", "[state_space]") {
+    const Contact<double> contact(
+        {.half_length = 6e-3, .half_width = 60e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const double speed = 30, creepage = 1e-4;
+    const auto kernel = StripKernel<double>::longitudinal(contact);
+    const ChebyshevSystem<double> system = rolling_system(Chebyshev{12}, kernel);
+    const StateSpaceSI<double> space = in_si(state_space(system), contact, speed);
+    // steady: 2b times -a G c11 xi
+    const double c11 = solve_steady(Chebyshev{12}, kernel).c11;
+    const Complex steady = response(space, 0.0) * creepage;
+    CHECK(relative_error(steady, -2 * 60e-3 * 6e-3 * 8e10 * c11 * creepage) < 1e-12);
+    // at 50 Hz
+    const Complex s(0, 2 * 3.14159 * 50);
+    CHECK(relative_error(response(space, s) / steady * creepage,
+                         solve_harmonic(system, s.imag() * 6e-3 / speed).c11 / c11) < 1e-12);
+    // after 0.4 ms
+    const TransientModel<double> model(contact, system, unchecked, Integrator::matrix_exponential);
+    TransientState<double> state = model.at_rest(), next = state;
+    const double force = model.advance(state, model.prepare(speed * 4e-4), creepage, next).force;
+    CHECK(std::abs(stepped(space, 4e-4, 2000) * creepage / force - 1) < 1e-9);
+    CHECK(force < 0);
+}
+
+TEMPLATE_TEST_CASE("State space in every scalar type", "[state_space]", float, double, long double) {
+    using Scalar = TestType;
+    const ChebyshevSystem<Scalar> system =
+        rolling_system(Chebyshev{10}, StripKernel<Scalar>(1, Scalar(0.75), Scalar(0.25)));
+    const StateSpace<Scalar> direct = state_space(system),
+                             inverted = state_space<Scalar>(static_cast<const RollingSystem<Scalar>&>(system));
+    const Scalar tolerance = 1000 * std::numeric_limits<Scalar>::epsilon();
+    CHECK((direct.A - inverted.A).cwiseAbs().maxCoeff() < tolerance * direct.A.cwiseAbs().maxCoeff());
+    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(1, Scalar(0.25));
+    CHECK(in_si(direct, contact, 3).A == 3 * direct.A);
+    CHECK(in_si(direct, contact, 3).C == -2 * direct.C);
+}
+
+TEST_CASE("What a state space refuses", "[state_space]") {
+    MatrixX<double> G = MatrixX<double>::Identity(3, 3);
+    G(1, 1) = 0;
+    const RollingSystem<double> singular(G, MatrixX<double>::Identity(3, 3), ArrayX<double>::Ones(3));
+    CHECK_THROWS_WITH(state_space(singular), ContainsSubstring("rcond of G = 0 must exceed") &&
+                                                 ContainsSubstring("singular to working precision"));
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    // many elements with their points at the leading edge's side
+    const RollingSystem<double> nearly =
+        rolling_system(uniform_mesh(400), Collocation{.alpha_L = 0, .alpha_T = 0.63}, plane);
+    CHECK_THROWS_WITH(state_space(nearly), ContainsSubstring("rcond of G"));
+    CHECK_THROWS_WITH(state_space(Chebyshev{0}, plane), ContainsSubstring("states = 0"));
+    const StateSpace<double> space = state_space(Chebyshev{4}, plane);
+    for (const double speed :
+         {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK_THROWS_WITH(in_si(space, contact, speed), ContainsSubstring("must be positive and finite"));
+    }
+    const Contact<double> endless = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), 0.25);
+    CHECK_THROWS_WITH(in_si(space, endless, 1), ContainsSubstring("half_width = inf must be finite"));
+}
+
+}  // namespace

@@ -1,0 +1,428 @@
+// rollbem/spectral/chebyshev.hpp
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/step_response.hpp>
+#include <rollbem/reference/strip.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/spectral/polynomial.hpp>
+
+#include "support/catch.hpp"
+#include "support/scalars.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+using Catch::Matchers::ContainsSubstring;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const PlaneKernel<double> plane(100, 0.75, 0.25);
+
+StripKernel<double> strip(double aspect, double nu = 0.28) { return {aspect, 1 - nu, nu}; }
+
+double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
+
+// what other code found, to a factor of 0.6 either way
+auto about(double found) { return Catch::Matchers::WithinRel(found, 0.4); }
+
+// largest relative error of c11(z), 0 <= z <= z_max, plane kernel
+double plane_error(Eigen::Index m, double z_max) {
+    const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
+    double largest = 0;
+    for (int k = 0; k <= 100; ++k) {
+        const double z = z_max * k / 100;
+        const SweepPoint<double> point = sweep(z);
+        CHECK(point.status == Status::ok);
+        largest = std::max(largest, relative_error(point.c11, reference::harmonic_c11(z, 0.25, 100)));
+    }
+    return largest;
+}
+
+TEST_CASE("Steady rolling of the plane is exact from one state on", "[chebyshev]") {
+    for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
+        for (const double aspect : {0.01, 1.0, 100.0, 1e12, infinity}) {
+            for (const auto& [c1, c2, exact] :
+                 {std::tuple(0.75, 0.25, steady_c11(0.25)), std::tuple(1.0, -0.3, std::numbers::pi / 2)}) {
+                const ChebyshevSteadySolution<double> solution =
+                    solve_steady(Chebyshev{m}, PlaneKernel<double>(aspect, c1, c2));
+                CAPTURE(m, aspect, c1);
+                CHECK(solution.status == Status::ok);
+                CHECK(std::abs(solution.c11 / exact - 1) <= 4 * eps);
+                CHECK(solution.error_estimate <= 1000 * eps);
+            }
+        }
+        const ChebyshevSteadySolution<double> solution =
+            solve_steady(Chebyshev{m}, PlaneKernel<double>(infinity, 0.75, 0.25));
+        for (const double d : {1e-300, 1e-12, 0.1, 1.0, 1.9}) {
+            for (const EdgeDistances<double> x : {EdgeDistances<double>{d, 2 - d}, EdgeDistances<double>{2 - d, d}}) {
+                CHECK(std::abs(solution.traction(x) / carter_traction(x, 0.25) - 1) < 1e-14);
+            }
+        }
+        CHECK(solution.traction(1) == 0);
+        CHECK(solution.traction(-1) == -infinity);
+    }
+}
+
+TEST_CASE("The frequency response of the plane by states", "[chebyshev]") {
+    CHECK_THAT(plane_error(4, 1), about(1.0e-5));
+    CHECK_THAT(plane_error(6, 1), about(1.1e-9));
+    CHECK(plane_error(8, 1) < 6e-14);
+    CHECK_THAT(plane_error(6, 5), about(5.3e-3));
+    CHECK_THAT(plane_error(8, 5), about(1.9e-4));
+    CHECK_THAT(plane_error(10, 5), about(1.7e-6));
+    CHECK_THAT(plane_error(12, 5), about(5.9e-9));
+    CHECK(plane_error(16, 5) < 2e-14);
+    for (const Eigen::Index m : {24, 200}) CHECK(plane_error(m, 5) < 4e-15);
+}
+
+TEST_CASE("Over all frequencies the error falls with the square of the number of states", "[chebyshev]") {
+    const double steady = steady_c11(0.25);
+    for (const auto& [m, found] :
+         {std::pair<Eigen::Index, double>{6, 4.5e-4}, {8, 2.7e-4}, {12, 1.3e-4}, {24, 3.5e-5}, {96, 0.024 / 96 / 96}}) {
+        const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
+        double largest = 0, where = 0;
+        for (double z = 0.1; z < 20.0 * static_cast<double>(m); z *= 1.005) {
+            const double error = std::abs(sweep(z).c11 - reference::harmonic_c11(z, 0.25, 100)) / steady;
+            if (error > largest) where = z;
+            largest = std::max(largest, error);
+        }
+        CAPTURE(m, largest, where);
+        CHECK(largest > 0.9 * found);
+        CHECK(largest < 1.1 * found);
+        CHECK_THAT(where, about(static_cast<double>(m)));
+    }
+}
+
+TEST_CASE("At a fixed frequency each state of the plane gains more than the last", "[chebyshev]") {
+    const Complex exact = reference::harmonic_c11(5, 0.25, 100);
+    double before = 0, rate_before = 0;
+    for (Eigen::Index m = 6; m <= 14; m += 2) {
+        const double error = relative_error(solve_harmonic(rolling_system(Chebyshev{m}, plane), 5).c11, exact);
+        if (m > 6) {
+            const double rate = std::log(before / error) / 2;  // per state
+            CAPTURE(m, error, rate);
+            CHECK(rate > rate_before);
+            CHECK(rate > 1);
+            CHECK(rate < 4.5);
+            rate_before = rate;
+        }
+        before = error;
+    }
+    CHECK(rate_before > 3);
+}
+
+// The integral of a kernel that is singular at x - y = +-ib is singular where y ends, at x = +-1 +-ib: the Bernstein
+// ellipse through there sets the rate of all Chebyshev series.
+TEST_CASE("Steady rolling of strips converges geometrically at the rate of its singularities", "[chebyshev]") {
+    for (const auto& [aspect, first, last] :
+         {std::tuple<double, Eigen::Index, Eigen::Index>{0.1, 24, 80}, {0.3, 12, 44}, {1.0, 6, 24}, {3.0, 3, 12}}) {
+        const Complex corner(1, aspect);
+        const double expected = std::log(std::abs(corner + std::sqrt(corner * corner - 1.0)));
+        const double exact = solve_steady(Chebyshev{4 * last}, strip(aspect)).c11;
+        double count = 0, mean_m = 0, mean_log = 0, square = 0, product = 0;
+        for (Eigen::Index m = first; m <= last; ++m) {
+            const double log = std::log(std::abs(solve_steady(Chebyshev{m}, strip(aspect)).c11 / exact - 1) + eps);
+            const double x = static_cast<double>(m);
+            count += 1;
+            mean_m += x;
+            mean_log += log;
+            square += x * x;
+            product += x * log;
+        }
+        const double rate = -(product - mean_m * mean_log / count) / (square - mean_m * mean_m / count);
+        CAPTURE(aspect, rate, expected);
+        CHECK(rate > 0.85 * expected);
+        CHECK(rate < 1.15 * expected);
+    }
+}
+
+TEST_CASE("The mirror image of a frequency gives the conjugate", "[chebyshev]") {
+    for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
+        const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
+        const FrequencySweep<double> narrow(rolling_system(Chebyshev{m}, strip(0.5)));
+        for (const double z : {1e-6, 0.3, 5.0, 100.0}) {
+            CHECK(relative_error(sweep(-z).c11, std::conj(sweep(z).c11)) <= 8 * eps);
+            CHECK(relative_error(narrow(-z).c11, std::conj(narrow(z).c11)) <= 8 * eps);
+        }
+    }
+}
+
+double nearest(const VectorX<Complex>& values, Complex exact) { return (values.array() - exact).abs().minCoeff(); }
+
+TEST_CASE("Eigenvalues of Chebyshev states", "[chebyshev]") {
+    const std::vector<Complex> exact = reference::eigenvalues(3, 0.25, 100);
+    const auto error = [&](Eigen::Index m, std::size_t k) {
+        return nearest(solve_stability(rolling_system(Chebyshev{m}, plane)).eigenvalues(), exact[k]);
+    };
+    CHECK_THAT(error(4, 0) / std::abs(exact[0]), about(3e-10));
+    CHECK(error(6, 0) < 1e-14);
+    CHECK_THAT(error(12, 1), about(2.5e-11));
+    CHECK(error(16, 1) < 1e-12);
+    CHECK_THAT(error(16, 2), about(6.7e-10));
+    CHECK(error(24, 2) < 1e-11);
+    for (Eigen::Index m = 1; m <= 96; m += m < 24 ? 1 : 12) {
+        for (const bool wide : {true, false}) {
+            const StabilityVerdict found =
+                wide ? verdict(rolling_system(Chebyshev{m}, plane)) : verdict(rolling_system(Chebyshev{m}, strip(0.5)));
+            CAPTURE(m, wide, found.spectral_abscissa, found.uncertain_count);
+            CHECK(found.stable());
+        }
+    }
+}
+
+TEST_CASE("Time steps of Chebyshev states", "[chebyshev]") {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+    const auto step_error = [&](Eigen::Index m, double q) {
+        const RollingSystem<double> system = rolling_system(Chebyshev{m}, plane);
+        const TransientModel<double> model(contact, system, verdict(system), Integrator::matrix_exponential);
+        const PreparedStep<double> step = model.prepare(0.25);
+        TransientState<double> now = model.at_rest(), next = now;
+        double force = 0;
+        for (int k = 0; k < static_cast<int>(4 * q); ++k) {
+            const TransientStep<double> taken = model.advance(now, step, 1.0, next);
+            CHECK(taken.status == StepStatus::ok);
+            force = taken.force_per_width;
+            std::swap(now, next);
+        }
+        return std::abs(-force - reference::StepResponse(0.25, 100).step(q)) /
+               reference::StepResponse(0.25, 100).step(q);
+    };
+    CHECK_THAT(step_error(8, 1), about(1.8e-4));
+    CHECK_THAT(step_error(12, 1), about(3.7e-5));
+    CHECK_THAT(step_error(48, 1), about(1.1e-6));
+    CHECK_THAT(step_error(8, 5), about(1.8e-7));
+    CHECK(step_error(24, 5) < 1e-9);
+}
+
+TEST_CASE("Strips by Chebyshev states against the reference", "[chebyshev]") {
+    struct Case {
+        double aspect, z;
+        Eigen::Index m;
+        double found;
+    };
+    for (const Case& c : {Case{10, 0, 8, 1e-12},
+                          {10, 1, 8, 2.6e-13},
+                          {10, 5, 8, 3e-4},
+                          {10, 0, 12, 0},
+                          {10, 1, 12, 0},
+                          {10, 5, 12, 9e-9},
+                          {1, 0, 8, 8e-6},
+                          {1, 1, 8, 4e-6},
+                          {1, 5, 8, 6e-4},
+                          {1, 0, 16, 5e-9},
+                          {1, 1, 16, 2e-9},
+                          {1, 5, 16, 2.6e-11},
+                          {0.3, 0, 32, 1e-9},
+                          {0.3, 1, 32, 5.3e-10},
+                          {0.3, 0, 64, 0},
+                          {0.3, 5, 64, 0}}) {
+        const reference::StripC11 exact = reference::strip_c11(Complex(0, c.z), 0.28, c.aspect);
+        const RollingSystem<double> system = rolling_system(Chebyshev{c.m}, strip(c.aspect));
+        const double error = relative_error(FrequencySweep<double>(system)(c.z).c11, exact.c11);
+        CAPTURE(c.aspect, c.z, c.m, error);
+        if (c.found > 0) CHECK_THAT(error, about(c.found));
+        if (c.found == 0) CHECK(error < 1e-12);
+        if (c.z != 0) continue;
+        const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{c.m}, strip(c.aspect));
+        CHECK(std::abs(steady.c11 / FrequencySweep<double>(system)(0).c11.real() - 1) < 1e-13);
+        CHECK(std::abs(steady.c11 / exact.c11.real() - 1) <= steady.error_estimate);
+    }
+}
+
+TEST_CASE("Strips by Chebyshev states against elements, along and across", "[chebyshev]") {
+    const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+    for (const double aspect : {0.3, 1.0, 10.0}) {
+        for (const bool lateral : {false, true}) {
+            const StripKernel<double> kernel = lateral ? StripKernel<double>(aspect, 1, -0.28) : strip(aspect);
+            const ChebyshevSystem<double> system = rolling_system(Chebyshev{48}, kernel);
+            const auto steady =
+                extrapolate([&](Eigen::Index n) { return solve_steady(cosine_mesh(n), halves, kernel).c11; }, 40, 2);
+            const auto harmonic = extrapolate(
+                [&](Eigen::Index n) { return solve_harmonic(rolling_system(cosine_mesh(n), halves, kernel), 1).c11; },
+                40, 2);
+            CAPTURE(aspect, lateral, steady.error_estimate, harmonic.error_estimate);
+            CHECK(steady.status == Status::ok);
+            CHECK(harmonic.status == Status::ok);
+            CHECK(std::abs(solve_steady(Chebyshev{48}, kernel).c11 / steady.value - 1) < 3e-6);
+            CHECK(relative_error(solve_harmonic(system, 1).c11, harmonic.value) < 3e-6);
+        }
+        // tractions at the centres of elements, but for the first and the last
+        const Mesh<double> mesh = cosine_mesh(160);
+        const UnitSteadySolution<double> elements = solve_steady(mesh, halves, strip(aspect));
+        const ChebyshevSteadySolution<double> states = solve_steady(Chebyshev{48}, strip(aspect));
+        for (Eigen::Index l = 5; l < 155; l += 7) {
+            const double p = states.traction({mesh.from_trailing()[l], mesh.from_leading()[l]});
+            CAPTURE(l, p, elements.traction[l]);
+            CHECK(std::abs(elements.traction[l] / p - 1) < 0.02);
+        }
+    }
+}
+
+TEST_CASE("Tractions of harmonic creepage from their states", "[chebyshev]") {
+    const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, plane);
+    for (const double z : {0.0, 0.5, 5.0}) {
+        const ChebyshevTraction<Complex> traction = system.traction(solve_harmonic(system, z).traction);
+        const reference::ExactTraction exact(Complex(0, z), 0.25, 100);
+        CHECK(std::abs(traction.coefficients.sum()) < 1e-13);
+        for (const double x : {-1 + 1e-9, -0.9, -0.3, 0.0, 0.2, 0.99, 1 - 1e-9}) {
+            CAPTURE(z, x);
+            CHECK(relative_error(traction(x), exact(x)) < 1e-12);
+        }
+        CHECK(traction(1.0) == Complex(0));
+    }
+}
+
+template <class Kernel>
+double quadrature_error(const Kernel& kernel, Eigen::Index m, Eigen::Index points) {
+    const MatrixX<double> fine = detail::smooth_compliance(kernel, m, 3 * points + 50);
+    return (detail::smooth_compliance(kernel, m, points) - fine).cwiseAbs().maxCoeff() / fine.cwiseAbs().maxCoeff();
+}
+
+TEST_CASE("As many points take the smooth part to rounding as the width asks for", "[chebyshev]") {
+    for (const double aspect : {0.05, 0.3, 1.0, 10.0, 1000.0}) {
+        for (const Eigen::Index m : {1, 2, 12, 60}) {
+            const Eigen::Index points = detail::smooth_quadrature_points(m, aspect);
+            CAPTURE(aspect, m, points);
+            CHECK(quadrature_error(strip(aspect), m, points) < 50 * eps);
+            const Eigen::Index less = (m + points) / 3;
+            if (less > m) CHECK(quadrature_error(strip(aspect), m, less) > 50 * eps);
+        }
+    }
+    CHECK(detail::smooth_quadrature_points<double>(12, infinity) == 13);
+}
+
+TEST_CASE("The smooth split is the kernel", "[chebyshev]") {
+    ArrayX<double> x(7);
+    x << -2, -0.7, -1e-3, 1e-9, 0.4, 1, 2;
+    const auto check = [&](const auto& kernel) {
+        const SmoothSplit<double> split = kernel.smooth_split();
+        const ArrayX<double> g = split.constant - split.strength * x.abs().log() + kernel.smooth_part(x);
+        CHECK((g - kernel.g(x)).abs().maxCoeff() <= 16 * eps * kernel.g(x).abs().maxCoeff());
+        CHECK(kernel.smooth_part(ArrayX<double>::Zero(1))[0] == 0);
+    };
+    for (const double aspect : {0.1, 0.3, 1.0, 10.0, 1e4}) check(strip(aspect));
+    check(StripKernel<double>(2, 1, -0.25));
+    check(plane);
+    // wide: of the size of 1/b^2, with all its digits
+    CHECK(strip(1e6).smooth_part(x)[5] == Approx(2 / std::numbers::pi * (0.72 / 4 - 0.28 / 2) * 1e-12).epsilon(1e-11));
+    CHECK(strip(infinity).smooth_part(x).abs().maxCoeff() == 0);
+    CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11 == Approx(steady_c11(0.28)).epsilon(4 * eps));
+}
+
+TEMPLATE_TEST_CASE("Chebyshev states in every scalar type", "[chebyshev]", float, double, long double) {
+    using Scalar = TestType;
+    const Scalar rounding = std::numeric_limits<Scalar>::epsilon();
+    const ChebyshevSystem<Scalar> system =
+        rolling_system(Chebyshev{24}, PlaneKernel<Scalar>(100, Scalar(0.75), Scalar(0.25)));
+    const FrequencySweep<Scalar> sweep(system);
+    for (const double z : {0.0, 1.0, 5.0}) {
+        const std::complex<Scalar> exact =
+            polynomial_c11(std::complex<Scalar>(0, Scalar(z)), Scalar(0.25), Scalar(100)).c11;
+        CHECK(std::abs(sweep(Scalar(z)).c11 / exact - std::complex<Scalar>(1)) < 30 * rounding);
+    }
+    const StripKernel<Scalar> kernel(Scalar(0.5), Scalar(0.75), Scalar(0.25));
+    const ChebyshevSteadySolution<Scalar> narrow = solve_steady(Chebyshev{64}, kernel);
+    const FrequencySweep<Scalar> narrow_sweep(rolling_system(Chebyshev{64}, kernel));
+    CHECK(narrow.status == Status::ok);
+    CHECK(std::abs(narrow_sweep(0).c11.real() / narrow.c11 - 1) < 100 * rounding);
+    const double exact = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11;
+    CHECK(std::abs(static_cast<double>(narrow.c11) / exact - 1) < 30 * std::max(static_cast<double>(rounding), eps));
+    const TransientModel<Scalar> model(Contact<Scalar>::dimensionless(100, Scalar(0.25)), system, verdict(system));
+    CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(Scalar(0.25))) - 1) < 100 * rounding);
+}
+
+TEST_CASE("Chebyshev states of contacts drawn at random", "[chebyshev]") {
+    std::mt19937_64 random(20181);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int scene = 0; scene < 200; ++scene) {
+        const double nu = unit(random) / 2, aspect = std::pow(10.0, -1 + 4 * unit(random));
+        const Eigen::Index m = 1 + static_cast<Eigen::Index>(40 * unit(random) * unit(random));
+        const bool lateral = unit(random) < 0.3;
+        const StripKernel<double> kernel = lateral ? StripKernel<double>(aspect, 1, -nu) : strip(aspect, nu);
+        const double z = 3 * unit(random);
+        const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
+        CAPTURE(scene, nu, aspect, m, lateral, z);
+        CHECK(verdict(system).stable());
+        CHECK(relative_error(solve_harmonic(system, -z).c11, std::conj(solve_harmonic(system, z).c11)) < 1e-13);
+        const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{m}, kernel);
+        CHECK(relative_error(solve_harmonic(system, 0).c11, steady.c11) < 1e-11);
+        const HarmonicSolution<double> slow = solve_harmonic(system, 0);
+        CHECK((system.traction(slow.traction).coefficients - steady.traction.coefficients.cast<Complex>())
+                  .cwiseAbs()
+                  .maxCoeff() < 1e-10);
+        CHECK(steady.traction(1) == 0);
+        const double exact =
+            lateral ? solve_steady(Chebyshev{250}, kernel).c11 : reference::strip_c11(0, nu, aspect).c11.real();
+        CHECK(std::abs(steady.c11 / exact - 1) <= steady.error_estimate + 1e-12);
+        CHECK((steady.status == Status::ok) == (steady.error_estimate <= 1e-2));
+        const Complex fine = solve_harmonic(rolling_system(Chebyshev{m + 40}, kernel), z).c11;
+        if (!lateral) CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-4);
+        if (!lateral && aspect > 1)
+            CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-11);
+    }
+}
+
+struct NoSplit {
+    using Scalar = double;
+    ArrayX<double> g(const ArrayX<double>& x) const { return x; }
+    ArrayX<double> H(const ArrayX<double>& x) const { return x; }
+    ArrayX<double> H_integral(const ArrayX<double>& x) const { return x; }
+};
+
+template <class Kernel>
+concept TakesStates = requires(const Kernel& kernel) {
+    rolling_system(Chebyshev{}, kernel);
+};
+template <class Kernel>
+concept SteadyByStates = requires(const Kernel& kernel) {
+    solve_steady(Chebyshev{}, kernel);
+};
+static_assert(TakesStates<StripKernel<double>> && SteadyByStates<PlaneKernel<float>>);
+static_assert(LineKernel<NoSplit> && !TakesStates<NoSplit> && !SteadyByStates<NoSplit>);
+
+TEST_CASE("What Chebyshev states refuse", "[chebyshev]") {
+    const PlaneKernel<double> endless(infinity, 0.75, 0.25);
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{0}, plane), ContainsSubstring("states = 0 must be at least 1"));
+    CHECK_THROWS_WITH(solve_steady(Chebyshev{-3}, plane), ContainsSubstring("states = -3 must be at least 1"));
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{100000}, plane), ContainsSubstring("states = 100000 must be at most"));
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{}, endless),
+                      ContainsSubstring("an infinite half-width is for steady problems only"));
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{}, strip(infinity)),
+                      ContainsSubstring("an infinite half-width is for steady problems only"));
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{}, PlaneKernel<double>(0.1, 0.75, 0.25)),
+                      ContainsSubstring("use the strip kernel"));
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{}, strip(5e-4)),
+                      ContainsSubstring("take elements for so narrow a strip"));
+    CHECK_THROWS_WITH(solve_steady(Chebyshev{}, StripKernel<double>(1, -0.5, 0.2)), ContainsSubstring("strength"));
+    const ChebyshevSystem<double> system = rolling_system(Chebyshev{8}, plane);
+    CHECK_THROWS_WITH(system.traction(VectorX<double>::Zero(7).eval()),
+                      ContainsSubstring("number of unknowns = 7 must equal"));
+    const ChebyshevTraction<double> traction = system.traction(VectorX<double>::Ones(8).eval());
+    for (const double x : {-1.1, 1 + 1e-15, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK_THROWS_WITH(traction(x), ContainsSubstring("must lie in [-1, 1]"));
+    }
+    CHECK_THROWS_WITH(traction({-0.5, 2.5}), ContainsSubstring("trailing = -0.5 must be at least 0"));
+    CHECK_THROWS_WITH(traction({1, 1.5}), ContainsSubstring("must be 2"));
+    CHECK(system.aspect() == 100);
+    CHECK_FALSE(system.unknowns_are_tractions());
+    CHECK_THROWS_WITH(TransientModel<double>(Contact<double>::dimensionless(50, 0.25), system, unchecked),
+                      ContainsSubstring("b/a of the kernel"));
+}
+
+}  // namespace
