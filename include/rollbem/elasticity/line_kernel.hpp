@@ -48,6 +48,15 @@ concept SplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel, typen
     { kernel.log_split(reach) } -> std::same_as<std::optional<LogSplit<typename Kernel::Scalar>>>;
 };
 
+/// A kernel whose slope is taken apart: g'(x) = -log_strength()/x + smooth_slope(x), smooth_slope odd and analytic up to
+/// the distance smooth_distance() from the real axis; infinite where smooth_slope is zero.
+template <class Kernel>
+concept SlopeSplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
+    { kernel.log_strength() } -> std::same_as<typename Kernel::Scalar>;
+    { kernel.smooth_slope(x) } -> std::same_as<typename Kernel::Scalar>;
+    { kernel.smooth_distance() } -> std::same_as<typename Kernel::Scalar>;
+};
+
 /// A kernel that offers its Taylor coefficients: column k of taylor(x, order) is g^{(k)}(x) x^k / k!, k = 0 ... order.
 template <class Kernel>
 concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
@@ -126,6 +135,11 @@ public:
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 
+    // The split g'(x) = -log_strength()/x + smooth_slope(x): see SlopeSplitKernel.
+    Scalar log_strength() const { return strength_; }
+    Scalar smooth_slope(Scalar) const { return 0; }
+    Scalar smooth_distance() const { return std::numeric_limits<Scalar>::infinity(); }
+
     /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance of a constant displacement
     /// over that of the first harmonic. All modes of the plane model decay where Lambda > 0, one of them grows where
     /// Lambda < 0: the kernel is then used far outside b >> a.
@@ -176,6 +190,16 @@ public:
     static StripKernel lateral(const Contact<Scalar>& contact) { return detail::lateral_kernel<StripKernel>(contact); }
 
     Scalar half_width() const { return b_; }  ///< b in units of a
+
+    // The split g'(x) = -log_strength()/x + smooth_slope(x): see SlopeSplitKernel. With r = sqrt(x^2 + b^2), written
+    // in x/r and b/r so that nothing overflows or cancels.
+    Scalar log_strength() const { return scale() * c1_; }
+    Scalar smooth_slope(Scalar x) const {
+        if (!detail::is_finite(b_)) return 0;
+        const Scalar r = std::sqrt(x * x + b_ * b_);
+        return scale() * (x / r) * (c1_ / (b_ + r) - c2_ * (b_ / r) / r);
+    }
+    Scalar smooth_distance() const { return b_; }
 
     Array g(const Array& x) const {
         const Array r = radius(x);
