@@ -115,6 +115,12 @@ public:
         return *points;
     }
 
+    int of(const AngularPoints<Scalar>& points) const {
+        int level = 0;
+        while ((Eigen::Index(16) << level) < points.size()) ++level;
+        return level;
+    }
+
 private:
     std::array<std::optional<AngularPoints<Scalar>>, count> points_;
 };
@@ -124,6 +130,7 @@ struct PressureScan {
     Scalar load = 0;     // integral over x/a
     Scalar largest = 0;  // of the values seen
     bool jumps = true;
+    int level = 0;  // at which it settled, or the last
 };
 
 /// Integral of a bound over the contact by the midpoint rule in the angle, the number of points doubled until it settles.
@@ -143,12 +150,49 @@ PressureScan<Scalar> scan_pressure(const Bound& bound, PointsOfLevels<Scalar>& l
         }
         const Scalar change = std::abs(load - scan.load);
         scan.load = load;
+        scan.level = level;
         if (level == 0) continue;
         const Scalar jump = change * 2 * static_cast<Scalar>(points.size()) / std::numbers::pi_v<Scalar>;
         scan.jumps = jump > Scalar(0.004) * scan.largest;
         if (change <= 64 * std::numeric_limits<Scalar>::epsilon() * load) break;
     }
     return scan;
+}
+
+template <class Scalar>
+struct Violation {
+    Scalar largest = 0, integral = 0;  // over the part of a zone, 0 ... 1
+};
+
+/// How far a function of the part of a zone, 0 at its trailing and 1 at its leading end, rises above zero by more than
+/// rounding in `unit`: at points that gather at both ends, and at the vertices of the parabolas through those about each
+/// local maximum, so that what rises between the points is found. Where something does, on a dense set.
+template <class Scalar, class Function>
+Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Scalar unit, const Function& f) {
+    constexpr int dense = 5;  // 512 points
+    level = std::min(level, dense);
+    const AngularPoints<Scalar>& points = levels[level];
+    const Eigen::Index M = points.size();
+    const Scalar rounding = 256 * std::numeric_limits<Scalar>::epsilon() * unit;
+    Violation<Scalar> violation;
+    Scalar last = 0, before = 0;
+    const auto see = [&](Scalar value) { violation.largest = std::max(violation.largest, value); };
+    for (Eigen::Index j = 0; j < M; ++j) {
+        const Scalar value = f(points.rise[j]);
+        see(value);
+        if (!is_finite(value)) return {value, value};
+        violation.integral += std::max(value, Scalar(0)) * points.weight(j);
+        if (j > 1 && last >= before && last >= value && (last > before || last > value)) {
+            const Scalar shift = (value - before) / (2 * (2 * last - before - value));
+            const Scalar half = (static_cast<Scalar>(j) - Scalar(0.5) + shift) / static_cast<Scalar>(2 * M);
+            const Scalar cosine = std::cos(half * std::numbers::pi_v<Scalar>);
+            see(f(cosine * cosine));
+        }
+        before = last;
+        last = value;
+    }
+    if (violation.largest > rounding && level < dense) return worst_violation(levels, dense, unit, f);
+    return violation;
 }
 
 /// Accuracy of the stick border, level by level: M points of the pressure, and N unknowns for a smooth part that is
@@ -277,27 +321,21 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     if (result.exact) {
         result.border = y - 1;
         result.zone = problem.zone(y < 2 ? point.creepage : xi, *rule);
-        // the law, at points that gather at the edges and at the border
-        const detail::AngularPoints<Scalar>& samples = *rule->points;
-        const Eigen::Index stride = std::max<Eigen::Index>(samples.size() / 512, 1);
-        Scalar excess = 0, wrong_slip = 0, violation = 0;
-        for (Eigen::Index j = 0; j < samples.size(); j += stride) {
-            const Scalar part = samples.rise[j], weight = samples.weight(j) * static_cast<Scalar>(stride);
-            if (y < 2 && y > 0) {
+        const int level = std::max(scan.level, levels.of(*rule->points));
+        detail::Violation<Scalar> above, against;
+        if (y > 0 && y < 2) {
+            above = detail::worst_violation(levels, level, scan.largest, [&](Scalar part) {
                 const Scalar x = y - 1 + (2 - y) * part, p = result.zone.traction(x);
-                const Scalar above = std::max(std::abs(p) - bound(x), p);
-                excess = std::max(excess, above);
-                violation += std::max(above, Scalar(0)) * weight * (2 - y);
-            }
-            if (y > 0) {
-                const Scalar against = -result.zone.slip(-1 + y * part, smooth_slope);
-                wrong_slip = std::max(wrong_slip, against);
-                violation += std::max(against, Scalar(0)) / kernel.log_strength() * weight * y;
-            }
+                return std::max(std::abs(p) - bound(x), p);
+            });
         }
-        result.complementarity_residual =
-            std::max(scan.largest > 0 ? excess / scan.largest : Scalar(0), xi > 0 ? wrong_slip / xi : Scalar(0));
-        // rounding, at points by the border where slip vanishes and |p| meets its bound, is no violation
+        if (y > 0) {
+            against = detail::worst_violation(
+                levels, level, xi, [&](Scalar part) { return -result.zone.slip(-1 + y * part, smooth_slope); });
+        }
+        const Scalar violation = above.integral * (2 - y) + against.integral * y / kernel.log_strength();
+        result.complementarity_residual = std::max(scan.largest > 0 ? above.largest / scan.largest : Scalar(0),
+                                                   xi > 0 ? against.largest / xi : Scalar(0));
         error += violation;
         result.exact = detail::is_finite(violation) && detail::is_finite(result.complementarity_residual) &&
                        error <= tolerance && result.complementarity_residual <= Scalar(0.01);
