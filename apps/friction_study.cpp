@@ -27,7 +27,9 @@ int main(int argc, char** argv) {
         "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
     options.add_table("tractions",
                       "besides, a CSV file with one row per element of every scheme and creepage, and FILE.toml");
-    options.add_flag("fit-border", "resolve the border between slip and stick: meshes fitted to it, extrapolated");
+    options.add_flag(
+        "fit-border",
+        "solve for the border between slip and stick exactly, by series; n elements take over where that fails");
     options.add_flag("transient", "roll in time from rest, one row per step");
     options.add("sine", "AMP,OMEGA",
                 "with --transient: creepage ratio AMP sin(OMEGA q/a), OMEGA in V/a (dimensionless)");
@@ -40,7 +42,7 @@ int main(int argc, char** argv) {
         "Examples\n"
         "  the creep curve, with the tractions drawn under their bound\n"
         "    friction_study --n 20,40 --output curve.csv --tractions tractions.csv --plot curve.svg\n"
-        "  the same force to 1e-4 and better with 40 elements\n"
+        "  the same force to rounding\n"
         "    friction_study --n 40 --creepage-ratio 0.2,0.5,0.8 --fit-border --kernel plane\n"
         "  under a pressure of one's own\n"
         "    printf 'x_over_a,pressure\\n-1,0\\n0.3,1\\n1,0\\n' > pressure.csv\n"
@@ -67,9 +69,12 @@ int main(int argc, char** argv) {
         "empty where status is not ok.\n"
         "\n"
         "--fit-border is for pressures that leave one slip zone at the trailing edge, as Hertz's does. Where that\n"
-        "does not hold, mesh = cosine and the plain solver with alpha = 0.5 takes over. rounds then counts\n"
-        "meshes, time_us includes their assembly, complementarity_residual is of the order of the mesh's error,\n"
-        "and slip_work = -F xi.\n"
+        "holds, mesh = fitted: the force is exact to rounding, or to 1e-6 mu N under a --pressure without jumps, and\n"
+        "owes nothing to n, which only sets the places of --tractions: the centres of a cosine mesh, with the values\n"
+        "there, and stick_count the number of those that stick. alpha_L and alpha_T are empty, rounds counts the\n"
+        "borders tried, and complementarity_residual is the largest violation at points of its own. Where it does not\n"
+        "hold (several zones, stick that ends before the leading edge) or the pressure jumps, mesh = cosine and n\n"
+        "elements with alpha = 0.5 take over. slip_work = -F xi in either case.\n"
         "\n"
         "--transient: one row per step, from q = dq on; with --shift, a row at q = 0 before. shift: imposed in\n"
         "this row, in mu p0 a/G. slip_work: cumulative, in mu N mu p0 a/G. creepage is linear over a step (its\n"

@@ -1,5 +1,5 @@
 // Friction: a step with unchanged and with changing zones, a point of a creep curve from scratch and from the point
-// before, beside what they are measured in: a product of matrix and vector, and a solution by LU.
+// before, or by the exact border, beside what they are measured in: a product of matrix and vector, and a solution by LU.
 
 #include <cmath>
 #include <numbers>
@@ -60,6 +60,27 @@ void BM_LuSolve(benchmark::State& state) {
     state.counters["n"] = static_cast<double>(state.range(0));
 }
 BENCHMARK(BM_LuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// One point of the creep curve without elements, everything included. Argument: 100 times the creepage ratio.
+template <class Kernel>
+void exact_border(benchmark::State& state, double aspect) {
+    const Contact<double> contact = Contact<double>::dimensionless(aspect, poisson_ratio);
+    const Kernel kernel = Kernel::longitudinal(contact);
+    const HertzPressure<double> pressure{peak};
+    const double ratio = static_cast<double>(state.range(0)) / 100;
+    StickBorderSolution<double> solution;
+    for (auto _ : state) {
+        solution = solve_stick_border(contact, kernel, 1.0, pressure, creepage(ratio));
+        benchmark::ClobberMemory();
+    }
+    const double force = solution.force_per_width;
+    state.counters["relative_error"] = -force / (peak * std::numbers::pi / 2) / carter_force_ratio(ratio) - 1;
+}
+void BM_StickBorder(benchmark::State& state) { exact_border<PlaneKernel<double>>(state, 1000); }
+BENCHMARK(BM_StickBorder)->Arg(1)->Arg(40)->Arg(50)->Arg(99);
+// the error is that of the plane limit as the exact solution
+void BM_StickBorderStrip(benchmark::State& state) { exact_border<StripKernel<double>>(state, 1000); }
+BENCHMARK(BM_StickBorderStrip)->Arg(40);
 
 // Steps at constant creepage in the steady state, where no element changes any more. Implicit Euler solves once for
 // stick and slip, sdirk2 twice.

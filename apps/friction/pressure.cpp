@@ -14,7 +14,8 @@ namespace friction {
 
 Pressure make_pressure(const study::Options& options) {
     if (!options.given("pressure")) {
-        return {[](const rollbem::Mesh<double>& mesh) { return rollbem::mean_hertz_pressure(mesh); }, true};
+        const rollbem::HertzPressure<double> hertz;
+        return {hertz, hertz, true};
     }
     const study::Pairs points = study::read_pairs(options, "pressure", "x_over_a,pressure", study::between(-1, 1));
     const auto column = [](const std::vector<double>& values) {
@@ -23,7 +24,8 @@ Pressure make_pressure(const study::Options& options) {
     try {
         const rollbem::PressureTable<double> table(column(points.places), column(points.values));
         const double scale = mu_N / table.integral();
-        return {[=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
+        return {[=](double x_over_a) { return scale * table(x_over_a); },
+                [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
     } catch (const std::invalid_argument& error) {
         throw study::BadInput(options.said("pressure") + ": " + error.what());
     }

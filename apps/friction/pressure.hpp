@@ -18,11 +18,13 @@ namespace friction {
 
 inline constexpr double mu_N = std::numbers::pi / 2;
 
-/// Mean pressure of each element of a mesh, scaled to the load of Hertz's with p0 = 1.
+/// A pressure at every x/a and the mean of each element of a mesh, scaled to the load of Hertz's with p0 = 1.
 struct Pressure {
+    std::function<double(double)> at;
     std::function<Eigen::ArrayXd(const rollbem::Mesh<double>&)> mean;
     bool hertz;  ///< the closed forms hold
 
+    double operator()(double x_over_a) const { return at(x_over_a); }
     Eigen::ArrayXd operator()(const rollbem::Mesh<double>& mesh) const { return mean(mesh); }
 };
 

@@ -131,27 +131,33 @@ void plain_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t 
     }
 }
 
-Profile profile_of(const study::Scene& scene, double ratio, const rollbem::FittedFrictionSolution<double>& solution,
+/// At the centres of the cosine mesh that takes over where the border has no exact solution.
+Profile profile_of(const study::Scene& scene, double ratio, const rollbem::StickBorderSolution<double>& solution,
                    const Pressure& pressure) {
+    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh<double>(scene.n());
+    const std::optional<double> alpha = solution.exact ? std::nullopt : std::optional(0.5);
     Profile profile{&scene,
-                    solution.fitted ? "fitted" : "cosine",
-                    solution.fitted ? 0 : 0.5,
-                    0.5,
+                    solution.exact ? "fitted" : "cosine",
+                    alpha,
+                    alpha,
                     ratio,
                     name(solution.status),
-                    solution.mesh,
-                    solution.traction,
-                    pressure(solution.mesh).matrix(),
-                    solution.slip,
+                    mesh,
+                    Eigen::VectorXd(scene.n()),
+                    pressure(mesh).matrix(),
+                    Eigen::VectorXd(scene.n()),
                     {}};
     for (Eigen::Index k = 0; k < scene.n(); ++k) {
-        profile.sticks.push_back(solution.fitted ? solution.mesh.centres()[k] > solution.border
-                                                 : solution.slip[k] == 0);
+        const double x = mesh.centres()[k];
+        if (solution.exact) profile.bound[k] = pressure(x);
+        profile.traction[k] = solution.traction(x);
+        profile.slip[k] = solution.slip(x);
+        profile.sticks.push_back(solution.exact ? x > solution.border : profile.slip[k] == 0);
     }
     return profile;
 }
 
-/// The same on meshes fitted to the border between slip and stick.
+/// The same with the exact border between slip and stick.
 void fitted_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                  const study::Emit& emit) {
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -159,12 +165,12 @@ void fitted_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t
         const auto solve = [&] {
             return std::visit(
                 [&](const auto& kernel) {
-                    return rollbem::solve_fitted_friction(scene.contact, scene.n(), kernel, 1.0, curve.pressure,
-                                                          creepage(scene, ratio));
+                    return rollbem::solve_stick_border(scene.contact, kernel, 1.0, curve.pressure,
+                                                       creepage(scene, ratio), scene.n());
                 },
                 scene.kernel);
         };
-        const rollbem::FittedFrictionSolution<double> solution = solve();
+        const rollbem::StickBorderSolution<double> solution = solve();
         study::Cell time_us;
         if (curve.timed()) time_us = study::median_time_us([&] { return solve().force_per_width; });
 
@@ -182,15 +188,10 @@ void fitted_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t
     }
 }
 
-/// Throws BadInput for options that rows on fitted meshes would ignore, and for numbers of elements they do not have.
-void require_fittable(const study::Options& options) {
+/// Throws BadInput for options that have no effect where there are no elements.
+void refuse_element_options(const study::Options& options) {
     for (const char* name : {"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}) {
-        options.ignored(name, "with --fit-border, which makes its own mesh");
-    }
-    for (const std::ptrdiff_t n : options.integers("n", 1, 100000)) {
-        if (n < 10 || n % 2 != 0) {
-            throw study::BadInput("--n = " + std::to_string(n) + " must be even and at least 10 with --fit-border");
-        }
+        options.ignored(name, "with --fit-border, which needs no elements");
     }
 }
 
@@ -202,7 +203,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     }
     options.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
     const bool fits = options.flag("fit-border");
-    if (fits) require_fittable(options);
+    if (fits) refuse_element_options(options);
     CreepCurve curve{options, pressure, options.numbers("creepage-ratio", study::finite()), nullptr};
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
 

@@ -1,4 +1,4 @@
-// Steady rolling with friction: creep curves by the plain solver or on meshes fitted to the stick border.
+// Steady rolling with friction: creep curves by elements or with the exact stick border.
 #pragma once
 
 #include "pressure.hpp"

@@ -170,7 +170,7 @@ TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {
         CHECK(model.steady(now, value, next, workspace).status == StepStatus::not_finite);
         CHECK(steady.solve(still, value, rolling, workspace).status == StepStatus::not_finite);
         CHECK(!finite(steady.solve(still, value, rolling, workspace).force_per_width));
-        CHECK(solve_fitted_friction(contact, 10, kernel, 0.3, mean_hertz_pressure<double>, value).status ==
+        CHECK(solve_stick_border(contact, kernel, 0.3, HertzPressure<double>{}, value).status ==
               StepStatus::not_finite);
     }
     const FrictionStep<double> far = model.advance(now, 1e3, 1e308, next, workspace);
@@ -216,7 +216,11 @@ TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
     refuses("load_per_width = ", [&](double x) { HertzLine<double>({x, 0.5, steel, steel}); });
     refuses("young_modulus = ", [&](double x) { HertzLine<double>({1, 0.5, steel, {x, 0.28}}); });
     refuses("poisson_ratio = ", [&](double x) { HertzLine<double>({1, 0.5, {2e11, x}, steel}); });
-    refuses("border_from_trailing = ", [](double x) { border_mesh(2, 2, x); });
+    const Contact<double> wide = Contact<double>::dimensionless(100, 0.25);
+    const PlaneKernel<double> plane = PlaneKernel<double>::longitudinal(wide);
+    refuses("friction_coefficient = ",
+            [&](double x) { solve_stick_border(wide, plane, x, HertzPressure<double>{}, 0.1); });
+    refuses("mu p_n / G = ", [&](double x) { solve_stick_border(wide, plane, 0.3, HertzPressure<double>{x}, 0.1); });
     refuses("tolerance = ", [](double x) { recommended_scheme(x, Purpose::steady); });
     refuses("order = ", [](double x) { richardson(1.0, 2.0, x); });
     refuses("band = ", [](double x) { extrapolate([](std::ptrdiff_t) { return 1.0; }, 1, 2, x); });

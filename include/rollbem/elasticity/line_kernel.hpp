@@ -66,6 +66,12 @@ concept SmoothSplitKernel = LineKernel<Kernel> &&
     { kernel.smooth_part(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
 };
 
+/// A SmoothSplitKernel that offers the derivative of its smooth part, too: g'(x) = -strength/x + smooth_slope(x).
+template <class Kernel>
+concept SlopeSplitKernel = SmoothSplitKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
+    { kernel.smooth_slope(x) } -> std::same_as<typename Kernel::Scalar>;
+};
+
 /// A kernel that offers its Taylor coefficients: column k of taylor(x, order) is g^{(k)}(x) x^k / k!, k = 0 ... order.
 template <class Kernel>
 concept TaylorKernel = LineKernel<Kernel> && requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
@@ -171,6 +177,7 @@ public:
     std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
     SmoothSplit<Scalar> smooth_split() const { return {constant_, strength_, std::numeric_limits<Scalar>::infinity()}; }
     Array smooth_part(const Array& x) const { return detail::constant_array(x.size(), Scalar(0)); }
+    Scalar smooth_slope(Scalar) const { return 0; }
 
 private:
     Scalar b_, lambda_, strength_, constant_;
@@ -256,6 +263,12 @@ public:
     /// With r = sqrt(x^2 + b^2), asinh(b/|x|) = ln(2b) - ln|x| + ln((b + r)/(2b)) and b/r = 1 + (b/r - 1): r has branch
     /// points at +-ib.
     SmoothSplit<Scalar> smooth_split() const { return {scale() * (c1_ * std::log(2 * b_) + c2_), scale() * c1_, b_}; }
+    /// With r = sqrt(x^2 + b^2), written in x/r and b/r so that nothing overflows or cancels.
+    Scalar smooth_slope(Scalar x) const {
+        if (!detail::is_finite(b_)) return 0;
+        const Scalar r = std::sqrt(x * x + b_ * b_);
+        return scale() * (x / r) * (c1_ / (b_ + r) - c2_ * (b_ / r) / r);
+    }
     /// (2/pi) [c1 ln((b + r)/(2b)) + c2 (b/r - 1)] with r - b = x^2/(r + b): nothing cancels in wide strips.
     Array smooth_part(const Array& x) const {
         const Array r = radius(x);

@@ -6,6 +6,6 @@
 
 #include "../normal/hertz.hpp"
 #include "../normal/pressure_table.hpp"
-#include "border.hpp"
 #include "steady.hpp"
+#include "stick_border.hpp"
 #include "transient.hpp"

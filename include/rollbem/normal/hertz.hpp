@@ -25,6 +25,20 @@ struct ElasticBody {
     Scalar shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }  ///< G [Pa]
 };
 
+template <class Scalar>
+ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh);
+
+/// Hertz's pressure p0 sqrt(1 - x^2/a^2) as a PressureLaw.
+template <class Scalar_ = double>
+struct HertzPressure {
+    using Scalar = Scalar_;
+
+    Scalar peak = 1;  ///< p0 [Pa]
+
+    Scalar operator()(Scalar x_over_a) const { return peak * std::sqrt((1 - x_over_a) * (1 + x_over_a)); }
+    ArrayX<Scalar> operator()(const Mesh<Scalar>& mesh) const { return peak * mean_hertz_pressure(mesh); }
+};
+
 /// Two parallel cylinders pressed together: p_n(x) = p0 sqrt(1 - x^2/a^2) with a^2 = 4 P R / (pi E*),
 /// p0 = 2 P / (pi a) and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (Hertz 1882).
 template <class Scalar_ = double>
@@ -68,6 +82,9 @@ public:
 
     /// Mean pressure of each element of a mesh [Pa], exactly: the pressures carry the load P whatever the mesh.
     ArrayX<Scalar> mean_pressure(const Mesh<Scalar>& mesh) const;
+
+    /// The same pressure at every point, p0 sqrt(1 - x^2) with x in a.
+    HertzPressure<Scalar> pressure() const { return {peak_pressure()}; }
 
     /// The contact of half-width b [m] (infinite for steady problems) with the combined constants
     /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). Where the bodies are elastically unlike,

@@ -47,6 +47,15 @@ public:
         return sum;
     }
 
+    /// The pressure at x/a [-], in the unit of the pressures; that ahead of x where it jumps there.
+    Scalar operator()(Scalar x_over_a) const {
+        const Scalar* const end = x_.data() + x_.size();
+        const Eigen::Index j = std::upper_bound(x_.data(), end, x_over_a) - x_.data();
+        if (j == 0) return 0;
+        if (j == x_.size()) return x_over_a == x_[j - 1] ? pressure_[j - 1] : Scalar(0);
+        return at(x_over_a, j);
+    }
+
     /// The mean over each element of a mesh, in the unit of the pressures.
     ArrayX<Scalar> operator()(const Mesh<Scalar>& mesh) const {
         ArrayX<Scalar> mean = ArrayX<Scalar>::Zero(mesh.size());

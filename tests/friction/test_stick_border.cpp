@@ -1,0 +1,416 @@
+// rollbem/friction/stick_border.hpp
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/detail/gauss_legendre.hpp>
+#include <rollbem/reference/strip.hpp>
+
+#include "scene.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace friction_tests;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double pi = std::numbers::pi;
+
+/// peak sqrt(1 - x^2) shape(x), with means by an eight-point rule in each element.
+struct Shaped {
+    std::function<double(double)> shape;
+
+    double operator()(double x) const { return peak * std::sqrt((1 - x) * (1 + x)) * shape(x); }
+    ArrayX<double> operator()(const Mesh<double>& mesh) const {
+        const auto rule = detail::gauss_legendre<double>(8);
+        ArrayX<double> mean = ArrayX<double>::Zero(mesh.size());
+        for (Eigen::Index i = 0; i < mesh.size(); ++i) {
+            for (Eigen::Index k = 0; k < 8; ++k) {
+                mean[i] += rule.weights[k] / 2 * (*this)(mesh.centres()[i] + mesh.widths()[i] / 2 * rule.nodes[k]);
+            }
+        }
+        return mean;
+    }
+};
+
+const HertzPressure<double> hertz{peak};
+
+struct Plane {
+    Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
+    PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
+
+    template <class Pressure>
+    StickBorderSolution<double> solve(const Pressure& pressure, double ratio, Eigen::Index n = 40) const {
+        return solve_stick_border(contact, kernel, 1.0, pressure, creepage(ratio), n);
+    }
+};
+
+double plain_force(const Contact<double>& contact, const auto& kernel, const Mesh<double>& mesh, const auto& pressure,
+                   double xi) {
+    const SteadyFrictionModel<double> model(contact, mesh, half, kernel, {1, pressure(mesh)});
+    return from_scratch(model, xi).force_per_width;
+}
+
+TEST_CASE("Carter by the exact border", "[friction]") {
+    const Plane plane;
+    for (int percent = 1; percent <= 99; ++percent) {
+        for (const double ratio : {percent / 100.0, -percent / 100.0}) {
+            const auto solution = plane.solve(hertz, ratio);
+            CAPTURE(ratio, solution.force_per_width, solution.complementarity_residual, solution.evaluations);
+            REQUIRE(solution.exact);
+            CHECK(solution.status == StepStatus::ok);
+            CHECK_FALSE(solution.elements);
+            CHECK(std::abs(-solution.force_per_width / full_force - carter_force_ratio(ratio)) < 1e-13);
+            CHECK(solution.force_error < 1e-13 * full_force);
+            CHECK(std::abs(solution.border - carter_stick_border(ratio)) < 1e-13);
+            CHECK(solution.tangent_per_width * creepage(1) / -full_force ==
+                  Approx(2 * (1 - std::abs(ratio))).epsilon(1e-12));
+            CHECK(solution.slip_work_per_width == -solution.force_per_width * creepage(ratio));
+            CHECK(solution.slip_work_per_width > 0);
+            CHECK(solution.complementarity_residual < 1e-12);
+            CHECK(solution.coefficients == 32);
+            CHECK(solution.unknowns == 0);
+            CHECK(solution.evaluations <= 6);
+            double worst_traction = 0, worst_slip = 0;
+            for (int i = 0; i <= 40; ++i) {
+                const double x = -std::cos(pi * i / 40), t = (x - std::abs(ratio)) / (1 - std::abs(ratio));
+                worst_traction = std::max(worst_traction,
+                                          std::abs(solution.traction(x) / peak - carter_friction_traction(x, ratio)));
+                const double slip =
+                    x < solution.border ? creepage(1) * (1 - std::abs(ratio)) * std::sqrt(std::max(t * t - 1, 0.0)) : 0;
+                worst_slip = std::max(worst_slip, std::abs(solution.slip(x) - std::copysign(slip, ratio)) / peak);
+            }
+            CHECK(worst_traction < 1e-7);  // at the border, where the slope is infinite
+            CHECK(worst_slip < 1e-7);
+        }
+    }
+}
+
+TEST_CASE("the ends of the creep curve", "[friction]") {
+    const Plane plane;
+    // full sliding, from xi = 2 c1 sum g_k on
+    for (const double ratio : {1.0 + 1e-12, 1.1, -1.1, 1e6}) {
+        const auto sliding = plane.solve(hertz, ratio);
+        CAPTURE(ratio);
+        CHECK(sliding.exact);
+        CHECK(-sliding.force_per_width == Approx(std::copysign(full_force, ratio)).epsilon(1e-13));
+        CHECK(sliding.border == 1);
+        CHECK(sliding.tangent_per_width == 0);
+        CHECK(sliding.traction(0.3) == Approx(-std::copysign(peak * std::sqrt(0.91), ratio)).epsilon(1e-14));
+        // the slope that Hertz's tractions cause is linear
+        CHECK(sliding.slip(0.3) ==
+              Approx(std::copysign(creepage(std::abs(ratio)) - creepage(0.3), ratio)).epsilon(1e-11));
+    }
+    const auto nearly = plane.solve(hertz, 1 - 1e-9);
+    CHECK(nearly.exact);
+    CHECK(nearly.border < 1);
+    CHECK(1 - nearly.border == Approx(2e-9).epsilon(1e-5));
+    const Shaped leaning{[](double x) { return 1 + 0.3 * x - 0.1 * (4 * x * x - 1); }};
+    const double from = 1.05;  // sum of g = (1, 0.15, -0.1)
+    CHECK(plane.solve(leaning, from * (1 - 1e-6)).border < 1);
+    CHECK(plane.solve(leaning, from * (1 + 1e-6)).border == 1);
+    // tiny creepage: full adhesion
+    for (const double ratio : {1e-3, 1e-6, -1e-9, 1e-14, 1e-30}) {
+        const auto linear = plane.solve(hertz, ratio);
+        CAPTURE(ratio, linear.border);
+        CHECK(linear.exact);
+        CHECK(linear.force_per_width / (-steady_c11(nu) * creepage(ratio)) - 1 ==
+              Approx(-std::abs(ratio) / 2).margin(1e-9 * std::abs(ratio) + 1e-12));
+    }
+    const auto still = plane.solve(hertz, 0);
+    CHECK(still.exact);
+    CHECK(still.status == StepStatus::ok);
+    CHECK(still.force_per_width == 0);
+    CHECK(still.border == -1);
+    CHECK(still.traction(0.2) == 0);
+    CHECK(still.slip(-1) == 0);
+    CHECK(still.tangent_per_width == Approx(-steady_c11(nu)).epsilon(1e-13));
+    for (const double bad : {nan, std::numeric_limits<double>::infinity()}) {
+        const auto unknown = plane.solve(hertz, bad);
+        CHECK(unknown.status == StepStatus::not_finite);
+        CHECK(std::isnan(unknown.force_per_width));
+        CHECK(std::isnan(unknown.traction(0)));
+    }
+    // without friction there is nothing to stick with
+    const auto slippery = solve_stick_border(plane.contact, plane.kernel, 0.0, hertz, creepage(0.5));
+    CHECK(slippery.exact);
+    CHECK(slippery.force_per_width == 0);
+    CHECK(slippery.border == 1);
+    CHECK(std::isnan(plane.solve(hertz, 0.5).traction(1.1)));
+    CHECK_THROWS_AS(plane.solve(hertz, 0.5, 0), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzPressure<double>{-1}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzPressure<double>{0}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(plane.solve(HertzPressure<double>{nan}, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(solve_stick_border(plane.contact, plane.kernel, -0.1, hertz, 0.1), std::invalid_argument);
+}
+
+TEST_CASE("the exact border under another pressure", "[friction]") {
+    const Contact<double> contact = Contact<double>::dimensionless(1e4, 0.28);
+    const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
+    const Shaped pressure{[](double x) { return 1 + 0.15 * 2 * x - 0.1 * (4 * x * x - 1); }};
+    const auto solve = [&](double ratio) {
+        return solve_stick_border(contact, kernel, 1.0, pressure, 2 * (1 - 0.28) * peak * ratio);
+    };
+    struct Case {
+        double ratio, force;
+    };
+    for (const Case& expected : {Case{0.3, 0.7518756441}, Case{0.6, 1.2512194097}}) {
+        const auto solution = solve(expected.ratio), mirrored = solve(-expected.ratio);
+        CAPTURE(expected.ratio, solution.force_per_width / peak);
+        CHECK(solution.exact);
+        CHECK(std::abs(-solution.force_per_width / peak - expected.force) < 1e-10);
+        CHECK(solution.coefficients <= 64);
+        CHECK(mirrored.force_per_width == -solution.force_per_width);
+        CHECK(mirrored.border == solution.border);
+        CHECK(mirrored.traction(0.5) == -solution.traction(0.5));
+        const double step = 1e-4;
+        const double difference =
+            (solve(expected.ratio + step).force_per_width - solve(expected.ratio - step).force_per_width) /
+            (4 * (1 - 0.28) * peak * step);
+        CHECK(solution.tangent_per_width == Approx(difference).epsilon(1e-7));
+        // the cosine mesh tends to it
+        const double elements =
+            plain_force(contact, kernel, cosine_mesh<double>(640), pressure, 2 * (1 - 0.28) * peak * expected.ratio);
+        CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-5);
+    }
+    // the same in SI units and with mu apart from the pressure
+    const Contact<double> steel({.half_length = 5e-3, .half_width = 0.1, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const PlaneKernel<double> steel_kernel = PlaneKernel<double>::longitudinal(steel);
+    const HertzPressure<double> real{8e8};
+    const double unit = 0.25 * 8e8 / 8e10;
+    const auto si = solve_stick_border(steel, steel_kernel, 0.25, real, 2 * 0.72 * unit * 0.5);
+    CHECK(-si.force_per_width == Approx(0.75 * 0.25 * 8e8 * 5e-3 * pi / 2).epsilon(1e-13));
+    CHECK(si.traction(0.5) == Approx(0.25 * 8e8 * carter_friction_traction(0.5, 0.5)).epsilon(1e-12));
+}
+
+/// Two cosine meshes that meet at the border.
+Mesh<double> mesh_about(double border, Eigen::Index n) {
+    ArrayX<double> edges(2 * n + 1);
+    for (Eigen::Index j = 0; j <= n; ++j) {
+        const double part = (1 - std::cos(pi * static_cast<double>(j) / static_cast<double>(n))) / 2;
+        edges[j] = -1 + (border + 1) * part;
+        edges[n + j] = border + (1 - border) * part;
+    }
+    edges[2 * n] = 1;
+    return mesh_from_edges(edges);
+}
+
+TEST_CASE("the exact border on a strip", "[friction]") {
+    for (const double aspect : {0.3, 1.0, 10.0}) {
+        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
+        const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+        const auto solve = [&](double ratio) {
+            return solve_stick_border(contact, kernel, 1.0, hertz, creepage(ratio));
+        };
+        for (const double ratio : {0.1, 0.3, -0.45}) {
+            const auto solution = solve(ratio);
+            CAPTURE(aspect, ratio, solution.border, solution.unknowns, solution.coefficients);
+            REQUIRE(solution.exact);
+            CHECK(solution.border < 1);
+            CHECK(solution.force_error < 1e-11 * full_force);
+            CHECK(solution.complementarity_residual < 1e-9);
+            std::vector<double> forces, residuals;
+            for (const Eigen::Index n : {40, 80, 160}) {
+                const Mesh<double> mesh = mesh_about(solution.border, n);
+                forces.push_back(plain_force(contact, kernel, mesh, hertz, creepage(ratio)));
+                // G' of the tractions at the centres, with the slip of each element at its leading edge
+                const MatrixX<double> G_prime = assemble_G_prime(mesh, half, kernel);
+                VectorX<double> traction(2 * n);
+                for (Eigen::Index i = 0; i < 2 * n; ++i) traction[i] = solution.traction(mesh.centres()[i]);
+                const VectorX<double> slope = G_prime * traction;
+                double residual = 0;
+                for (Eigen::Index i = n / 4; i < 2 * n - n / 4; ++i) {
+                    if (std::abs(i - n) < n / 4) continue;
+                    const double edge = mesh.edges_from_trailing()[i + 1] - 1;
+                    residual =
+                        std::max(residual, std::abs(creepage(ratio) - slope[i] - solution.slip(edge)) / creepage(1));
+                }
+                residuals.push_back(residual);
+            }
+            CAPTURE(forces, residuals, solution.force_per_width);
+            const double extrapolated = forces[2] + (forces[2] - forces[1]) / 3;
+            CHECK(std::abs(extrapolated / solution.force_per_width - 1) < 5e-5);
+            CHECK(residuals[2] < 1e-3);
+            CHECK(residuals[2] < residuals[0] / 3);
+            const double step = 1e-4;
+            const double difference =
+                (solve(ratio + step).force_per_width - solve(ratio - step).force_per_width) / (2 * creepage(step));
+            CHECK(solution.tangent_per_width == Approx(difference).epsilon(1e-6));
+            CHECK(solve(-ratio).force_per_width == -solution.force_per_width);
+        }
+        // no creepage: the steady creep coefficient, by another spectral method
+        const double c11 = reference::strip_c11(0, nu, aspect).c11.real();
+        CHECK(solve(0).tangent_per_width == Approx(-c11).epsilon(1e-10));
+        CHECK(solve(1e-7).force_per_width == Approx(-c11 * creepage(1e-7)).epsilon(1e-6));
+        // full sliding begins where stick ends
+        const auto sliding = solve(1.2);
+        CHECK(sliding.exact);
+        CHECK(sliding.border == 1);
+        CHECK(-sliding.force_per_width == Approx(full_force).epsilon(1e-13));
+    }
+    const Contact<double> wide = Contact<double>::dimensionless(1e6, nu);
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(wide);
+    for (const double ratio : {0.01, 0.5, 0.99}) {
+        const auto solution = solve_stick_border(wide, kernel, 1.0, hertz, creepage(ratio));
+        CHECK(solution.exact);
+        CHECK(std::abs(-solution.force_per_width / full_force - carter_force_ratio(ratio)) < 2e-12);
+    }
+}
+
+/// Points of a shape at -cos of equal angles, with zeros at both ends.
+PressureTable<double> table_of(const Shaped& pressure, int count) {
+    ArrayX<double> x(count + 1), value(count + 1);
+    for (int i = 0; i <= count; ++i) {
+        x[i] = i == count ? 1 : -std::cos(pi * i / count);
+        value[i] = i % count == 0 ? 0 : pressure(x[i]);
+    }
+    return {x, value};
+}
+
+TEST_CASE("the exact border under a table", "[friction]") {
+    const Plane plane;
+    const Shaped shape{[](double x) { return 1 + 0.3 * x; }};
+    const PressureTable<double> table = table_of(shape, 200);
+    const auto rule = detail::gauss_legendre<double>(12);
+    for (const double ratio : {0.1, 0.3, 0.6}) {
+        const auto solution = plane.solve(table, ratio);
+        CAPTURE(ratio, solution.force_error / full_force, solution.coefficients, solution.complementarity_residual);
+        REQUIRE(solution.exact);
+        CHECK(solution.coefficients > 32);
+        CHECK(solution.coefficients <= 4096);
+        CHECK(solution.force_error < 1e-6 * full_force);
+        // creepage = (2 c1/pi) int p_n / sqrt((c-s)(1-s)) ds over the slip zone and the force alike, segment by segment
+        // with s = c - v^2
+        const double c = solution.border;
+        double xi = 0, force = 0;
+        for (int i = 0; i < 200; ++i) {
+            const double from = -std::cos(pi * i / 200), to = std::min(-std::cos(pi * (i + 1) / 200), c);
+            if (from >= c) break;
+            const double low = std::sqrt(c - to), high = std::sqrt(c - from);
+            for (Eigen::Index k = 0; k < 12; ++k) {
+                const double v = low + (high - low) * (1 + rule.nodes[k]) / 2, s = c - v * v;
+                const double term = rule.weights[k] * (high - low) * table(s) / std::sqrt(1 - s);
+                xi += 2 * (1 - nu) / pi * term;
+                force += term * ((1 + c) / 2 - s);
+            }
+        }
+        CHECK(std::abs(xi / creepage(ratio) - 1) < 1e-6);
+        CHECK(std::abs(-solution.force_per_width - force) < 1e-6 * full_force);
+        const double elements =
+            plain_force(plane.contact, plane.kernel, cosine_mesh<double>(640), table, creepage(ratio));
+        CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-4);
+        CHECK(-solution.traction(-0.9) == Approx(ratio > 0.06 ? table(-0.9) : 0.0));
+    }
+    // on a strip, whose unknowns do not follow the kinks
+    const Contact<double> contact = Contact<double>::dimensionless(1, nu);
+    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    const auto strip = solve_stick_border(contact, kernel, 1.0, table, creepage(0.3));
+    CHECK(strip.exact);
+    CHECK(strip.unknowns <= 120);
+    CHECK(strip.force_error < 1e-6 * full_force);
+    const auto smooth = solve_stick_border(contact, kernel, 1.0, shape, creepage(0.3));
+    CHECK(strip.force_per_width == Approx(smooth.force_per_width).epsilon(1e-4));
+}
+
+TEST_CASE("what has no single border goes to elements", "[friction]") {
+    const Plane plane;
+    const auto by_elements = [&](const auto& pressure, double ratio) {
+        const auto solution = plane.solve(pressure, ratio);
+        CAPTURE(ratio, solution.complementarity_residual);
+        CHECK_FALSE(solution.exact);
+        CHECK(solution.status == StepStatus::ok);
+        CHECK(std::isnan(solution.border));
+        CHECK(std::isnan(solution.force_error));
+        CHECK(solution.coefficients == 0);
+        CHECK(solution.complementarity_residual < 1e-10);
+        const Mesh<double> mesh = cosine_mesh<double>(40);
+        CHECK(solution.force_per_width ==
+              Approx(plain_force(plane.contact, plane.kernel, mesh, pressure, creepage(ratio))).epsilon(1e-12));
+        CHECK(solution.slip_work_per_width == -solution.force_per_width * creepage(ratio));
+        REQUIRE(solution.elements);
+        CHECK(solution.elements->mesh.size() == 40);
+        for (Eigen::Index i = 0; i < 40; ++i) {
+            CHECK(solution.traction(mesh.centres()[i]) == solution.elements->traction[i]);
+            CHECK(solution.slip(mesh.centres()[i]) == solution.elements->slip[i]);
+        }
+        CHECK(solution.traction(-1) == solution.elements->traction[0]);
+        CHECK(solution.traction(1) == solution.elements->traction[39]);
+    };
+    const auto table = [](std::vector<double> x, std::vector<double> p) {
+        return PressureTable<double>(Eigen::Map<ArrayX<double>>(x.data(), Eigen::Index(x.size())),
+                                     peak * Eigen::Map<ArrayX<double>>(p.data(), Eigen::Index(p.size())));
+    };
+    // two humps slip apart from each other
+    by_elements(Shaped{[](double x) { return 0.02 + x * x; }}, 0.1);
+    // |p| above a bound that falls to zero as a line at the leading edge: stick ends before it
+    by_elements(table({-1, 0.3, 1}, {0, 1, 0}), 0.5);
+    by_elements(table({-1, 0.1, 0.8, 1}, {0, 1, 0, 0}), 0.3);
+    // too much pressure at the trailing edge, so that slip turns against the traction
+    by_elements(Shaped{[](double x) { return 1 - x; }}, 0.5);
+    // a jump, in slip and in stick
+    by_elements(table({-1, -0.6, -0.6, 1}, {1, 1, 0.5, 0.5}), 0.4);
+    by_elements(table({-1, 0.5, 0.5, 1}, {1, 1, 2, 2}), 0.1);
+    by_elements(table({-1, -0.2, -0.2, 0.2, 0.2, 1}, {2, 2, 0, 0, 2, 2}), 0.3);
+}
+
+TEST_CASE("an exact border is never another number than that of elements", "[friction]") {
+    std::mt19937 engine(20);
+    const auto random = [&] { return 2 * static_cast<double>(engine()) / 4294967295.0 - 1; };
+    int exact = 0, by_elements = 0;
+    for (int i = 0; i < 120; ++i) {
+        double a[4];
+        for (double& amplitude : a) amplitude = 0.3 * (i % 4) * random();
+        const Shaped pressure{[&](double x) {
+            double shape = 1;
+            for (int k = 0; k < 4; ++k) shape += a[k] * std::sin((k + 1) * 1.3 * x + k);
+            return std::max(shape, 0.0);
+        }};
+        const Contact<double> contact =
+            Contact<double>::dimensionless(std::pow(10, 0.5 + 1.2 * random()), 0.25 * (1 + random()));
+        const double xi = 2 * (1 - contact.poisson_ratio()) * peak * std::pow(10, random() - 0.7);
+        const Mesh<double> mesh = cosine_mesh<double>(120);
+        const double full = (pressure(mesh) * mesh.widths()).sum();
+        const auto check = [&](const auto& kernel) {
+            const auto solution = solve_stick_border(contact, kernel, 1.0, pressure, xi, 120);
+            const double elements = plain_force(contact, kernel, mesh, pressure, xi);
+            CAPTURE(i, contact.aspect(), xi, solution.exact, solution.border, solution.force_error / full);
+            CHECK(solution.status == StepStatus::ok);
+            CHECK(std::abs(solution.force_per_width - elements) < 4e-4 * full);
+            ++(solution.exact ? exact : by_elements);
+        };
+        if (i % 2 == 0) {
+            check(PlaneKernel<double>::longitudinal(contact));
+        } else {
+            check(StripKernel<double>::longitudinal(contact));
+        }
+    }
+    CAPTURE(exact, by_elements);
+    CHECK(exact > 80);
+    CHECK(by_elements > 10);
+}
+
+template <class Scalar>
+void check_scalar(Scalar tolerance) {
+    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(Scalar(10), Scalar(0.25));
+    const PlaneKernel<Scalar> plane = PlaneKernel<Scalar>::longitudinal(contact);
+    const HertzPressure<Scalar> unit;
+    const Scalar ratio = Scalar(2) / 5, xi = ratio * 3 / 2;
+    const auto solution = solve_stick_border(contact, plane, Scalar(1), unit, xi);
+    CHECK(solution.exact);
+    CHECK(std::abs(-solution.force_per_width * 2 / std::numbers::pi_v<Scalar> - Scalar(16) / 25) < tolerance);
+    CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 10 * tolerance);
+}
+
+TEST_CASE("the exact border in other scalars", "[friction]") {
+    check_scalar<float>(2e-6F);
+    check_scalar<long double>(1e-18L);
+}
+
+}  // namespace
