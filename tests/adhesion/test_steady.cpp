@@ -7,6 +7,7 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
@@ -406,6 +407,31 @@ TEST_CASE("Forces and widths that are not finite are told", "[steady]") {
     CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1e10).status == Status::not_finite);
     const ArrayX<double> widths = Eigen::Array2d(1, std::numeric_limits<double>::quiet_NaN());
     CHECK(solve_steady<double>(-MatrixX<double>::Identity(2, 2), widths).status == Status::not_finite);
+}
+
+TEST_CASE("Steady rolling of a system", "[steady]") {
+    const PlaneKernel<double> kernel(100, 0.75, 0.25);
+    const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5}, behind{.alpha_L = -0.5, .alpha_T = -0.5};
+    const UnitSteadySolution<double> elements = solve_steady(rolling_system(cosine_mesh(20), halves, kernel));
+    CHECK(elements.status == Status::ok);
+    CHECK(elements.c11 == solve_steady(cosine_mesh(20), halves, kernel).c11);
+    CHECK(solve_steady(rolling_system(cosine_mesh(20), behind, kernel)).status == Status::inconsistent);
+
+    // unknowns that are no tractions may have either sign
+    const MatrixX<double> identity = MatrixX<double>::Identity(2, 2);
+    CHECK(solve_steady<double>(identity, ArrayX<double>::Ones(2)).status == Status::inconsistent);
+    CHECK(solve_steady(RollingSystem<double>(identity, identity, ArrayX<double>::Ones(2))).status == Status::ok);
+
+    const ChebyshevSystem<double> states = rolling_system(Chebyshev{12}, kernel);
+    const UnitSteadySolution<double> solution = solve_steady(states);
+    CHECK(solution.status == Status::ok);
+    CHECK(std::abs(solution.c11 / steady_c11(0.25) - 1) < 1e-13);
+    const EdgeDistances<double> x{1.3, 0.7};
+    CHECK(std::abs(states.traction(solution.traction)(x) / carter_traction(x, 0.25) - 1) < 1e-12);
+
+    // matrices that lead nowhere are told all the same
+    MatrixX<double> G_prime = MatrixX<double>::Ones(2, 2);
+    CHECK(solve_steady(RollingSystem<double>(G_prime, G_prime, ArrayX<double>::Ones(2))).status != Status::ok);
 }
 
 }  // namespace

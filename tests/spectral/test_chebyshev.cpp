@@ -89,6 +89,9 @@ TEST_CASE("The frequency response of the plane by states", "[chebyshev]") {
     CHECK_THAT(plane_error(12, 5), about(5.9e-9));
     CHECK(plane_error(16, 5) < 2e-14);
     for (const Eigen::Index m : {24, 200}) CHECK(plane_error(m, 5) < 4e-15);
+    CHECK(relative_error(solve_harmonic(rolling_system(Chebyshev{600}, plane), 5).c11,
+                         reference::harmonic_c11(5, 0.25, 100)) < 1e-14);
+    CHECK(FrequencySweep<double>(rolling_system(Chebyshev{96}, plane)).reduced());
 }
 
 TEST_CASE("Over all frequencies the error falls with the square of the number of states", "[chebyshev]") {
@@ -176,6 +179,8 @@ TEST_CASE("Eigenvalues of Chebyshev states", "[chebyshev]") {
     CHECK(error(16, 1) < 1e-12);
     CHECK_THAT(error(16, 2), about(6.7e-10));
     CHECK(error(24, 2) < 1e-11);
+    CHECK(error(200, 0) < 1e-11);
+    CHECK(verdict(rolling_system(Chebyshev{200}, plane)).stable());
     for (Eigen::Index m = 1; m <= 96; m += m < 24 ? 1 : 12) {
         for (const bool wide : {true, false}) {
             const StabilityVerdict found =

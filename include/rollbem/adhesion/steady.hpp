@@ -13,6 +13,7 @@
 #include <Eigen/LU>
 
 #include "../assembly/influence.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../detail/array_functions.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
@@ -133,6 +134,14 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
     const MatrixX<Scalar> original = G_prime;
     return detail::solve_steady_in_place<Scalar>(
         G_prime, widths, [&](const VectorX<Scalar>& p) -> VectorX<Scalar> { return original * p; });
+}
+
+/// The same of a system. Unknowns that are no tractions stand in their place in the result, and are never inconsistent.
+template <class Scalar>
+UnitSteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
+    UnitSteadySolution<Scalar> solution = solve_steady<Scalar>(system.G_prime(), system.weights());
+    if (solution.status == Status::inconsistent && !system.unknowns_are_tractions()) solution.status = Status::ok;
+    return solution;
 }
 
 /// Assembles and solves for unit creepage, dimensionless (a = G = 1). Above 1000 elements the memory is that of one
