@@ -254,4 +254,24 @@ TEST_CASE("The contact sets the coefficients of both directions", "[kernel]") {
     CHECK((StripKernel<double>::lateral(contact).g(x) == StripKernel<double>(5, 1, -0.3).g(x)).all());
 }
 
+TEST_CASE("The slope of a kernel is taken apart", "[kernel]") {
+    for (const double b : {0.1, 1.0, 1e3}) {
+        const StripKernel<double> strip(b, 0.72, 0.28);
+        for (const double x : {-1.9, -0.3, 0.02, 0.7, 2.0}) {
+            const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, x);
+            const double slope = strip.taylor(at, 1)(0, 1) / x;
+            CAPTURE(b, x);
+            CHECK(strip.smooth_slope(x) - strip.log_strength() / x == Approx(slope).epsilon(1e-13));
+            CHECK(strip.smooth_slope(-x) == -strip.smooth_slope(x));
+        }
+        CHECK(strip.smooth_slope(0) == 0);
+        CHECK(strip.smooth_distance() == b);
+        const PlaneKernel<double> plane(b, 0.72, 0.28);
+        CHECK(plane.log_strength() == Approx(strip.log_strength()).epsilon(1e-15));
+        CHECK(plane.smooth_slope(0.3) == 0);
+    }
+    const StripKernel<double> infinite(std::numeric_limits<double>::infinity(), 0.72, 0.28);
+    CHECK(infinite.smooth_slope(0.5) == 0);
+}
+
 }  // namespace

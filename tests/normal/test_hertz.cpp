@@ -90,4 +90,15 @@ TEST_CASE("Hertz's contact of bodies at both ends of Poisson's ratio", "[hertz]"
     CHECK(hertz.contact(1).poisson_ratio() == Approx(0.5 * 1.5 / 2.5).epsilon(1e-14));
 }
 
+TEST_CASE("Hertz's pressure at every point", "[hertz]") {
+    const ElasticBody<double> steel{2e11, 0.28};
+    const HertzLine<double> hertz({.load_per_width = 1e6, .combined_radius = 0.5, .body_1 = steel, .body_2 = steel});
+    const HertzPressure<double> pressure = hertz.pressure();
+    CHECK(pressure(0.0) == hertz.peak_pressure());
+    CHECK(pressure(-0.6) == Approx(0.8 * hertz.peak_pressure()).epsilon(1e-15));
+    CHECK(pressure(1.0) == 0);
+    const Mesh<double> mesh = cosine_mesh<double>(7);
+    CHECK((pressure(mesh) == hertz.mean_pressure(mesh)).all());
+}
+
 }  // namespace

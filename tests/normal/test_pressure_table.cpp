@@ -47,4 +47,16 @@ TEST_CASE("a pressure given at points", "[pressure]") {
                       "PressureTable: load = 0 must be positive and finite");
 }
 
+TEST_CASE("A pressure between its points and outside them", "[pressure]") {
+    const PressureTable<double> table(Eigen::Array4d(-0.9, -0.25, -0.25, 0.5), Eigen::Array4d(1, 3, 0.5, 0.5));
+    CHECK(table(-1.0) == 0);
+    CHECK(table(-0.9) == 1);
+    CHECK(table(-0.575) == Approx(2).epsilon(1e-14));
+    CHECK(table(-0.25) == 0.5);  // ahead of the jump
+    CHECK(table(0.4) == 0.5);
+    CHECK(table(0.5) == 0.5);
+    CHECK(table(0.501) == 0);
+    CHECK(table(1.0) == 0);
+}
+
 }  // namespace
