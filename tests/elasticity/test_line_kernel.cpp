@@ -261,13 +261,13 @@ TEST_CASE("The slope of a kernel is taken apart", "[kernel]") {
             const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, x);
             const double slope = strip.taylor(at, 1)(0, 1) / x;
             CAPTURE(b, x);
-            CHECK(strip.smooth_slope(x) - strip.log_strength() / x == Approx(slope).epsilon(1e-13));
+            CHECK(strip.smooth_slope(x) - strip.smooth_split().strength / x == Approx(slope).epsilon(1e-13));
             CHECK(strip.smooth_slope(-x) == -strip.smooth_slope(x));
         }
         CHECK(strip.smooth_slope(0) == 0);
-        CHECK(strip.smooth_distance() == b);
+        CHECK(strip.smooth_split().distance == b);
         const PlaneKernel<double> plane(b, 0.72, 0.28);
-        CHECK(plane.log_strength() == Approx(strip.log_strength()).epsilon(1e-15));
+        CHECK(plane.smooth_split().strength == Approx(strip.smooth_split().strength).epsilon(1e-15));
         CHECK(plane.smooth_slope(0.3) == 0);
     }
     const StripKernel<double> infinite(std::numeric_limits<double>::infinity(), 0.72, 0.28);
