@@ -22,8 +22,8 @@ namespace rollbem {
 enum class Integrator {
     implicit_euler,      ///< first order
     sdirk2,              ///< second order, two stages, gamma = 1 - 1/sqrt(2) (Alexander 1977); the default
-    matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage (first-order
-                         ///< hold); for distances rolled that are prepared, in full adhesion
+    matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage
+                         ///< (first-order hold); for distances rolled that are prepared, in full adhesion
 };
 
 constexpr const char* name(Integrator integrator) {

@@ -82,10 +82,10 @@ public:
     /// Up to this many unknown elements, a step that is not prepared is solved on the stack (128 KB in double).
     static constexpr Eigen::Index largest_unprepared = 128;
 
-    /// Takes creepage in the direction of the kernel that the system was made with. Throws std::invalid_argument unless the
-    /// verdict is one of this system's eigenvalues and settles that none grows, where steady rolling shows that the scheme
-    /// does not converge to full adhesion (Status::inconsistent), and where the contact's half-width is infinite or not
-    /// that of the system's kernel.
+    /// Takes creepage in the direction of the kernel that the system was made with. Throws std::invalid_argument unless
+    /// the verdict is one of this system's eigenvalues and settles that none grows, where steady rolling shows that the
+    /// scheme does not converge to full adhesion (Status::inconsistent), and where the contact's half-width is infinite
+    /// or not that of the system's kernel.
     TransientModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
                    Integrator integrator = Integrator::sdirk2)
         : TransientModel(contact, std::move(system), unchecked, integrator) {

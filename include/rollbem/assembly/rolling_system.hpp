@@ -93,8 +93,8 @@ class ElementSystem : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
-    /// From ready matrices and the widths of the elements. Throws std::invalid_argument where the invariant is broken, and
-    /// where the signs of both diagonals say that G and G' have changed places.
+    /// From ready matrices and the widths of the elements. Throws std::invalid_argument where the invariant is broken,
+    /// and where the signs of both diagonals say that G and G' have changed places.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> widths)
         : RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(widths)), element_count_(this->size()) {
         this->unknowns_are_tractions_ = true;
@@ -139,8 +139,8 @@ void require_one_system(const Scheme& scheme, Eigen::Index n) {
 
 }  // namespace detail
 
-/// Assembles both matrices. Throws std::invalid_argument when the scheme does not fit the mesh, when G is not finite (an
-/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model grows in time.
+/// Assembles both matrices. Throws std::invalid_argument when the scheme does not fit the mesh, when G is not finite
+/// (an infinite half-width), and for a plane kernel with Lambda <= 0, whose model grows in time.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
@@ -173,7 +173,8 @@ void require_same_aspect(const char* who, const Contact<Scalar>& contact, const 
     require(is_finite(ratio) && same, who, "b/a of the kernel over that of the contact", ratio, "be 1");
 }
 
-/// Throws std::invalid_argument where a system was made for another b/a than the contact's, or the contact's is infinite.
+/// Throws std::invalid_argument where a system was made for another b/a than the contact's, or the contact's is
+/// infinite.
 template <class Scalar>
 void require_same_aspect(const char* who, const Contact<Scalar>& contact, const RollingSystem<Scalar>& system) {
     require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),

@@ -42,8 +42,8 @@ public:
     using Step = FrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// Throws std::invalid_argument as assemble_G_prime does, where the law breaks what CoulombFriction asks for, and where
-    /// the kernel's half-width is not the contact's.
+    /// Throws std::invalid_argument as assemble_G_prime does, where the law breaks what CoulombFriction asks for, and
+    /// where the kernel's half-width is not the contact's.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
@@ -53,8 +53,8 @@ public:
         detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
     }
 
-    /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a); the law has as many
-    /// pressures. Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width is not
+    /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a); the law has as many pressures.
+    /// Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width is not
     /// positive. That G has not taken the place of G' cannot be seen here: ElementSystem, which has both, sees it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
@@ -69,8 +69,8 @@ public:
     State at_rest() const { return core_.at_rest(); }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of as many elements; it
-    /// is left alone where the status is wrong_state or the creepage is not finite. No allocation.
+    /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of as many elements;
+    /// it is left alone where the status is wrong_state or the creepage is not finite. No allocation.
     Step solve(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
         return core_.solve_steady(from, creepage, G_prime_, to, workspace);
     }

@@ -45,8 +45,9 @@ public:
 
     /// Throws std::invalid_argument unless the verdict is one of this system's eigenvalues and settles that none grows,
     /// where steady rolling shows that the scheme does not converge (Status::inconsistent), where the contact's
-    /// half-width is infinite or not that of the system's kernel, where the law breaks what CoulombFriction asks for (it
-    /// has as many pressures as the mesh has elements), and for Integrator::matrix_exponential, which knows no friction.
+    /// half-width is infinite or not that of the system's kernel, where the law breaks what CoulombFriction asks for
+    /// (it has as many pressures as the mesh has elements), and for Integrator::matrix_exponential, which knows no
+    /// friction.
     FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, const StabilityVerdict& verdict,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : FrictionModel(contact, std::move(system), unchecked, friction, integrator) {
@@ -78,7 +79,8 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return core_.force(state); }
 
-    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does, with states of this model.
+    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does, with states of this
+    /// model.
     Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
         return core_.solve_steady(from, creepage, system_.G_prime(), to, workspace);
     }

@@ -18,10 +18,10 @@
 namespace rollbem::detail {
 
 /// Factors of M(S, S), S listed from the leading edge to the trailing edge. The usual way is elimination without
-/// pivoting, an element at a time, with both triangles kept inverted: the factors of a list are the leading part of those
-/// of any longer list that begins with it, so that a border that moves at the end of the list costs O(n^2) an element,
-/// and gives what starting afresh would give. Where a pivot is small or a multiplier large, LU with pivoting takes over.
-/// Everything is allocated by the constructor.
+/// pivoting, an element at a time, with both triangles kept inverted: the factors of a list are the leading part of
+/// those of any longer list that begins with it, so that a border that moves at the end of the list costs O(n^2) an
+/// element, and gives what starting afresh would give. Where a pivot is small or a multiplier large, LU with pivoting
+/// takes over. Everything is allocated by the constructor.
 template <class Scalar>
 class StickEquations {
 public:
