@@ -247,7 +247,8 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
 
 /// Steady rolling with friction at a creepage [-] by the exact border between slip, behind, and stick, ahead of it.
 ///
-/// For pressures without jumps inside the contact that leave one slip zone at the trailing edge. The pressure counts in
+/// For pressures without jumps inside the contact (they need not vanish at its ends) that leave one slip zone at the
+/// trailing edge. The pressure counts in
 /// the slip zone alone, where its points are doubled until the force settles: Hertz's and other analytic pressures
 /// over sqrt(1 - x^2) reach rounding with 32, tables, whose kinks converge like 1/M^2, 1e-6 with up to 4096. Where the
 /// pressure jumps, the estimated error exceeds 1e-6 mu N or the law is violated (several zones of stick or slip, slip
