@@ -319,6 +319,22 @@ TEST_CASE("the exact border under a table", "[friction]") {
     CHECK(strip.force_per_width == Approx(smooth.force_per_width).epsilon(1e-4));
 }
 
+TEST_CASE("the exact border under a uniform pressure", "[friction]") {
+    // (1+c)/2 = tanh^2(pi xi/(4 c1 mu p_n)), -F = mu N tanh: in elementary functions, and never full sliding
+    const Plane plane;
+    const PressureTable<double> uniform(Eigen::Array2d(-1, 1), Eigen::Array2d(peak, peak));
+    for (const double ratio : {0.05, 0.3, -0.7, 1.0, 2.0}) {
+        const auto solution = plane.solve(uniform, ratio);
+        const double force = std::tanh(pi / 2 * ratio);
+        CAPTURE(ratio, solution.force_error, solution.coefficients);
+        CHECK(solution.exact);
+        CHECK(std::abs(-solution.force_per_width / (2 * peak) - force) < 1e-7);
+        CHECK(std::abs((1 + solution.border) / 2 - force * force) < 1e-6);
+        CHECK(solution.tangent_per_width * creepage(1) / (-2 * peak) ==
+              Approx(pi / 2 * (1 - force * force)).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("what has no single border goes to elements", "[friction]") {
     const Plane plane;
     const auto by_elements = [&](const auto& pressure, double ratio) {

@@ -247,12 +247,12 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
 
 /// Steady rolling with friction at a creepage [-] by the exact border between slip, behind, and stick, ahead of it.
 ///
-/// For pressures without jumps inside the contact that leave one slip zone at the trailing edge. The pressure counts in
-/// the slip zone alone, where its points are doubled until the force settles: Hertz's and other analytic pressures
-/// over sqrt(1 - x^2) reach rounding with 32, tables, whose kinks converge like 1/M^2, 1e-6 with up to 4096. Where the
-/// pressure jumps, the estimated error exceeds 1e-6 mu N or the law is violated (several zones of stick or slip, slip
-/// against the traction, |p| above the bound), the solver on cosine_mesh(fallback_elements) with alpha = 0.5 takes its
-/// place, and the result says so.
+/// For pressures without jumps inside the contact (they need not vanish at its ends) that leave one slip zone at the
+/// trailing edge. The pressure counts in the slip zone alone, where its points are doubled until the force settles:
+/// Hertz's and other analytic pressures over sqrt(1 - x^2) reach rounding with 32, tables, whose kinks converge like
+/// 1/M^2, 1e-6 with up to 4096. Where the pressure jumps, the estimated error exceeds 1e-6 mu N or the law is violated
+/// (several zones of stick or slip, slip against the traction, |p| above the bound), the solver on
+/// cosine_mesh(fallback_elements) with alpha = 0.5 takes its place, and the result says so.
 ///
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument for fallback_elements < 1, a coefficient of
