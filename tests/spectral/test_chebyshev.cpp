@@ -250,6 +250,19 @@ TEST_CASE("Strips by Chebyshev states against the reference", "[chebyshev]") {
     }
 }
 
+TEST_CASE("The error estimate of steady rolling covers narrow strips", "[chebyshev]") {
+    const double exact = solve_steady(Chebyshev{400}, strip(0.02)).c11;
+    CHECK(std::abs(exact / reference::strip_c11(0, 0.28, 0.02).c11.real() - 1) < 1e-11);
+    for (const Eigen::Index m : {1, 2, 3, 5, 8, 12, 20, 40, 80, 160}) {
+        const ChebyshevSteadySolution<double> solution = solve_steady(Chebyshev{m}, strip(0.02));
+        const double error = std::abs(solution.c11 / exact - 1);
+        CAPTURE(m, error, solution.error_estimate);
+        CHECK(error <= solution.error_estimate);
+        CHECK(solution.error_estimate < 30 * error);
+        CHECK(solution.status == (m < 20 ? Status::not_converged : Status::ok));
+    }
+}
+
 TEST_CASE("Strips by Chebyshev states against elements, along and across", "[chebyshev]") {
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
     for (const double aspect : {0.3, 1.0, 10.0}) {
