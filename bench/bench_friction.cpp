@@ -1,5 +1,6 @@
 // Friction: a step with unchanged and with changing zones, a point of a creep curve from scratch and from the point
-// before, or by the exact border, beside what they are measured in: a product of matrix and vector, and a solution by LU.
+// before, or by the exact border, beside what they are measured in: a product of matrix and vector, and a solution by
+// LU.
 
 #include <cmath>
 #include <numbers>

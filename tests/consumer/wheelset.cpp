@@ -1,5 +1,6 @@
 // A multibody user: two wheels on an elastic axle, each on a contact that is eight linear differential equations. The
-// eigenvalues of the whole, and the answer to a torque, are compared with the closed loop of the exact c11(s). In SI units.
+// eigenvalues of the whole, and the answer to a torque, are compared with the closed loop of the exact c11(s). In SI
+// units.
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -1,5 +1,5 @@
-// A contact in full adhesion as linear ordinary differential equations, for programs that integrate, linearise or design
-// controllers by themselves: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
+// A contact in full adhesion as linear ordinary differential equations, for programs that integrate, linearise or
+// design controllers by themselves: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -29,8 +29,8 @@ struct StateSpace {
     MatrixX<Scalar> D;     ///< 1 x 1, zero
 };
 
-/// dx/dt = A x + B xi, F = C x + D xi: creepage [-] in, force [N] on body 1 over the width 2b out, negative for positive
-/// creepage. The states stay dimensionless (of Chebyshev: displacement coefficients over a; of elements: p/G).
+/// dx/dt = A x + B xi, F = C x + D xi: creepage [-] in, force [N] on body 1 over the width 2b out, negative for
+/// positive creepage. The states stay dimensionless (of Chebyshev: displacement coefficients over a; of elements: p/G).
 template <class Scalar>
 struct StateSpaceSI {
     MatrixX<Scalar> A;  ///< n x n [1/s]
@@ -40,7 +40,8 @@ struct StateSpaceSI {
 };
 
 /// Of any system: A = G^-1 G', B = -G^-1 1, C = -weights. Throws std::invalid_argument, naming rcond(G), where G is
-/// singular to working precision (rcond <= 100 n eps). Elements of alpha_L = 0 come near to that from n of about 150 on.
+/// singular to working precision (rcond <= 100 n eps). Elements of alpha_L = 0 come near to that from n of about 150
+/// on.
 template <class Scalar>
 StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
     const Eigen::Index n = system.size();

@@ -25,8 +25,8 @@
 
 namespace rollbem {
 
-/// A pressure known at every point: p_n [Pa] at x/a in [-1, 1], finite and not negative, and its mean on each element of
-/// any mesh, for where elements have to take over. HertzPressure and PressureTable are such laws.
+/// A pressure known at every point: p_n [Pa] at x/a in [-1, 1], finite and not negative, and its mean on each element
+/// of any mesh, for where elements have to take over. HertzPressure and PressureTable are such laws.
 template <class Pressure, class Scalar>
 concept PressureLaw = requires(const Pressure& pressure, Scalar x_over_a, const Mesh<Scalar>& mesh) {
     { pressure(x_over_a) } -> std::convertible_to<Scalar>;
@@ -133,8 +133,9 @@ struct PressureScan {
     int level = 0;  // at which it settled, or the last
 };
 
-/// Integral of a bound over the contact by the midpoint rule in the angle, the number of points doubled until it settles.
-/// With a kink the last doubling changes it like 1/M^2, with a jump J by J pi/(2 M) or nearly wherever the jump lies.
+/// Integral of a bound over the contact by the midpoint rule in the angle, the number of points doubled until it
+/// settles. With a kink the last doubling changes it like 1/M^2, with a jump J by J pi/(2 M) or nearly wherever the
+/// jump lies.
 template <class Scalar, class Bound>
 PressureScan<Scalar> scan_pressure(const Bound& bound, PointsOfLevels<Scalar>& levels) {
     PressureScan<Scalar> scan;
@@ -165,8 +166,8 @@ struct Violation {
 };
 
 /// How far a function of the part of a zone, 0 at its trailing and 1 at its leading end, rises above zero by more than
-/// rounding in `unit`: at points that gather at both ends, and at the vertices of the parabolas through those about each
-/// local maximum, so that what rises between the points is found. Where something does, on a dense set.
+/// rounding in `unit`: at points that gather at both ends, and at the vertices of the parabolas through those about
+/// each local maximum, so that what rises between the points is found. Where something does, on a dense set.
 template <class Scalar, class Function>
 Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Scalar unit, const Function& f) {
     constexpr int dense = 5;  // 512 points
@@ -207,8 +208,8 @@ StickZoneRule<Scalar> stick_zone_rule(int level, const AngularPoints<Scalar>& po
     return {points, N, std::max<Eigen::Index>(std::min<Eigen::Index>(points.size(), 512), N)};
 }
 
-/// The border whose creepage is `creepage` > 0, from `y` on: secant steps within a bracket, bisection where they leave it
-/// or do not halve it in three steps. Full sliding where the creepage suffices for it.
+/// The border whose creepage is `creepage` > 0, from `y` on: secant steps within a bracket, bisection where they leave
+/// it or do not halve it in three steps. Full sliding where the creepage suffices for it.
 template <class Scalar, class Problem>
 std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const StickZoneRule<Scalar>& rule,
                                                        Scalar creepage, Scalar y, int& evaluations) {

@@ -150,12 +150,12 @@ SmoothSplit<typename Kernel::Scalar> chebyshev_split(const Chebyshev& method, co
 
 /// How many Gauss-Chebyshev points take the smooth part against T_0 ... T_m to rounding.
 ///
-/// For x in [-1, 1], e(x - y) as a function of y is analytic but for x +-ib and beyond. The ellipse with foci +-1 and the
-/// minor half-axis b, the Bernstein ellipse of rho = b + sqrt(1 + b^2), leaves all of them outside or on it, so that the
-/// coefficient of T_n(y) falls off like rho^-n (the singularities are integrable). N points do not tell T_n from T_k where
-/// n = 2N - k or higher: what they make of the integral against T_k, k <= m, is wrong by some rho^-(2N - m). The same
-/// holds for the coefficient of T_j(x), j <= m. It is below rounding from 2N - m = ln(1/eps)/ln(rho) on, and
-/// ln(rho) = asinh(b); N > m keeps the T_k apart. Ten more make up for the factor before rho^-n.
+/// For x in [-1, 1], e(x - y) as a function of y is analytic but for x +-ib and beyond. The ellipse with foci +-1 and
+/// the minor half-axis b, the Bernstein ellipse of rho = b + sqrt(1 + b^2), leaves all of them outside or on it, so
+/// that the coefficient of T_n(y) falls off like rho^-n (the singularities are integrable). N points do not tell T_n
+/// from T_k where n = 2N - k or higher: what they make of the integral against T_k, k <= m, is wrong by some rho^-(2N -
+/// m). The same holds for the coefficient of T_j(x), j <= m. It is below rounding from 2N - m = ln(1/eps)/ln(rho) on,
+/// and ln(rho) = asinh(b); N > m keeps the T_k apart. Ten more make up for the factor before rho^-n.
 template <class Scalar>
 Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
     if (!is_finite(b)) return m + 1;
@@ -265,12 +265,12 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
     return A;
 }
 
-/// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and
-/// G' = G A = (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument for no states, an infinite half-width (its
-/// system does not exist; solve_steady has it), b/a < 0.001, and for a plane kernel with Lambda <= 0, whose model grows
-/// in time. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
-/// Rounding sets no limit to the states (tried to 1500), but the fastest mode decays at some m^2/10, and from m = 200 on
-/// rcond(G') is below what FrequencySweep asks for its reduction.
+/// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
+/// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument for no states, an infinite half-width (its system does
+/// not exist; solve_steady has it), b/a < 0.001, and for a plane kernel with Lambda <= 0, whose model grows in time.
+/// Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3. Rounding sets no limit to the
+/// states (tried to 1500), but the fastest mode decays at some m^2/10, and from m = 200 on rcond(G') is below what
+/// FrequencySweep asks for its reduction.
 template <SmoothSplitKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;

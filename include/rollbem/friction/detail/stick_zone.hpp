@@ -183,8 +183,9 @@ private:
         h.conservativeResize(kept);
     }
 
-    /// With p_2 = sqrt((1-t)/(1+t)) [D + (1+t) sum q_k U_k(t)] the slope in stick is that of all tractions at N Chebyshev
-    /// points; D, which no bounded traction has, is linear in the creepage and vanishes at the one that is sought.
+    /// With p_2 = sqrt((1-t)/(1+t)) [D + (1+t) sum q_k U_k(t)] the slope in stick is that of all tractions at N
+    /// Chebyshev points; D, which no bounded traction has, is linear in the creepage and vanishes at the one that is
+    /// sought.
     void add_smooth_part(const StickZoneRule<Scalar>& rule, Point& point) {
         const Scalar pi = std::numbers::pi_v<Scalar>, S = zone_.strength, y = zone_.y;
         const Eigen::Index N = rule.unknowns, K = rule.eta.size(), points = 2 * N;
