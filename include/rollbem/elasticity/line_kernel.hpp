@@ -60,9 +60,9 @@ struct SmoothSplit {
 /// A kernel that offers its SmoothSplit, and smooth_part(x), even in x and zero at x = 0: what a discretisation by
 /// polynomials asks for, which takes the logarithm in closed form and the rest by quadrature.
 template <class Kernel>
-concept SmoothSplitKernel = LineKernel<Kernel> &&
-    requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
+concept SmoothSplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel) {
     { kernel.smooth_split() } -> std::same_as<SmoothSplit<typename Kernel::Scalar>>;
+} && requires(const Kernel& kernel, const ArrayX<typename Kernel::Scalar>& x) {
     { kernel.smooth_part(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
 };
 

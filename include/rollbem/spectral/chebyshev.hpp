@@ -31,12 +31,30 @@
 
 namespace rollbem {
 
+struct Chebyshev;
+template <class Scalar>
+struct ChebyshevSteadySolution;
+
+namespace detail {
+template <SmoothSplitKernel Kernel>
+ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel);
+}
+
 /// The discretisation: m states u_0 ... u_{m-1}, the first Chebyshev coefficients of the displacement
 /// u(x) = sum u_k T_k(x/a), for the traction p = sum_{k=0..m} a_k T_k(x/a)/sqrt(1 - (x/a)^2). Zero slip,
 /// du/dx - du/dq = xi, holds in the coefficients of T_0 ... T_{m-1}; u_m follows from p = 0 at the leading edge,
 /// sum a_k = 0 (the tau method).
 struct Chebyshev {
     Eigen::Index states = 12;
+
+    /// Steady rolling at unit creepage. There u = x + a constant that only sum a_k = 0 sets, so that K_00 is not needed
+    /// and an infinite half-width has a solution. For the plane kernel it is exact from one state on. Throws
+    /// std::invalid_argument for no states and b/a < 0.001. A friend, so that only calls with a Chebyshev see it.
+    template <SmoothSplitKernel Kernel>
+    friend ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method,
+                                                                         const Kernel& kernel) {
+        return detail::solve_chebyshev_steady(method, kernel);
+    }
 };
 
 /// A traction by its coefficients: p/G, or p/(G xi), is sum a_k T_k(x/a)/sqrt(1 - (x/a)^2), where the a_k add up to
@@ -314,11 +332,10 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
     return system;
 }
 
-/// Steady rolling at unit creepage. There u = x + a constant that only sum a_k = 0 sets, so that K_00 is not needed and
-/// an infinite half-width has a solution. For the plane kernel it is exact from one state on. Throws
-/// std::invalid_argument for no states and b/a < 0.001.
+namespace detail {
+
 template <SmoothSplitKernel Kernel>
-ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
+ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     const SmoothSplit<Scalar> split = detail::chebyshev_split(method, kernel);
     const Eigen::Index m = method.states;
@@ -346,5 +363,7 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& m
                                                                 : Status::not_converged;
     return solution;
 }
+
+}  // namespace detail
 
 }  // namespace rollbem
