@@ -18,6 +18,7 @@
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 #ifndef __FAST_MATH__
 #error "compile this file with -ffast-math"
@@ -42,16 +43,6 @@ bool finite(double value) {
     std::uint64_t bits;
     std::memcpy(&bits, &value, sizeof bits);
     return (bits >> 52 & 0x7ffU) != 0x7ffU;
-}
-
-/// What was thrown, "" where nothing was.
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
 }
 
 const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);

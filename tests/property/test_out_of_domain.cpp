@@ -21,20 +21,11 @@
 #include <rollbem/scene/contact.hpp>
 
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 namespace {
 
 using namespace rollbem;
-
-/// The message of the exception, "" where there is none.
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
-}
 
 /// Values that no argument takes, and those given.
 template <class Scalar>
