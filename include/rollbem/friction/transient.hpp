@@ -58,7 +58,7 @@ public:
     FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
-          core_(contact, system_.weights(),
+          core_(contact, system_.weights(), system_.points(),
                 detail::friction_bound("FrictionModel", friction, system_.element_count(), system_.size(),
                                        contact.shear_modulus()),
                 system_.fingerprint()),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "../workspace.hpp"
+#include "slip_work.hpp"
 
 namespace rollbem::detail {
 
@@ -28,13 +30,15 @@ public:
     using Step = FrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// `widths` in a, `bound` = mu p_n / G, `system` the fingerprint of the equations.
-    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths, VectorX<Scalar> bound,
-                 std::uint64_t system)
+    /// `widths` in a, `points` x/a of the equations where they are known, `bound` = mu p_n / G, `system` the
+    /// fingerprint of the equations.
+    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
+                 const std::optional<ArrayX<Scalar>>& points, VectorX<Scalar> bound, std::uint64_t system)
         : half_length_(contact.half_length()),
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
           widths_(widths.matrix()),
+          slip_work_(widths, points),
           bound_(std::move(bound)),
           ones_(VectorX<Scalar>::Ones(widths_.size())),
           fingerprint_(fingerprint_of(contact, system)) {}
@@ -64,7 +68,7 @@ public:
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
         const std::vector<Zone>& zones;
-        Scalar work = 0, residual = 0;
+        Scalar residual = 0;
         int rounds = 0, pivots = 0;
         bool tangent_exists = true, solved = true;
     };
@@ -114,6 +118,8 @@ public:
         const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, from.zones);
         set_slip(workspace);
         workspace.slip_ *= weight;
+        workspace.work_.setZero();
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_);
         if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
             solver.respond(ones_, workspace.response_);
             workspace.carried_.noalias() = G * workspace.response_;
@@ -122,7 +128,6 @@ public:
             workspace.tangent_revision_ = Workspace::never;
         }
         return {.zones = solver.zones(),
-                .work = work(workspace),
                 .residual = outcome.residual,
                 .rounds = outcome.rounds,
                 .pivots = outcome.pivots,
@@ -130,22 +135,29 @@ public:
                 .solved = outcome.status == StepStatus::ok};
     }
 
-    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`.
+    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`, and its slip work.
     Step solve_last(const State& from, const Before& before, const Gain& gain, Scalar slip_unit, State& to,
                     Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
         const bool only = &before.zones == &from.zones;
-        if (!only) workspace.response_ = workspace.slip_;
+        if (only) {
+            workspace.work_.setZero();
+        } else {
+            workspace.response_ = workspace.slip_;
+        }
         const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, before.zones);
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
-        const Scalar total_work = before.work + work(workspace);
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_);
+        slip_work_.end(workspace.work_);
+        workspace.work_ *= half_length_ * shear_modulus_ * slip_unit;
         to.system = fingerprint_;
         const Scalar force_per_width = half_length_ * shear_modulus_ * force;
-        const Scalar work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        const Scalar work_per_width = workspace.work_.sum();
         if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
             !all_finite(solver.slip())) {
             workspace.slip_.setZero();
+            workspace.work_.setZero();
             to.traction = from.traction;
             to.zones = from.zones;
             return failed(StepStatus::not_finite);
@@ -178,9 +190,6 @@ private:
         const ActiveSet<Scalar>& solver = workspace.solver_;
         workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
     }
-    Scalar work(const Workspace& workspace) const {
-        return -widths_.cwiseProduct(workspace.solver_.traction()).dot(workspace.slip_);
-    }
 
     Scalar tangent(const Gain& gain, Workspace& workspace) const {
         ActiveSet<Scalar>& solver = workspace.solver_;
@@ -197,7 +206,9 @@ private:
     }
 
     Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]
-    VectorX<Scalar> widths_, bound_, ones_;
+    VectorX<Scalar> widths_;
+    SlipWork<Scalar> slip_work_;
+    VectorX<Scalar> bound_, ones_;
     std::uint64_t fingerprint_;
 };
 
