@@ -5,9 +5,11 @@
 #include "../detail/language.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "../assembly/influence.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -48,6 +50,7 @@ public:
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
+                              detail::equation_points(mesh, scheme),
                               detail::checked_friction("SteadyFrictionModel", friction, mesh.size(),
                                                        unknown_count(scheme, mesh.size()))) {
         detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
@@ -58,7 +61,7 @@ public:
     /// positive. That G has not taken the place of G' cannot be seen here: ElementSystem, which has both, sees it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
-        : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths,
+        : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths, std::nullopt,
                               detail::checked_friction("SteadyFrictionModel", friction, widths.size(), widths.size())) {
     }
 
@@ -86,8 +89,9 @@ private:
     struct Checked {};  // tells the constructor from the one whose law may come in braces
 
     SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
-                        CoulombFriction<Scalar> friction)
-        : core_(contact, widths, std::move(friction), fingerprint_of(G_prime, widths)), G_prime_(std::move(G_prime)) {
+                        const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction)
+        : core_(contact, widths, points, std::move(friction), fingerprint_of(G_prime, widths)),
+          G_prime_(std::move(G_prime)) {
         const Eigen::Index n = size();
         detail::require(G_prime_.rows() == n, "SteadyFrictionModel", "number of rows of G_prime", G_prime_.rows(),
                         "equal the number of widths");

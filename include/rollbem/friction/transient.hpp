@@ -57,7 +57,7 @@ public:
     FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
-          core_(contact, system_.weights(),
+          core_(contact, system_.weights(), system_.points(),
                 detail::checked_friction("FrictionModel", friction, system_.element_count(), system_.size()),
                 system_.fingerprint()),
           integrator_(integrator) {

@@ -30,6 +30,7 @@ public:
     explicit FrictionWorkspace(Eigen::Index n)
         : solver_(n),
           slip_(VectorX<Scalar>::Zero(n)),
+          work_(VectorX<Scalar>::Zero(n)),
           bound_(VectorX<Scalar>::Zero(n)),
           memory_(VectorX<Scalar>::Zero(n)),
           carried_(VectorX<Scalar>::Zero(n)),
@@ -37,9 +38,15 @@ public:
 
     Eigen::Index size() const { return slip_.size(); }
 
-    /// Slip of body 1 on body 2 of each element in what was solved last: in a step or a rigid shift the distance slid
-    /// meanwhile [m]; in a steady solution the slip velocity over the rolling velocity, s/V [-].
+    /// Slip of body 1 on body 2 in the equation of each element, where the scheme has its point, in what was solved
+    /// last: in a step or a rigid shift the distance slid meanwhile [m]; in a steady solution the slip velocity over
+    /// the rolling velocity, s/V [-].
     const VectorX<Scalar>& slip() const { return slip_; }
+
+    /// The terms of slip_work_per_width that each element contributes to the sum, none negative: per unit width [J/m],
+    /// of a steady solution per unit width and unit distance rolled [J/m^2]. Over the element's width it is the work
+    /// per area of contact, which wear follows.
+    const VectorX<Scalar>& slip_work() const { return work_; }
 
 private:
     friend class detail::FrictionCore<Scalar>;
@@ -47,7 +54,7 @@ private:
     detail::ActiveSet<Scalar> solver_;
     std::uint64_t system_ = 0;  // the solver's matrix is that of this model and stage
     detail::RollingStage<Scalar> stage_{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
-    VectorX<Scalar> slip_;
+    VectorX<Scalar> slip_, work_;
     VectorX<Scalar> bound_;    // mu p_n / G of the present stage
     VectorX<Scalar> memory_;   // tractions that the present stage of a step starts from
     VectorX<Scalar> carried_;  // dc of the last stage by dc of the first

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "../state.hpp"
 #include "../workspace.hpp"
 #include "rolling_stage.hpp"
+#include "slip_work.hpp"
 
 namespace rollbem::detail {
 
@@ -31,13 +33,15 @@ public:
     using Step = FrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// `widths` in a_0, `friction` of as many elements, `system` the fingerprint of the equations.
-    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths, CoulombFriction<Scalar> friction,
-                 std::uint64_t system)
+    /// `widths` in a_0, `points` x/a of the equations where they are known, `friction` of as many elements, `system` the
+    /// fingerprint of the equations.
+    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
+                 const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction, std::uint64_t system)
         : half_length_(contact.half_length()),
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
           widths_(widths.matrix()),
+          slip_work_(widths, points),
           ones_(VectorX<Scalar>::Ones(widths_.size())),
           fingerprint_(fingerprint_of(contact, system) ^ fingerprint_of_law(friction)),
           friction_(std::move(friction)) {}
@@ -79,7 +83,7 @@ public:
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
         const std::vector<Zone>& zones;
-        Scalar work = 0, residual = 0;
+        Scalar residual = 0;
         int rounds = 0, pivots = 0;
         bool tangent_exists = true, solved = true;
     };
@@ -135,6 +139,8 @@ public:
         const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, from.zones);
         set_slip(workspace);
         workspace.slip_ *= weight;
+        workspace.work_.setZero();
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, workspace.stage_.half_length);
         if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
             solver.respond(ones_, workspace.response_);
             find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
@@ -143,7 +149,6 @@ public:
             workspace.tangent_revision_ = Workspace::never;
         }
         return {.zones = solver.zones(),
-                .work = workspace.stage_.half_length * work(workspace),
                 .residual = outcome.residual,
                 .rounds = outcome.rounds,
                 .pivots = outcome.pivots,
@@ -151,22 +156,29 @@ public:
                 .solved = outcome.status == StepStatus::ok};
     }
 
-    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`.
+    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`, and its slip work.
     Step solve_last(const State& from, const Before& before, const Gain& gain, const Load& load, Scalar slip_unit,
                     State& to, Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
         const bool only = &before.zones == &from.zones;
-        if (!only) workspace.response_ = workspace.slip_;
+        if (only) {
+            workspace.work_.setZero();
+        } else {
+            workspace.response_ = workspace.slip_;
+        }
         const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, before.zones);
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
-        const Scalar total_work = before.work + load.half_length / half_length_ * work(workspace);
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
+        slip_work_.end(workspace.work_);
+        workspace.work_ *= half_length_ * shear_modulus_ * slip_unit;
         to.system = fingerprint_;
         const Scalar force_per_width = load.half_length * shear_modulus_ * force;
-        const Scalar work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        const Scalar work_per_width = workspace.work_.sum();
         if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
             !all_finite(solver.slip())) {
             workspace.slip_.setZero();
+            workspace.work_.setZero();
             to.traction = from.traction;
             to.zones = from.zones;
             to.normal_pressure = from.normal_pressure;
@@ -203,9 +215,6 @@ private:
         const ActiveSet<Scalar>& solver = workspace.solver_;
         workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
     }
-    Scalar work(const Workspace& workspace) const {
-        return -widths_.cwiseProduct(workspace.solver_.traction()).dot(workspace.slip_);
-    }
 
     Scalar tangent(const Gain& gain, Workspace& workspace) const {
         ActiveSet<Scalar>& solver = workspace.solver_;
@@ -228,7 +237,9 @@ private:
     }
 
     Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
-    VectorX<Scalar> widths_, ones_;
+    VectorX<Scalar> widths_;
+    SlipWork<Scalar> slip_work_;
+    VectorX<Scalar> ones_;
     std::uint64_t fingerprint_;
     CoulombFriction<Scalar> friction_;
 };
