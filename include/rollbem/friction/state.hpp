@@ -23,6 +23,9 @@ struct FrictionState {
 
     VectorX<Scalar> traction;  ///< p on body 1 of each unknown element [Pa], trailing to leading
     std::vector<Zone> zones;   ///< what each element does; after a step, at its end
+    /// p_n [Pa] of each unknown element and a [m] of the contact that it lives under: what a step without a load keeps.
+    ArrayX<Scalar> normal_pressure;
+    Scalar half_length = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
 };
 
@@ -48,6 +51,19 @@ struct FrictionStep {
     int rounds = 0;                ///< rounds of the active set
     int pivots = 0;                ///< pivots of the fallback; 0 where the rounds settled
     StepStatus status = StepStatus::not_finite;
+};
+
+/// Result of a step under a load of its own, with the tangents by it: derivatives of the force at the end of the step.
+/// By the load, d force / d load is that at constant half-length, and not a number where NormalLoad has no
+/// pressure_rate; where the half-length depends on the load too, the whole is by_load + by_half_length da/d load. Not a
+/// number where the matrix of the stick elements is singular; by the half-length neither where the system knows one
+/// half-length only.
+template <class Scalar>
+struct LoadedFrictionStep : FrictionStep<Scalar> {
+    Scalar tangent_by_load_per_width = std::numeric_limits<Scalar>::quiet_NaN();         ///< [N/m per unit of the load]
+    Scalar tangent_by_load = std::numeric_limits<Scalar>::quiet_NaN();                   ///< 2b times it
+    Scalar tangent_by_half_length_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< [N/m^2]
+    Scalar tangent_by_half_length = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b times it [N/m]
 };
 
 }  // namespace rollbem

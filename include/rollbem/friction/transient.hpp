@@ -5,7 +5,6 @@
 #include "../detail/language.hpp"
 
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include "../adhesion/integrator.hpp"
@@ -59,8 +58,7 @@ public:
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
           core_(contact, system_.weights(), system_.points(),
-                detail::friction_bound("FrictionModel", friction, system_.element_count(), system_.size(),
-                                       contact.shear_modulus()),
+                detail::checked_friction("FrictionModel", friction, system_.element_count(), system_.size()),
                 system_.fingerprint()),
           integrator_(integrator) {
         detail::require_same_aspect("FrictionModel", contact, system_);
@@ -79,10 +77,17 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return core_.force(state); }
 
-    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does, with states of this
-    /// model.
+    /// Steady rolling at a creepage [-] under the load of `from`, to start from: what SteadyFrictionModel::solve does,
+    /// with states of this model.
     Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        return core_.solve_steady(from, creepage, system_.G_prime(), to, workspace);
+        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
+        const StepStatus possible = core_.check_load(from);
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        const Scalar a = from.half_length / core_.half_length();
+        const StepStatus breathing = detail::check_growth(system_, Scalar(0), a, a);
+        if (breathing != StepStatus::ok) return Core::failed(breathing);
+        return core_.solve_steady(from, creepage, system_.G_prime(), {from.normal_pressure, from.half_length}, to,
+                                  workspace);
     }
 
     /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling. `from` is never written; `to`
@@ -96,25 +101,12 @@ public:
         const Scalar distance = dq / a;
         const StepStatus possible = motion.check(distance);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        // A stage takes `part` of the step: (s/V) part dq = xi part dq - (part dq G' - G) p - G p_memory.
-        const bool two_stages = integrator_ == Integrator::sdirk2 && distance > 0;
-        const Scalar part = two_stages ? gamma : Scalar(1);
-        const Scalar travel = motion.is_shift() ? part / a : part * distance;
-        const MatrixX<Scalar>& G = system_.G();
-        if (MatrixX<Scalar>* matrix = core_.claim(part * distance, workspace)) {
-            *matrix = G - (part * distance) * system_.G_prime();
-        }
-        core_.remember(from, workspace);
-        if (!two_stages) {
-            core_.impose(travel * motion.end(), G, workspace);
-            return core_.solve_last(from, {.zones = from.zones}, {.first = 0, .last = travel}, a, to, workspace);
-        }
-        core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), G, workspace);
-        const typename Core::Before before = core_.solve_first(from, ratio, G, workspace);
-        core_.extrapolate_memory(ratio, workspace);
-        core_.impose(travel * motion.end(), G, workspace);
-        return core_.solve_last(from, before, {.first = motion.is_linear() ? gamma * travel : travel, .last = travel},
-                                a, to, workspace);
+        const StepStatus loaded = core_.check_load(from);
+        if (loaded != StepStatus::ok) return Core::failed(loaded);
+        const Scalar present = from.half_length / a;
+        const StepStatus breathing = detail::check_growth(system_, distance, present, present);
+        if (breathing != StepStatus::ok) return Core::failed(breathing);
+        return roll(from, distance, motion, {from.normal_pressure, from.half_length}, to, workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling.
@@ -125,10 +117,39 @@ public:
 private:
     using Core = detail::FrictionCore<Scalar>;
 
-    // Alexander's two stages (1977): each takes gamma dq; the second starts from p + ratio (p_1 - p), p_1 the first's
-    // result. The slip of a step is `ratio` times the first's and the second's.
-    static constexpr Scalar gamma = 1 - std::numbers::sqrt2_v<Scalar> / 2;
-    static constexpr Scalar ratio = 1 + std::numbers::sqrt2_v<Scalar>;  // (1 - gamma)/gamma
+    using Stage = detail::RollingStage<Scalar>;
+
+    static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
+    static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
+
+    // A step whose arguments have been checked; dq in a_0.
+    Step roll(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const typename Core::Load& load,
+              State& to, Workspace& workspace) const noexcept {
+        const Scalar unit = core_.half_length(), a = from.half_length / unit;
+        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U_memory.
+        const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
+        const Scalar part = two_stages ? gamma : Scalar(1);
+        const Scalar travel = motion.is_shift() ? part / unit : part * dq;
+        enter({.distance = part * dq, .half_length = a}, workspace);
+        core_.press(load.pressure, workspace);
+        core_.remember(from, workspace);
+        if (!two_stages) {
+            core_.impose(travel * motion.end(), system_, a, workspace);
+            return core_.solve_last(from, {.zones = from.zones}, {.first = 0, .last = travel}, load, unit, to,
+                                    workspace);
+        }
+        core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, a, workspace);
+        const typename Core::Before before = core_.solve_first(from, ratio, system_, workspace);
+        core_.extrapolate_memory(ratio, workspace);
+        core_.impose(travel * motion.end(), system_, a, workspace);
+        return core_.solve_last(from, before, {.first = motion.is_linear() ? gamma * travel : travel, .last = travel},
+                                load, unit, to, workspace);
+    }
+
+    // The matrix of a stage, unless the workspace has it already.
+    void enter(const Stage& stage, Workspace& workspace) const noexcept {
+        if (MatrixX<Scalar>* matrix = core_.claim(stage, workspace)) detail::fill_stage_matrix(system_, stage, *matrix);
+    }
 
     ElementSystem<Scalar> system_;
     Core core_;

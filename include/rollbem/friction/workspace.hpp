@@ -10,6 +10,7 @@
 
 #include "../types.hpp"
 #include "detail/active_set.hpp"
+#include "detail/rolling_stage.hpp"
 
 namespace rollbem {
 
@@ -30,6 +31,7 @@ public:
         : solver_(n),
           slip_(VectorX<Scalar>::Zero(n)),
           work_(VectorX<Scalar>::Zero(n)),
+          bound_(VectorX<Scalar>::Zero(n)),
           memory_(VectorX<Scalar>::Zero(n)),
           carried_(VectorX<Scalar>::Zero(n)),
           response_(VectorX<Scalar>::Zero(n)) {}
@@ -50,9 +52,10 @@ private:
     friend class detail::FrictionCore<Scalar>;
 
     detail::ActiveSet<Scalar> solver_;
-    std::uint64_t system_ = 0;  // the solver's matrix is that of this model and distance rolled
-    Scalar distance_ = std::numeric_limits<Scalar>::quiet_NaN();
+    std::uint64_t system_ = 0;  // the solver's matrix is that of this model and stage
+    detail::RollingStage<Scalar> stage_{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
     VectorX<Scalar> slip_, work_;
+    VectorX<Scalar> bound_;    // mu p_n / G of the present stage
     VectorX<Scalar> memory_;   // tractions that the present stage of a step starts from
     VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
     VectorX<Scalar> response_;

@@ -13,16 +13,19 @@
 
 #include "../../assembly/rolling_system.hpp"
 #include "../../detail/finite.hpp"
+#include "../../normal/load.hpp"
 #include "../../scene/contact.hpp"
 #include "../../types.hpp"
+#include "../law.hpp"
 #include "../state.hpp"
 #include "../workspace.hpp"
+#include "rolling_stage.hpp"
 #include "slip_work.hpp"
 
 namespace rollbem::detail {
 
 /// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
-/// in G, lengths in a.
+/// in G, lengths in a_0, the contact's half-length.
 template <class Scalar>
 class FrictionCore {
 public:
@@ -30,33 +33,40 @@ public:
     using Step = FrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// `widths` in a, `points` x/a of the equations where they are known, `bound` = mu p_n / G, `system` the
+    /// `widths` in a_0, `points` x/a of the equations where they are known, `friction` of as many elements, `system` the
     /// fingerprint of the equations.
     FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
-                 const std::optional<ArrayX<Scalar>>& points, VectorX<Scalar> bound, std::uint64_t system)
+                 const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction, std::uint64_t system)
         : half_length_(contact.half_length()),
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
           widths_(widths.matrix()),
           slip_work_(widths, points),
-          bound_(std::move(bound)),
           ones_(VectorX<Scalar>::Ones(widths_.size())),
-          fingerprint_(fingerprint_of(contact, system)) {}
+          fingerprint_(fingerprint_of(contact, system) ^ fingerprint_of_law(friction)),
+          friction_(std::move(friction)) {}
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
         return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
-                fingerprint_};
+                friction_.normal_pressure, half_length_, fingerprint_};
     }
-    Scalar force(const State& state) const { return width_ * half_length_ * widths_.dot(state.traction); }
+    Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
 
     bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
         const auto sized = [this](const State& state) {
-            return state.traction.size() == size() && state.zones.size() == static_cast<std::size_t>(size());
+            return state.traction.size() == size() && state.zones.size() == static_cast<std::size_t>(size()) &&
+                   state.normal_pressure.size() == size();
         };
         return &from != &to && from.system == fingerprint_ && sized(from) && sized(to) && workspace.size() == size();
+    }
+
+    /// Whether a state tells of a load that the present pressures can be.
+    StepStatus check_load(const State& from) const noexcept {
+        const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
+        return valid ? StepStatus::ok : StepStatus::invalid_load;
     }
 
     static Step failed(StepStatus status) noexcept {
@@ -65,6 +75,11 @@ public:
         return step;
     }
 
+    /// What holds at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
+    struct Load {
+        const ArrayX<Scalar>& pressure;
+        Scalar half_length;
+    };
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
         const std::vector<Zone>& zones;
@@ -77,23 +92,28 @@ public:
         Scalar first, last;
     };
 
-    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`.
-    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, State& to,
+    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`, under a load that has been checked.
+    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, const Load& load, State& to,
                       Workspace& workspace) const noexcept {
-        if (!fits(from, to, workspace)) return failed(StepStatus::wrong_state);
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
-        if (MatrixX<Scalar>* matrix = claim(steadily, workspace)) *matrix = -G_prime;
+        if (MatrixX<Scalar>* matrix = claim({.distance = steadily}, workspace)) *matrix = -G_prime;
         workspace.solver_.constant().setConstant(creepage);
-        return solve_last(from, {.zones = from.zones}, {.first = 0, .last = 1}, 1, to, workspace);
+        press(load.pressure, workspace);
+        return solve_last(from, {.zones = from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
     }
 
-    /// The matrix to fill for a distance rolled, or nothing when the workspace has it already.
-    MatrixX<Scalar>* claim(Scalar distance, Workspace& workspace) const noexcept {
-        if (workspace.system_ == fingerprint_ && workspace.distance_ == distance) return nullptr;
+    /// The matrix to fill for a stage, or nothing when the workspace has it already.
+    MatrixX<Scalar>* claim(const RollingStage<Scalar>& stage, Workspace& workspace) const noexcept {
+        if (workspace.system_ == fingerprint_ && workspace.stage_ == stage) return nullptr;
         workspace.system_ = fingerprint_;
-        workspace.distance_ = distance;
-        workspace.carried_.setZero();
+        workspace.stage_ = stage;
         return &workspace.solver_.new_matrix();
+    }
+
+    /// The bounds mu p_n of the stage to come.
+    template <class Derived>
+    void press(const Eigen::ArrayBase<Derived>& pressure, Workspace& workspace) const noexcept {
+        workspace.bound_ = friction_.friction_coefficient / shear_modulus_ * pressure.head(size()).matrix();
     }
 
     /// The tractions p/G that a step starts from.
@@ -104,25 +124,26 @@ public:
     void extrapolate_memory(Scalar ratio, Workspace& workspace) const noexcept {
         workspace.memory_ += ratio * (workspace.solver_.traction() - workspace.memory_);
     }
-    /// c = imposed - G p_memory.
-    void impose(Scalar imposed, const MatrixX<Scalar>& G, Workspace& workspace) const noexcept {
+    /// c = imposed - U, the displacement that the tractions in memory have caused at a half-length.
+    void impose(Scalar imposed, const RollingSystem<Scalar>& system, Scalar half_length,
+                Workspace& workspace) const noexcept {
         VectorX<Scalar>& constant = workspace.solver_.constant();
-        constant.noalias() = G * workspace.memory_;
+        find_displacement(system, half_length, workspace.memory_, constant);
         constant = VectorX<Scalar>::Constant(size(), imposed) - constant;
     }
 
     /// The first of two stages, from the zones of `from`; its slip counts `weight` times.
-    Before solve_first(const State& from, Scalar weight, const MatrixX<Scalar>& G,
+    Before solve_first(const State& from, Scalar weight, const RollingSystem<Scalar>& system,
                        Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, from.zones);
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, from.zones);
         set_slip(workspace);
         workspace.slip_ *= weight;
         workspace.work_.setZero();
-        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_);
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, workspace.stage_.half_length);
         if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
             solver.respond(ones_, workspace.response_);
-            workspace.carried_.noalias() = G * workspace.response_;
+            find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
             workspace.carried_ *= -weight;
             workspace.carried_revision_ = solver.revision();
             workspace.tangent_revision_ = Workspace::never;
@@ -136,8 +157,8 @@ public:
     }
 
     /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`, and its slip work.
-    Step solve_last(const State& from, const Before& before, const Gain& gain, Scalar slip_unit, State& to,
-                    Workspace& workspace) const noexcept {
+    Step solve_last(const State& from, const Before& before, const Gain& gain, const Load& load, Scalar slip_unit,
+                    State& to, Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
         const bool only = &before.zones == &from.zones;
         if (only) {
@@ -145,14 +166,14 @@ public:
         } else {
             workspace.response_ = workspace.slip_;
         }
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, before.zones);
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, before.zones);
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
-        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_);
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
         slip_work_.end(workspace.work_);
         workspace.work_ *= half_length_ * shear_modulus_ * slip_unit;
         to.system = fingerprint_;
-        const Scalar force_per_width = half_length_ * shear_modulus_ * force;
+        const Scalar force_per_width = load.half_length * shear_modulus_ * force;
         const Scalar work_per_width = workspace.work_.sum();
         if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
             !all_finite(solver.slip())) {
@@ -160,19 +181,23 @@ public:
             workspace.work_.setZero();
             to.traction = from.traction;
             to.zones = from.zones;
+            to.normal_pressure = from.normal_pressure;
+            to.half_length = from.half_length;
             return failed(StepStatus::not_finite);
         }
         if (!only) workspace.slip_ += workspace.response_;
         workspace.slip_ *= slip_unit;
         to.zones = solver.zones();
         to.traction = shear_modulus_ * solver.traction();
+        to.normal_pressure = load.pressure.head(size());
+        to.half_length = load.half_length;
         Step step;
         step.stick_count = solver.stick_count();
         step.force_per_width = force_per_width;
         step.force = width_ * step.force_per_width;
         step.slip_work_per_width = work_per_width;
         if (before.tangent_exists && outcome.tangent_exists) {
-            step.tangent_per_width = half_length_ * shear_modulus_ * tangent(gain, workspace);
+            step.tangent_per_width = load.half_length * shear_modulus_ * tangent(gain, workspace);
             step.tangent = width_ * step.tangent_per_width;
         }
         step.complementarity_residual = std::max(before.residual, outcome.residual);
@@ -205,11 +230,18 @@ private:
         return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
     }
 
-    Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]
+    static std::uint64_t fingerprint_of_law(const CoulombFriction<Scalar>& friction) {
+        Fingerprint fingerprint;
+        fingerprint.add(friction.normal_pressure);
+        return fingerprint.value();
+    }
+
+    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
     VectorX<Scalar> widths_;
     SlipWork<Scalar> slip_work_;
-    VectorX<Scalar> bound_, ones_;
+    VectorX<Scalar> ones_;
     std::uint64_t fingerprint_;
+    CoulombFriction<Scalar> friction_;
 };
 
 }  // namespace rollbem::detail

@@ -42,10 +42,10 @@ public:
         return share_[element] == 0 ? slip[j] : slip[j] + share_[element] * (slip[j + 1] - slip[j]);
     }
 
-    /// Adds -p s dx of each element to `work`.
+    /// Adds -p s dx of each element to `work`, on a contact of another half-length where one is given.
     template <class Traction, class Slip>
-    void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work) const {
-        for (Index i = 0; i < size(); ++i) work[i] -= widths_[i] * traction[i] * at_centre(i, slip);
+    void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work, Scalar half_length = 1) const {
+        for (Index i = 0; i < size(); ++i) work[i] -= half_length * widths_[i] * traction[i] * at_centre(i, slip);
     }
 
     /// Ends a sum: no element gains energy. Where the slip turns round or ends within an element, interpolation may say
