@@ -6,9 +6,9 @@
 #include <Eigen/Core>
 
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/compiled/steady.hpp>
 
 #include "support/errors.hpp"
+#include "support/non_steady.hpp"
 
 namespace frequency {
 
@@ -22,31 +22,34 @@ constexpr const char* conventions =
     "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n"
     "x = \"by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a\"\n";
 
-Space by_elements(const study::Options& options, const rollbem::RollingSystem<double>& system) {
-    const std::string said = options.said("state-space");
-    if (rollbem::solve_steady(system).status == rollbem::Status::inconsistent) {
-        throw study::BadInput(said +
-                              " must go with a scheme that converges to full adhesion, whose steady tractions oppose "
-                              "the creepage: alpha above 0 and at most 1");
-    }
-    try {
-        return rollbem::state_space(system);
-    } catch (const std::invalid_argument& singular) {
-        throw study::BadInput(said + " must go with a scheme that has one: " + singular.what());
-    }
-}
-
 Space state_space_of(const study::Options& options, const std::vector<study::Scene>& scenes) {
     const std::string said = options.said("state-space");
+    const study::Scene& scene = scenes.front();
     if (scenes.size() != 1) {
         throw study::BadInput(said + " must go with one scheme; " + options.said("n") +
                               " (with alphas and lambdas, if any) makes " + std::to_string(scenes.size()));
     }
-    return scenes.front().visit(
-        [&](const auto& mesh, const auto& scheme, const auto& kernel) {
-            return by_elements(options, rollbem::rolling_system(mesh, scheme, kernel));
-        },
-        [](const auto& method, const auto& kernel) { return rollbem::state_space(method, kernel); });
+    const auto require_no_flaw = [&](const rollbem::RollingSystem<double>& system) {
+        const std::string flaw = study::flaw_in_steady_rolling(scene, system);
+        if (!flaw.empty())
+            throw study::BadInput(said + " must go with another scheme: that of n = " + std::to_string(scene.n()) +
+                                  " " + flaw);
+    };
+    const auto of_elements = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
+        const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
+        require_no_flaw(system);
+        try {
+            return rollbem::state_space<double>(system);
+        } catch (const std::invalid_argument& singular) {
+            throw study::BadInput(said + " must go with a scheme that has one: " + singular.what());
+        }
+    };
+    const auto of_states = [&](const auto& method, const auto& kernel) {
+        const rollbem::ChebyshevSystem<double> system = rolling_system(method, kernel);
+        require_no_flaw(system);
+        return rollbem::state_space(system);
+    };
+    return scene.visit(of_elements, of_states);
 }
 
 /// Plain numbers, comma-separated, a row a line; no negative zeros.

@@ -85,6 +85,18 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
                        [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
 }
 
+std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system) {
+    using rollbem::Status;
+    if (scene.chebyshev) {
+        const auto status = [&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel).status; };
+        if (std::visit(status, scene.kernel) == Status::ok) return "";
+        return "has too few states for so narrow a strip: their error in steady rolling must be at most 1e-2";
+    }
+    if (rollbem::solve_steady(system).status != Status::inconsistent) return "";
+    return "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions must oppose "
+           "the creepage";
+}
+
 void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (options.flag("unchecked")) return;
     const rollbem::StabilityVerdict verdict = rollbem::verdict<double>(system);
@@ -97,11 +109,8 @@ void require_steppable(const Options& options, const Scene& scene, const rollbem
                        std::to_string(verdict.uncertain_count) +
                        " uncertain eigenvalues; it must be stable, or --unchecked be given");
     }
-    if (rollbem::solve_steady(system).status == rollbem::Status::inconsistent) {
-        throw BadInput(scheme +
-                       "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions "
-                       "must oppose the creepage, or --unchecked be given");
-    }
+    const std::string flaw = flaw_in_steady_rolling(scene, system);
+    if (!flaw.empty()) throw BadInput(scheme + flaw + ", or --unchecked be given");
 }
 
 rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene) {

@@ -51,8 +51,12 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 /// Of elements or Chebyshev states.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
+/// What steady rolling holds against the scene's discretisation in full adhesion, to follow "the scheme"; empty where
+/// that is nothing.
+std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system);
+
 /// Throws BadInput unless --unchecked is given or steps of the scene's `system` tend to steady rolling: no eigenvalue is
-/// unstable or uncertain, and steady rolling is not inconsistent.
+/// unstable or uncertain, and steady rolling has no flaw.
 void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system);
 
 /// The system of a scene with elements, which friction asks for. Throws BadInput as require_steppable does.
