@@ -25,6 +25,10 @@ int main(int argc, char** argv) {
         "pressure",
         "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
         "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
+    options.add("lateral-ratio", "LIST",
+                "lateral creepage by the same 2 (1-nu) mu p0/G: friction in both directions; with --transient a single "
+                "value, constant (dimensionless)");
+    options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G (dimensionless)", "0");
     options.add_table("tractions",
                       "besides, a CSV file with one row per element of every scheme and creepage, and FILE.toml");
     options.add_flag(
@@ -34,6 +38,16 @@ int main(int argc, char** argv) {
     options.add("sine", "AMP,OMEGA",
                 "with --transient: creepage ratio AMP sin(OMEGA q/a), OMEGA in V/a (dimensionless)");
     options.add("shift", "W", "with --transient: rigid shift in mu p0 a/G first, without rolling (dimensionless)");
+    options.add("load-sine", "A,LENGTH",
+                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), LENGTH in a_0 (dimensionless)");
+    options.add_input("load",
+                      "with --transient: CSV file with the columns q_over_a,load_ratio, N/N_0 over the distance rolled "
+                      "in a_0, linear between its rows, which cover the run (dimensionless)");
+    options.add_flag(
+        "breathing",
+        "with --load-sine or --load: the mesh follows the half-length of the contact, with --kernel plane; "
+        "else it covers the largest contact");
+    options.add("from", "rest|steady", "with --transient: what the run starts from", "rest");
     study::add_steps(options, "with --transient: ");
     options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
     options.add_flag("unchecked",

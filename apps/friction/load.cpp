@@ -39,10 +39,9 @@ LoadHistory load_of_table(const study::Options& options, double until, bool brea
     LoadHistory history{.knots = std::move(pairs.places), .ratios = std::move(pairs.values), .breathing = breathing};
     const std::string said = options.said("load");
     if (history.knots.front() > 0 || history.knots.back() < until) {
-        throw study::BadInput(said + " must cover the run: its rows go from q_over_a = " +
-                              study::Cell(history.knots.front()).text(6) + " to " +
-                              study::Cell(history.knots.back()).text(6) + ", the run from 0 to " +
-                              study::Cell(until).text(6));
+        throw study::BadInput(
+            said + " must cover the run: its rows go from q_over_a = " + study::Cell(history.knots.front()).text(6) +
+            " to " + study::Cell(history.knots.back()).text(6) + ", the run from 0 to " + study::Cell(until).text(6));
     }
     const auto twin = std::adjacent_find(history.knots.begin(), history.knots.end());
     if (twin != history.knots.end()) {

@@ -79,22 +79,56 @@ study::Plot creep_curve(const std::vector<std::string>& columns, const std::vect
 }
 
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          bool creepage_changes, const study::Series* steady) {
+                          const TimePicture& shown) {
     study::Selection selection{.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"},
                                .x = "q_over_a",
                                .y = "force_ratio"};
-    const auto draw = [&](const char* title, const char* x_label) {
-        study::Plot plot{.title = title, .x_label = x_label, .y_label = "-F / (μ N)", .series = {}};
-        study::add_series(plot, columns, rows, selection);
-        for (study::Series& series : plot.series) series.markers = false;
-        return plot;
+    // further columns over the same axis, named by what stands before the label of their scheme
+    const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
+        const std::size_t first = plot.series.size();
+        selection.y = y;
+        study::Plot more{.title = "", .x_label = "", .y_label = "", .series = {}};
+        study::add_series(more, columns, rows, selection);
+        for (study::Series& series : more.series) {
+            if (series.points.empty()) continue;
+            series.markers = false;
+            if (first > 0 || !prefix.empty()) {
+                series.label = series.label.empty() ? prefix : prefix + (prefix.empty() ? "" : ", ") + series.label;
+            }
+            plot.series.push_back(std::move(series));
+        }
+        if (first == 0) plot.title += more.title;
     };
-    study::Plot plot = draw("Rolling with friction", "distance rolled q/a");
-    if (creepage_changes) {
-        selection.x = "creepage_ratio";
-        plot.beside.push_back(draw("Hysteresis", "creepage ratio δ"));
+    const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
+        return !row[std::size_t(std::find(columns.begin(), columns.end(), "lateral_ratio") - columns.begin())]
+                    .text(3)
+                    .empty();
+    });
+    study::Plot plot{.title = "Rolling with friction",
+                     .x_label = "distance rolled q/a",
+                     .y_label = shown.load_changes ? "-F / (μ N_0)" : "-F / (μ N)",
+                     .series = {}};
+    add(plot, "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
+    if (lateral) add(plot, "lateral_force_ratio", "lateral");
+    if (shown.load_changes) {
+        study::Plot load{.title = "", .x_label = "", .y_label = "", .series = {}};
+        selection.y = "load_ratio";
+        study::add_series(load, columns, rows, selection);
+        load.series.front().label = "load N/N_0";
+        load.series.front().markers = false;
+        plot.series.push_back(std::move(load.series.front()));
     }
-    if (steady != nullptr) plot.series.push_back(*steady);
+    if (shown.creepage_changes) {
+        selection.x = "creepage_ratio";
+        study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label, .series = {}};
+        add(loop, "force_ratio", "");
+        if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));
+        plot.beside.push_back(std::move(loop));
+    } else if (shown.carter) {
+        const double force = rollbem::carter_force_ratio(shown.ratio);
+        plot.series.push_back(
+            {.label = "Carter, steady", .points = {{0, force}, {shown.end, force}}, .markers = false});
+    }
     return plot;
 }
 

@@ -15,8 +15,16 @@ namespace friction {
 study::Plot creep_curve(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                         const Profiles& profiles, const Pressure& pressure, const std::vector<double>& ratios);
 
-/// The force over the distance; beside it over the creepage where that changes, or with the line `steady` given.
+/// What a picture of a run in time shows beside the force.
+struct TimePicture {
+    bool creepage_changes, load_changes;
+    bool carter;   ///< his force, that of steady rolling
+    double ratio;  ///< largest creepage ratio
+    double end;    ///< of the run [a_0]
+};
+
+/// The forces over the distance, with the load where it changes; beside them over the creepage where that changes.
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          bool creepage_changes, const study::Series* steady);
+                          const TimePicture& shown);
 
 }  // namespace friction

@@ -200,7 +200,8 @@ void refuse_element_options(const study::Options& options) {
 }  // namespace
 
 void run_steady(const study::Options& options, const Pressure& pressure) {
-    for (const char* name : {"sine", "shift", "dq", "until", "integrator", "unchecked"}) {
+    for (const char* name :
+         {"sine", "shift", "load-sine", "load", "breathing", "from", "dq", "until", "integrator", "unchecked"}) {
         options.ignored(name, "without --transient");
     }
     options.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
