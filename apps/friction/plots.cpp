@@ -27,7 +27,7 @@ study::Series carter_curve(const std::vector<double>& ratios) {
 
 /// Of the profiles with a result, that of the last scene nearest to half of full sliding; null where there is none.
 const Profile* most_telling(const Profiles& profiles) {
-    const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.ratio) - 0.5); };
+    const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.point.longitudinal) - 0.5); };
     const Profile* shown = nullptr;
     for (const auto& [key, profile] : profiles.all()) {
         if (profile.status != "ok") continue;
@@ -36,14 +36,15 @@ const Profile* most_telling(const Profiles& profiles) {
     return shown;
 }
 
-study::Plot draw_tractions(const Profile& shown, const Pressure& pressure) {
+study::Plot draw_tractions(const Profile& shown, bool carter) {
+    const double ratio = shown.point.longitudinal;
     study::Plot panel{
-        .title = "Traction, δ = " + study::Cell(shown.ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
+        .title = "Traction, δ = " + study::Cell(ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
         .x_label = "x / a (leading edge at 1)",
         .y_label = "-p / (μ p_0)",
         .x_range = study::PlotRange{-1, 1},
         .series = {}};
-    const double sign = shown.ratio < 0 ? -1 : 1;
+    const double sign = ratio < 0 ? -1 : 1;
     study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .style = 6};
     study::Series exact{.label = "Carter", .points = {}, .markers = false, .style = 2};
     study::Series slip{.label = "slip", .points = {}, .line = false, .style = 1};
@@ -53,9 +54,9 @@ study::Plot draw_tractions(const Profile& shown, const Pressure& pressure) {
         bound.points.emplace_back(x, sign * shown.bound[i]);
         (shown.sticks[std::size_t(i)] ? stick : slip).points.emplace_back(x, -shown.traction[i]);
     }
-    for (int i = 0; i <= line_points && pressure.hertz; ++i) {
+    for (int i = 0; i <= line_points && carter; ++i) {
         const double x = -std::cos(std::numbers::pi * i / line_points);
-        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, shown.ratio));
+        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, ratio));
     }
     panel.series = {std::move(bound), std::move(exact), std::move(slip), std::move(stick)};
     return panel;
@@ -63,8 +64,8 @@ study::Plot draw_tractions(const Profile& shown, const Pressure& pressure) {
 
 }  // namespace
 
-study::Plot creep_curve(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                        const Profiles& profiles, const Pressure& pressure, const std::vector<double>& ratios) {
+study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                          const CreepCurve& curve) {
     study::Plot plot{.title = "Creep curve",
                      .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)",
                      .y_label = "-F / (μ N)",
@@ -73,8 +74,26 @@ study::Plot creep_curve(const std::vector<std::string>& columns, const std::vect
         plot, columns, rows,
         {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"}, .x = "creepage_ratio", .y = "force_ratio"});
     for (study::Series& series : plot.series) series.line = false;
-    if (pressure.hertz) plot.series.push_back(carter_curve(ratios));
-    if (const Profile* shown = most_telling(profiles)) plot.beside.push_back(draw_tractions(*shown, pressure));
+    const bool carter = curve.pressure.hertz && curve.layer == 0;
+    std::vector<double> ratios;
+    for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
+    if (carter) plot.series.push_back(carter_curve(ratios));
+    if (const Profile* shown = most_telling(*curve.profiles)) plot.beside.push_back(draw_tractions(*shown, carter));
+    return plot;
+}
+
+study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
+    const auto panel = [&](const char* title, const char* y_label, const char* y) {
+        study::Plot plot{
+            .title = title, .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)", .y_label = y_label, .series = {}};
+        study::add_series(plot, columns, rows,
+                          {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
+                           .x = "creepage_ratio",
+                           .y = y});
+        return plot;
+    };
+    study::Plot plot = panel("Longitudinal force", "-F_x / (μ N)", "force_ratio");
+    plot.beside.push_back(panel("Lateral force", "-F_y / (μ N)", "lateral_force_ratio"));
     return plot;
 }
 

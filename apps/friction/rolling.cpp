@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/friction/combined_transient.hpp>
 
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
@@ -19,8 +20,22 @@ struct OneDirection {
 
     static Value value(const Ratios& ratios, double unit) { return unit * ratios.longitudinal; }
     static void read_force(const Model::Step& step, Moment& moment) {
-        moment.force_ratio = -step.force_per_width / mu_N;
+        moment.force_ratio = 0 - step.force_per_width / mu_N;  // 0 without load, not -0
         moment.pivots = step.pivots;
+    }
+};
+
+/// The same of both.
+struct BothDirections {
+    using Model = rollbem::CombinedFrictionModel<double>;
+    using Value = rollbem::Creepage<double>;
+
+    static Value value(const Ratios& ratios, double unit) {
+        return {unit * ratios.longitudinal, unit * ratios.lateral.value_or(0)};
+    }
+    static void read_force(const Model::Step& step, Moment& moment) {
+        moment.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
+        moment.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
     }
 };
 
@@ -113,7 +128,14 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
     const rollbem::CoulombFriction<double> law{
         1, load ? hertz->at(largest * mu_N).normal_pressure : pressure(*scene.mesh)};
     const double first_load_ratio = load ? load->at(0) : 1, unit = creepage(scene, 1);
-    static_cast<void>(both_directions);
+    if (both_directions) {
+        rollbem::ElementSystem<double> across = surface.system(Direction::lateral);
+        study::require_steppable(options, scene, across);
+        return std::make_unique<MakerOf<BothDirections>>(
+            rollbem::CombinedFrictionModel<double>(surface.contact(), std::move(system), std::move(across),
+                                                   rollbem::unchecked, law, integrator),
+            hertz, first_load_ratio, unit);
+    }
     return std::make_unique<MakerOf<OneDirection>>(
         rollbem::FrictionModel<double>(surface.contact(), std::move(system), rollbem::unchecked, law, integrator),
         hertz, first_load_ratio, unit);

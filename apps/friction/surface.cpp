@@ -11,16 +11,18 @@ namespace friction {
 
 namespace {
 
-/// function(mesh, scheme, kernel) with the kernel of a direction, under a layer where there is one.
-template <class Function>
-auto visit(const Surface& surface, Direction direction, const Function& function) {
+/// function(mesh, scheme, kernels...) with the kernels of the directions, under a layer where there is one.
+template <class Function, class... Directions>
+auto visit(const Surface& surface, const Function& function, Directions... directions) {
     const rollbem::Contact<double> contact = surface.contact();
     return surface.scene.visit([&](const auto& mesh, const auto& scheme, const auto& any) {
         using Kernel = std::remove_cvref_t<decltype(any)>;
-        const Kernel kernel =
-            direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
-        if (surface.layer == 0) return function(mesh, scheme, kernel);
-        return function(mesh, scheme, rollbem::LayeredKernel(kernel, surface.layer / surface.half_length));
+        const auto kernel = [&](Direction direction) {
+            return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
+        };
+        if (surface.layer == 0) return function(mesh, scheme, kernel(directions)...);
+        return function(mesh, scheme,
+                        rollbem::LayeredKernel(kernel(directions), surface.layer / surface.half_length)...);
     });
 }
 
@@ -34,16 +36,34 @@ rollbem::Contact<double> Surface::contact() const {
 }
 
 rollbem::ElementSystem<double> Surface::system(Direction direction) const {
-    return visit(*this, direction, [](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::rolling_system(mesh, scheme, kernel);
-    });
+    return visit(
+        *this,
+        [](const auto& mesh, const auto& scheme, const auto& kernel) {
+            return rollbem::rolling_system(mesh, scheme, kernel);
+        },
+        direction);
 }
 
 std::pair<Eigen::MatrixXd, Eigen::ArrayXd> Surface::gradient(Direction direction) const {
-    return visit(*this, direction, [](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return std::pair<Eigen::MatrixXd, Eigen::ArrayXd>(rollbem::assemble_G_prime(mesh, scheme, kernel),
-                                                          rollbem::unknown_widths(mesh, scheme));
-    });
+    return visit(
+        *this,
+        [](const auto& mesh, const auto& scheme, const auto& kernel) {
+            return std::pair<Eigen::MatrixXd, Eigen::ArrayXd>(rollbem::assemble_G_prime(mesh, scheme, kernel),
+                                                              rollbem::unknown_widths(mesh, scheme));
+        },
+        direction);
+}
+
+rollbem::SteadyFrictionModel<double> Surface::steady_model(const rollbem::CoulombFriction<double>& law) const {
+    return visit(
+        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<double>(contact(), parts..., law); },
+        Direction::longitudinal);
+}
+
+rollbem::SteadyCombinedModel<double> Surface::combined_model(const rollbem::CoulombFriction<double>& law) const {
+    return visit(
+        *this, [&](const auto&... parts) { return rollbem::SteadyCombinedModel<double>(contact(), parts..., law); },
+        Direction::longitudinal, Direction::lateral);
 }
 
 double read_layer(const study::Options& options) {

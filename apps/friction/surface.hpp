@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 
 #include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/friction/combined_steady.hpp>
 #include <rollbem/scene/contact.hpp>
 
 #include "support/options.hpp"
@@ -28,6 +30,9 @@ struct Surface {
 
     /// G' and the widths of its elements.
     std::pair<Eigen::MatrixXd, Eigen::ArrayXd> gradient(Direction direction) const;
+
+    rollbem::SteadyFrictionModel<double> steady_model(const rollbem::CoulombFriction<double>& law) const;
+    rollbem::SteadyCombinedModel<double> combined_model(const rollbem::CoulombFriction<double>& law) const;
 };
 
 /// --layer. Throws BadInput, also where a scene's scheme takes a derivative that does not exist with a layer.
