@@ -87,7 +87,8 @@ public:
         const StepStatus possible = core_.check(from, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
         if (from.half_length != core_.half_length()) return Core::failed(StepStatus::needs_fixed_mesh);
-        return core_.solve_steady(from, creepage, G_prime_[0], G_prime_[1], to, workspace);
+        return core_.solve_steady(from, creepage, G_prime_[0], G_prime_[1], {from.normal_pressure, from.half_length},
+                                  to, workspace);
     }
 
 private:

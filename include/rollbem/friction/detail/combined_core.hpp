@@ -99,8 +99,19 @@ public:
     void begin(const State& from, Memory& memory) const noexcept {
         memory.slip.setZero();
         memory.work.setZero();
+        memory.displacement.setZero();
         memory.start = from.traction / shear_modulus_;
     }
+    /// d bound by the load, from that of the pressures [Pa].
+    void set_bound_rate(const ArrayX<Scalar>& pressure_rate, Memory& memory) const noexcept {
+        memory.bound_rate = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
+    }
+
+    /// What holds at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
+    struct Load {
+        const ArrayX<Scalar>& pressure;
+        Scalar half_length;
+    };
 
     /// What the stages of a step leave.
     struct Course {
@@ -132,13 +143,13 @@ public:
     }
 
     /// Fills `to`, slip in multiples of `slip_unit`, and the result but for its tangents.
-    void finish(const State& from, const Course& course, const ArrayX<Scalar>& pressure, Scalar half_length,
-                Scalar slip_unit, State& to, Memory& memory, Step& step) const noexcept {
+    void finish(const State& from, const Course& course, const Load& load, Scalar slip_unit, State& to, Memory& memory,
+                Step& step) const noexcept {
         slip_work_.end(memory.work);
         memory.work *= half_length_ * shear_modulus_ * slip_unit;
         memory.slip *= slip_unit;
         to.system = fingerprint_;
-        const Force force = sum(memory.start, half_length * shear_modulus_);
+        const Force force = sum(memory.start, load.half_length * shear_modulus_);
         const Scalar work = memory.work.sum();
         if (!is_finite(force.longitudinal) || !is_finite(force.lateral) || !is_finite(work) ||
             !all_finite(memory.slip) || !is_finite(course.residual)) {
@@ -153,8 +164,8 @@ public:
         }
         to.traction = shear_modulus_ * memory.start;
         to.zones = memory.solver.zones();
-        to.normal_pressure = pressure.head(size());
-        to.half_length = half_length;
+        to.normal_pressure = load.pressure.head(size());
+        to.half_length = load.half_length;
         step.force_per_width = force;
         step.force = times(width_, force);
         step.slip_work_per_width = work;
@@ -164,41 +175,55 @@ public:
         step.status = course.solved ? StepStatus::ok : StepStatus::no_solution;
     }
 
-    /// Steady rolling, s/V = creepage - G' p, sought from `from` and under its load, both checked.
+    /// Steady rolling, s/V = creepage - G' p, sought from `from` under a load that has been checked.
     Step solve_steady(const State& from, const Creepage<Scalar>& creepage, const MatrixX<Scalar>& longitudinal_G_prime,
-                      const MatrixX<Scalar>& lateral_G_prime, State& to, Workspace& workspace) const noexcept {
+                      const MatrixX<Scalar>& lateral_G_prime, const Load& load, State& to,
+                      Workspace& workspace) const noexcept {
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
         Memory& memory = workspace.memory_;
-        // half-length: slip work is that of the contact's length
-        if (claim({.distance = steadily, .half_length = from.half_length / half_length_}, memory)) {
+        // the equations do not know the half-length, slip work does
+        if (claim({.distance = steadily, .half_length = load.half_length / half_length_}, memory)) {
             memory.solver.new_matrix(0) = -longitudinal_G_prime;
             memory.solver.new_matrix(1) = -lateral_G_prime;
         }
         begin(from, memory);
-        memory.pressure = from.normal_pressure;
-        memory.displacement.setZero();
+        memory.pressure = load.pressure.head(size());
         Course course;
         solve(creepage, from.zones, 1, memory, course);
         Step step;
-        finish(from, course, from.normal_pressure, from.half_length, 1, to, memory, step);
+        finish(from, course, load, 1, to, memory, step);
         if (step.status != StepStatus::not_finite && course.tangent_exists) {
-            add_tangent(1, nullptr, from.half_length, memory, step);
+            add_tangent(1, false, load.half_length, memory, step);
         }
         return step;
     }
 
-    /// Tangents by both creepages at the end, part dq xi depending by `imposed` on each, and through `before`, where
-    /// there is a stage before.
-    void add_tangent(Scalar imposed, const ElementVectors<Scalar>* before, Scalar half_length, Memory& memory,
-                     Step& step) const noexcept {
+    /// Tangents by both creepages at the end of the last or only stage, where part dq xi depends by `imposed` on each;
+    /// `carried`: memory.carried counts, from a stage before.
+    void add_tangent(Scalar imposed, bool carried, Scalar half_length, Memory& memory, Step& step) const noexcept {
         for (const Parameter direction : {Parameter::longitudinal, Parameter::lateral}) {
-            CombinedTangent<Scalar> tangent(memory, before ? before + static_cast<std::size_t>(direction) : nullptr);
-            tangent.by_creepage(direction, imposed);
+            CombinedTangent<Scalar>(memory, direction, carried).by_creepage(imposed);
             const Force rate = sum(memory.response, half_length * shear_modulus_);
             const bool along = direction == Parameter::longitudinal;
             (along ? step.tangent_per_width.by_longitudinal : step.tangent_per_width.by_lateral) = rate;
             (along ? step.tangent.by_longitudinal : step.tangent.by_lateral) = times(width_, rate);
         }
+    }
+    /// By the load, on whose pressures memory.bound_rate depends,
+    void add_load_tangent(bool carried, Scalar half_length, Memory& memory,
+                          LoadedCombinedStep<Scalar>& step) const noexcept {
+        CombinedTangent<Scalar>(memory, Parameter::load, carried).by_load(1);
+        step.tangent_by_load_per_width = sum(memory.response, half_length * shear_modulus_);
+        step.tangent_by_load = times(width_, step.tangent_by_load_per_width);
+    }
+    /// and by the half-length.
+    void add_half_length_tangent(const SystemPair<Scalar>& systems, Scalar part, bool carried, Scalar half_length,
+                                 Memory& memory, LoadedCombinedStep<Scalar>& step) const noexcept {
+        CombinedTangent<Scalar>(memory, Parameter::half_length, carried).by_half_length(systems, {part, 1});
+        const Force own = sum(memory.start, shear_modulus_);
+        const Force change = sum(memory.response, half_length / half_length_ * shear_modulus_);
+        step.tangent_by_half_length_per_width = {own.longitudinal + change.longitudinal, own.lateral + change.lateral};
+        step.tangent_by_half_length = times(width_, step.tangent_by_half_length_per_width);
     }
 
     /// Sum of the widths times vectors, times a factor.

@@ -48,7 +48,7 @@ struct CombinedMemory {
     Vectors start;         // tractions that the present stage is sought from
     Vectors displacement;  // that it starts from
     Vectors right, response;
-    std::array<Vectors, 4> carried;  // displacement at the end of the first stage by each parameter
+    std::array<Vectors, 4> carried;  // what the first stage adds to the constants of the second, by each parameter
 };
 
 }  // namespace rollbem::detail

@@ -107,8 +107,8 @@ public:
         for (Index k = 0; k < count_; ++k) x[list_[at(k)]] = solution_[k];
     }
 
-    Index count() const { return count_; }                    ///< elements of S
-    Index listed(Index k) const { return list_[at(k)]; }      ///< the k-th of them, from the leading edge
+    Index count() const { return count_; }                ///< elements of S
+    Index listed(Index k) const { return list_[at(k)]; }  ///< the k-th of them, from the leading edge
     /// Overwrites x, one entry an element of S in the list's order, with M(S, S)^-1 x.
     void solve_listed(VectorRef<Scalar> x) {
         if (uses_pivoted_) {
