@@ -49,7 +49,7 @@ struct CreepResult {
     int rounds = 0;
     std::optional<int> pivots{};
     study::Cell time_us{}, assembly_us{};
-    std::string status;
+    std::string status{};
 };
 
 const std::vector<std::string>& creep_columns();

@@ -46,7 +46,7 @@ struct OneDirection {
         return friction::creepage(scene, point.longitudinal);
     }
     static void read(const Model::Step& step, double unit, CreepResult& result) {
-        result.force_ratio = -step.force_per_width / mu_N;
+        result.force_ratio = 0 - step.force_per_width / mu_N;
         result.tangent_ratio = -step.tangent_per_width * unit / mu_N;
     }
     static void read_counts(const Model::Step& step, CreepResult& result) { result.pivots = step.pivots; }
@@ -66,8 +66,8 @@ struct BothDirections {
         return {friction::creepage(scene, point.longitudinal), friction::creepage(scene, point.lateral.value_or(0))};
     }
     static void read(const Model::Step& step, double unit, CreepResult& result) {
-        result.force_ratio = -step.force_per_width.longitudinal / mu_N;
-        result.lateral_force_ratio = -step.force_per_width.lateral / mu_N;
+        result.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
+        result.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
         result.tangent_ratio = -step.tangent_per_width.by_longitudinal.longitudinal * unit / mu_N;
         result.lateral_tangent_ratio = -step.tangent_per_width.by_lateral.lateral * unit / mu_N;
     }
