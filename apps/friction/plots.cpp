@@ -82,6 +82,15 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
     return plot;
 }
 
+namespace {
+
+void name_lateral_ratio(std::string& text) {
+    const std::string column = "lateral_ratio";
+    if (const std::size_t at = text.find(column); at != std::string::npos) text.replace(at, column.size(), "δ_y");
+}
+
+}  // namespace
+
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     const auto panel = [&](const char* title, const char* y_label, const char* y) {
         study::Plot plot{
@@ -90,6 +99,8 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
                           {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
                            .x = "creepage_ratio",
                            .y = y});
+        for (study::Series& series : plot.series) name_lateral_ratio(series.label);
+        name_lateral_ratio(plot.title);
         return plot;
     };
     study::Plot plot = panel("Longitudinal force", "-F_x / (μ N)", "force_ratio");
@@ -106,7 +117,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
     const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
         const std::size_t first = plot.series.size();
         selection.y = y;
-        study::Plot more{.title = "", .x_label = "", .y_label = "", .series = {}};
+        study::Plot more{.title = plot.title, .x_label = "", .y_label = "", .series = {}};
         study::add_series(more, columns, rows, selection);
         for (study::Series& series : more.series) {
             if (series.points.empty()) continue;
@@ -116,7 +127,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
             }
             plot.series.push_back(std::move(series));
         }
-        if (first == 0) plot.title += more.title;
+        if (first == 0) plot.title = more.title;
     };
     const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
         return !row[std::size_t(std::find(columns.begin(), columns.end(), "lateral_ratio") - columns.begin())]
