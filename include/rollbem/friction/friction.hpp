@@ -5,6 +5,7 @@
 #include "../detail/language.hpp"
 
 #include "../normal/hertz.hpp"
+#include "../normal/hertz_load.hpp"
 #include "../normal/load.hpp"
 #include "../normal/pressure_table.hpp"
 #include "steady.hpp"
