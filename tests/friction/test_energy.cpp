@@ -132,6 +132,75 @@ TEST_CASE("Galerkin's method loses no energy but what slips", "[friction]") {
     }
 }
 
+// Creepage of half of full sliding, in steady rolling at first, under a load whose contact is half as long again and
+// back, a = sqrt(1 + 0.5 sin(2 pi q/8)), mu p0 = a: over one period.
+Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
+    const Contact<double> contact = Contact<double>::dimensionless(1000, 0.28);
+    const double covered = breathing ? 1 : 1.25;  // half-length of the mesh
+    const Contact<double> meshed(
+        {.half_length = covered, .half_width = 1000, .shear_modulus = 1, .poisson_ratio = 0.28});
+    const Mesh<double> mesh = breathing ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
+    const ElementSystem<double> system =
+        rolling_system(mesh, half, PlaneKernel<double>::longitudinal(breathing ? contact : meshed));
+    // of G = 1; a load of 1 per width gives a = 1 and a peak of 2/pi
+    const ElasticBody<double> body{2 * 1.28, 0.28};
+    const HertzLine<double> line(
+        {.load_per_width = 1, .combined_radius = std::numbers::pi / (4 * 0.72), .body_1 = body, .body_2 = body});
+    REQUIRE(std::abs(line.half_length() - 1) < 1e-14);
+    const HertzLoad<double> hertz =
+        breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, covered);
+    NormalLoad<double> load = hertz.at(1);
+
+    const double mu = std::numbers::pi / 2, xi = 0.72;
+    const FrictionModel<double> model(breathing ? contact : meshed, system, unchecked, {mu, load.normal_pressure});
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
+    double force = model.steady(now, xi, next, workspace).force_per_width;
+    std::swap(now, next);
+    Balance balance;
+    balance.elastic = -model.elastic_energy_per_width(now);
+    const int steps = static_cast<int>(std::lround(8 / dq));
+    for (int k = 1; k <= steps; ++k) {
+        REQUIRE(hertz.set(1 + 0.5 * std::sin(2 * std::numbers::pi * k / steps), load) == StepStatus::ok);
+        const auto step = model.advance(now, dq, xi, load, next, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        balance.spent -= dq * xi * (force + step.force_per_width) / 2;
+        balance.heat += step.slip_work_per_width;
+        force = step.force_per_width;
+        std::swap(now, next);
+    }
+    balance.elastic += model.elastic_energy_per_width(now);
+    return balance;
+}
+
+TEST_CASE("balance under a load that varies, on a mesh that breathes with it", "[friction]") {
+    // -int xi F dq, slip work and gain of elastic energy of an independent discretisation (n = 160)
+    const Balance fine = roll_under_a_wave(160, 0.05, true);
+    CHECK(std::abs(fine.spent - 6.2501) < 3e-4);
+    CHECK(std::abs(fine.heat - 7.5715) < 3e-4);
+    CHECK(std::abs(fine.elastic + 1.3209) < 3e-4);
+    // the residual over the work
+    const std::vector<double> expected{6.5e-3, 1.6e-3, 4.0e-4};
+    std::vector<double> sizes, gaps;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Balance balance = roll_under_a_wave(20 << k, 0.05, true);
+        sizes.push_back(static_cast<double>(20 << k));
+        gaps.push_back(-balance.gap() * balance.heat / balance.spent);
+        CAPTURE(sizes.back(), gaps.back());
+        CHECK(std::abs(gaps.back() / expected[k] - 1) < 0.04);
+    }
+    CHECK(std::abs(support::observed_order(sizes, gaps) - 2) < 0.1);
+}
+
+TEST_CASE("balance under a load that varies, on a mesh that stays", "[friction]") {
+    for (const Eigen::Index n : {50, 100, 200}) {
+        const Balance balance = roll_under_a_wave(n, 0.05, false);
+        CAPTURE(n, balance.spent, balance.heat, balance.elastic, balance.gap());
+        CHECK(std::abs(balance.gap()) < 1e-4);
+        CHECK(std::abs(balance.heat / 7.5715 - 1) < 1.0 / static_cast<double>(n));
+    }
+}
+
 TEST_CASE("about the centres: no force in full adhesion, the right one with slip", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
