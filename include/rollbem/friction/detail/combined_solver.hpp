@@ -17,6 +17,7 @@
 #include "../../types.hpp"
 #include "../combined_state.hpp"
 #include "combined_equations.hpp"
+#include "complementary_path.hpp"
 
 namespace rollbem::detail {
 
@@ -26,9 +27,9 @@ namespace rollbem::detail {
 /// Newton's method on the natural map p_i = P(p_i - rho_i s_i), P the projection onto the circle of the bound
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
-/// two. Steps are halved where the residual of the map would grow. As M may be any matrix, that can get stuck: further
-/// attempts then start elsewhere and halve nothing, and when all have failed the best point is returned with what it
-/// leaves of the conditions. At most `longest` steps each.
+/// two. Steps are halved where the residual of the map would grow. As M may be any matrix, that can get stuck. Further
+/// attempts then halve nothing, and start from full sliding or from what ComplementaryPath finds for each direction by
+/// itself. When all have failed, the best point is returned with what it violates. At most `longest` steps each.
 ///
 /// The result depends on M, c, the bounds and the point to start from, to the last bit, and on nothing that was solved
 /// before. Everything is allocated by the constructor.
@@ -63,7 +64,12 @@ public:
           trial_(n, 2),
           trial_slip_(n, 2),
           change_(n, 2),
-          best_(n, 2) {}
+          best_(n, 2),
+          path_(n),
+          split_(n, 2),
+          split_zones_(zones_),
+          share_(n),
+          column_(n) {}
 
     Index size() const { return equations_.size(); }
 
@@ -84,18 +90,21 @@ public:
 
     /// Solves for bounds >= 0, all finite, starting from tractions and zones that hold for other c and bounds.
     Outcome solve(const Vector& bound, const ElementVectors<Scalar>& traction, const Zones& zones) noexcept {
-        imposed_ = std::sqrt(constant_.rowwise().squaredNorm().maxCoeff());
+        imposed_ = 0;
+        for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
         find_reach();
         least_ = std::numeric_limits<Scalar>::max();
         Outcome outcome;
         bool settled = false;
-        for (int attempt = 0; attempt < 4 && !settled; ++attempt) {
-            if (attempt < 2) {
-                start_from(bound, traction, zones);
-            } else {
-                start_sliding(bound);
+        for (const Start start : {Start::given, Start::sliding, Start::split}) {
+            if (start == Start::split && !settled) find_split(bound);
+            for (const bool careful : {true, false}) {
+                if (settled) break;
+                if (start == Start::given) start_from(bound, traction, zones);
+                if (start == Start::sliding) start_sliding(bound);
+                if (start == Start::split) start_from(bound, split_, split_zones_);
+                settled = settle(bound, careful, outcome);
             }
-            settled = settle(bound, attempt % 2 == 0, outcome);
         }
         if (!settled) return_to_best(bound);
         outcome.residual = publish(bound);
@@ -117,7 +126,10 @@ public:
 private:
     using Vectors = ElementVectors<Scalar>;
 
+    enum class Start { given, sliding, split };
+
     static constexpr int longest = 60;  // steps of an attempt; scenes of rolling take at most 16
+    static constexpr Scalar stiffest = std::numeric_limits<Scalar>::max() / 1000;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
     Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
@@ -159,7 +171,7 @@ private:
         slide_[i] = 1;
         direction_(i, 0) = x / norm;
         direction_(i, 1) = y / norm;
-        stiffness_[i] = stiffness;
+        stiffness_[i] = std::min(stiffness, stiffest);  // finite, however small the bound
     }
     // where the natural map puts an element
     void place(Index i, Scalar bound) {
@@ -210,6 +222,33 @@ private:
         traction_ = bound.asDiagonal() * direction_;
     }
 
+    // Each direction by itself under its share of the bounds, at the angle of the constant: what a path with a proof
+    // finds. Where the constants of all elements are along one direction, that is a solution.
+    void find_split(const Vector& bound) {
+        for (Index d = 0; d < 2; ++d) {
+            for (Index i = 0; i < size(); ++i) {
+                const Scalar norm = std::hypot(constant_(i, 0), constant_(i, 1));
+                share_[i] = norm > 0 ? bound[i] * (std::abs(constant_(i, d)) / norm) : Scalar(0);
+            }
+            column_ = constant_.col(d);
+            path_.follow(matrix(static_cast<std::size_t>(d)), column_, share_);
+            split_.col(d) = path_.traction();
+        }
+        for (Index i = 0; i < size(); ++i) {
+            const bool at_bound = std::hypot(split_(i, 0), split_(i, 1)) >= (1 - 4 * rounding()) * bound[i];
+            split_zones_[static_cast<std::size_t>(i)] = at_bound ? CombinedZone::slip : CombinedZone::stick;
+        }
+        find_slip(split_, trial_slip_);
+        note(split_, natural_residual(bound, split_, trial_slip_));
+    }
+
+    // The best point so far.
+    void note(const Vectors& p, Scalar residual) {
+        if (!(residual < least_)) return;
+        least_ = residual;
+        best_ = p;
+    }
+
     // Newton steps. False when they do not settle; `careful`: halved where the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
@@ -224,10 +263,7 @@ private:
             if (!is_finite(residual)) return false;
             traction_ = trial_;
             slip_ = trial_slip_;
-            if (residual < least_) {
-                least_ = residual;
-                best_ = traction_;
-            }
+            note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
             before = residual;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
@@ -270,20 +306,22 @@ private:
             const Scalar x = p(i, 0) - reach_[i] * s(i, 0), y = p(i, 1) - reach_[i] * s(i, 1);
             const Scalar norm = std::hypot(x, y), share = norm > bound[i] ? bound[i] / norm : Scalar(1);
             const Scalar dx = p(i, 0) - share * x, dy = p(i, 1) - share * y;
-            sum += dx * dx + dy * dy;
+            sum += std::hypot(dx, dy);
         }
-        return std::sqrt(sum);
+        return sum;
     }
 
-    // Whether the trial meets all conditions to `factor` times rounding, with the zones that it was sought with.
+    // Whether the trial meets all conditions to `factor` times rounding, in the zones that it was sought with.
     bool settled(const Vector& bound, Scalar factor) const {
-        const Scalar slip_limit = 4 * factor * slip_scale_;
+        const Scalar slip_limit = 4 * factor * slip_scale_, share = 4 * factor * rounding();
         for (Index i = 0; i < size(); ++i) {
             const Scalar x = trial_(i, 0), y = trial_(i, 1), u = trial_slip_(i, 0), v = trial_slip_(i, 1);
+            const Scalar norm = std::hypot(x, y);
             if (stick_[i] != 0) {
-                if (!(std::hypot(x, y) <= (1 + 4 * factor * rounding()) * bound[i])) return false;
+                if (!(norm <= (1 + share) * bound[i])) return false;
                 if (!(std::hypot(u, v) <= slip_limit)) return false;
             } else if (slide_[i] != 0) {
+                if (!(std::abs(norm - bound[i]) <= share * bound[i])) return false;
                 if (!(std::abs(x * v - y * u) <= slip_limit * bound[i])) return false;
                 if (!(x * u + y * v <= slip_limit * bound[i])) return false;
             }
@@ -322,7 +360,7 @@ private:
                 const Scalar along = direction_(i, 0) * u + direction_(i, 1) * v;
                 slip = std::max({slip, std::abs(direction_(i, 0) * v - direction_(i, 1) * u), along});
                 slip_.row(i) = std::min(along, Scalar(0)) * direction_.row(i);
-                stiffness_[i] = std::max(-along, Scalar(0)) / bound[i];
+                stiffness_[i] = std::min(std::max(-along, Scalar(0)) / bound[i], stiffest);
             }
             if (!is_finite(u) || !is_finite(v) || !is_finite(norm)) slip = std::numeric_limits<Scalar>::quiet_NaN();
         }
@@ -336,6 +374,10 @@ private:
     Vector stiffness_;      // slip over traction of an element that slides
     Vector reach_;          // rho
     Vectors direction_, traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
+    ComplementaryPath<Scalar> path_;
+    Vectors split_;  // where the last attempts start
+    Zones split_zones_;
+    Vector share_, column_;
     Scalar imposed_ = 0;     // max |c|
     Scalar slip_scale_ = 0;  // rounding of the slip
     Scalar least_ = 0;       // residual of the natural map at best_
