@@ -62,7 +62,7 @@ public:
     Scalar elastic_energy(const State& state, const RollingSystem<Scalar>& system) const {
         const Scalar a = state.half_length / half_length_;
         if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return std::numeric_limits<Scalar>::quiet_NaN();
-        VectorX<Scalar> displacement(size());
+        VectorX<Scalar> displacement = VectorX<Scalar>::Zero(size());
         find_displacement<Scalar>(system, a, state.traction, displacement);
         return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
                (2 * shear_modulus_);
