@@ -25,29 +25,31 @@ public:
                const VectorX<Scalar>& from, VectorX<Scalar>& to) {
         const Eigen::Index n = system.size();
         const Scalar part = rational.gamma * dq;
-        Eigen::Map<MatrixX<Scalar>>(memory_.data(), n, n) = system.G() - part * system.G_prime();
-        const MatrixRef<Scalar> factors(Eigen::Map<MatrixX<Scalar>>(memory_.data(), n, n));
-        factorise_in_place<Scalar>(factors, swaps_.data());
+        alignas(64) std::array<Scalar, largest * largest> memory;
+        std::array<Eigen::Index, largest> swaps;
+        Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n) = system.G() - part * system.G_prime();
+        const MatrixRef<Scalar> factors(Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n));
+        factorise_in_place<Scalar>(factors, swaps.data());
 
         Vector unit = Vector::Constant(n, rational.gamma);
-        solve_in_place<Scalar>(factors, swaps_.data(), unit);
+        solve_in_place<Scalar>(factors, swaps.data(), unit);
         Vector right(n);
         Vector change(n);
         change.noalias() = system.G_prime() * from;
         change *= part;
-        solve_in_place<Scalar>(factors, swaps_.data(), change);
+        solve_in_place<Scalar>(factors, swaps.data(), change);
         per_shift_ = rational.b(1) * unit;
         per_ramp_ = rational.ramp_weight(1) * unit;
         to = from + rational.b(1) * change;
         for (int j = 2; j <= rational.stages; ++j) {
             right.noalias() = system.G_prime() * unit;
             unit = part * right;
-            solve_in_place<Scalar>(factors, swaps_.data(), unit);
+            solve_in_place<Scalar>(factors, swaps.data(), unit);
             per_shift_ += rational.b(j) * unit;
             per_ramp_ += rational.ramp_weight(j) * unit;
             right.noalias() = system.G_prime() * change;
             change = part * right;
-            solve_in_place<Scalar>(factors, swaps_.data(), change);
+            solve_in_place<Scalar>(factors, swaps.data(), change);
             to += rational.b(j) * change;
         }
     }
@@ -57,8 +59,6 @@ public:
 
 private:
     Vector per_shift_, per_ramp_;
-    alignas(64) std::array<Scalar, largest * largest> memory_;
-    std::array<Eigen::Index, largest> swaps_;
 };
 
 }  // namespace rollbem::detail
