@@ -264,9 +264,8 @@ int main(int argc, char** argv) {
         "singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no "
         "mesh\n"
         "resolves, and for contacts so narrow that the plane model does not decay.\n"
-        "--method chebyshev takes no elements: what they have is empty. The first eigenvalues are exact to rounding "
-        "with\n"
-        "few states; the fastest, about n^2/10 a, belong to the method. It has no alpha_T for --critical.\n");
+        "--method chebyshev: cells of what elements have are empty. Few states give the first eigenvalues to\n"
+        "rounding; the fastest, of some n^2/10, are the method's own. There is no alpha_T, and so no --critical.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row, or one for each eigenvalue, of each scene.
