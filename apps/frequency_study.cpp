@@ -231,7 +231,7 @@ int main(int argc, char** argv) {
         "besides, write the one scheme given as linear differential equations: A.csv, B.csv, C.csv, D.csv "
         "and state_space.toml in this folder, which is made if it is not there (dimensionless)",
         frequency::StateSpaceFiles::names());
-    study::offer_chebyshev(options, ", or polynomial (which has an --order)");
+    study::offer_chebyshev(options, "; or polynomial, of an --order");
     options.footer(
         "Example: three meshes, with the Argand diagram and both parts over the frequency\n"
         "  frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg\n"

@@ -17,8 +17,8 @@
 
 #include <rollbem/adhesion/critical_alpha.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/bessel.hpp>
 
+#include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
@@ -153,38 +153,6 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
 const std::vector<std::string> spectrum_columns{"n",        "re",      "im",      "exact_re",
                                                 "exact_im", "alpha_L", "alpha_T", "lambda"};
 
-/// Closed-form eigenvalues, of which there are infinitely many, about pi apart: those that matter to given ones.
-class ExactSpectrum {
-public:
-    ExactSpectrum(const rollbem::Contact<double>& contact, const std::vector<Complex>& computed) {
-        double largest = 0;
-        for (const Complex& nu : computed) {
-            if (reaches(nu)) largest = std::max(largest, std::abs(nu));
-        }
-        if (!study::plane_model_decays(contact)) return;
-        values_ = rollbem::reference::eigenvalues(static_cast<std::size_t>(largest / std::numbers::pi) + 8,
-                                                  contact.poisson_ratio(), contact.aspect());
-    }
-
-    std::optional<Complex> nearest(Complex nu) const {
-        if (values_.empty() || !reaches(nu)) return std::nullopt;
-        const Complex above(nu.real(), std::abs(nu.imag()));
-        const auto nearer = [&](Complex left, Complex right) {
-            return std::abs(left - above) < std::abs(right - above);
-        };
-        const Complex found = *std::min_element(values_.begin(), values_.end(), nearer);
-        return nu.imag() < 0 ? std::conj(found) : found;
-    }
-
-    const std::vector<Complex>& upper_half() const { return values_; }  ///< Im >= 0, by ascending modulus
-
-private:
-    // far beyond what any mesh resolves, and the list stays short
-    static bool reaches(const Complex& nu) { return std::abs(nu) <= 3e4; }
-
-    std::vector<Complex> values_;
-};
-
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
     // 3. The eigenvalues by ascending modulus; infinite ones come last.
     const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(study::system_of(scene));
@@ -197,7 +165,7 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const study
     }
 
     // 4. Each beside the nearest exact one.
-    const ExactSpectrum exact(scene.contact, eigenvalues);
+    const stability::ExactSpectrum exact(scene.contact, eigenvalues);
     for (std::size_t k = range.first; k < range.last; ++k) {
         const Complex nu = eigenvalues[k];
         const bool finite = std::isfinite(nu.real());
@@ -246,7 +214,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
             }
         }
         study::Series exact{.label = "exact", .points = {}, .line = false, .style = 6};  // open markers
-        const ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
+        const stability::ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
         for (const Complex& nu : known.upper_half()) {
             exact.points.emplace_back(nu.real(), nu.imag());
             if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
@@ -296,9 +264,8 @@ int main(int argc, char** argv) {
         "singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no "
         "mesh\n"
         "resolves, and for contacts so narrow that the plane model does not decay.\n"
-        "--method chebyshev takes no elements: what they have is empty. The first eigenvalues are exact to rounding "
-        "with\n"
-        "few states; the fastest, about n^2/10 a, belong to the method. It has no alpha_T for --critical.\n");
+        "--method chebyshev: cells of what elements have are empty. Few states give the first eigenvalues to\n"
+        "rounding; the fastest, of some n^2/10, are the method's own. There is no alpha_T, and so no --critical.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row, or one for each eigenvalue, of each scene.

@@ -98,11 +98,9 @@ int main(int argc, char** argv) {
         "from it are empty where G' is singular to working precision, and where tractions push with the creepage, so "
         "that\n"
         "the scheme does not converge to full adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1.\n"
-        "--method chebyshev takes no elements: what they have is empty, and residual and assembly_us, too (solve_us "
-        "has\n"
-        "both); error_estimate (relative, of c11) tells what more states would change. Where that is more than 1e-2, "
-        "as\n"
-        "with few states in strips of b/a < 0.3, c11 is empty.\n");
+        "--method chebyshev: cells of what elements have are empty; solve_us is for everything, residual is empty.\n"
+        "error_estimate (relative, of c11) tells what more states would change. Where it is above 1e-2, as with few\n"
+        "states in narrow strips (4 at b/a = 0.3), c11 is empty.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene.
@@ -129,8 +127,9 @@ int main(int argc, char** argv) {
                                .y = "relative_error",
                                .absolute = true});
             for (study::Series& series : plot.series) {  // a logarithm shows no zero: states can be exact
-                for (auto& [n, error] : series.points)
+                for (auto& [n, error] : series.points) {
                     error = std::max(error, std::numeric_limits<double>::epsilon() / 4);
+                }
             }
             return plot;
         };

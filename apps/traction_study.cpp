@@ -98,9 +98,8 @@ int main(int argc, char** argv) {
         "or\n"
         "beyond 1), traction and relative_error are empty.\n"
         "--method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and\n"
-        "relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states "
-        "would\n"
-        "change c11 by more than 1e-2 (few of them, b/a < 0.3), traction and relative_error are empty.\n");
+        "relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states\n"
+        "would change c11 by more than 1e-2, as in narrow strips, traction and relative_error are empty.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each element, or state, of each scene.

@@ -209,9 +209,9 @@ int main(int argc, char** argv) {
         "empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly\n"
         "stable, or whose steady tractions push with the creepage (alpha near or below 0, or above 1), is refused\n"
         "unless --unchecked is given.\n"
-        "--method chebyshev takes no elements: what they have is empty. A jump of the creepage needs states (2e-7 with "
-        "8\n"
-        "five half-lengths behind it, 4e-5 with 12 one behind it); smooth motion needs few.\n");
+        "--method chebyshev: cells of what elements have are empty. Smooth motion needs few states, a jump more of "
+        "them:\n"
+        "12 are good to 4e-5 one half-length behind it, 8 to 2e-7 five behind it.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const History history = make_history(given);

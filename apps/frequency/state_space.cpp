@@ -26,14 +26,15 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
     const std::string said = options.said("state-space");
     const study::Scene& scene = scenes.front();
     if (scenes.size() != 1) {
-        throw study::BadInput(said + " must go with one scheme; " + options.said("n") +
-                              " (with alphas and lambdas, if any) makes " + std::to_string(scenes.size()));
+        throw study::BadInput(said +
+                              " must go with one scheme; the values of --n, --alpha-L, --alpha-T and --lambda make " +
+                              std::to_string(scenes.size()));
     }
     const auto require_no_flaw = [&](const rollbem::RollingSystem<double>& system) {
         const std::string flaw = study::flaw_in_steady_rolling(scene, system);
-        if (!flaw.empty())
-            throw study::BadInput(said + " must go with another scheme: that of n = " + std::to_string(scene.n()) +
-                                  " " + flaw);
+        if (flaw.empty()) return;
+        throw study::BadInput(said + " must go with another scheme: that of n = " + std::to_string(scene.n()) + " " +
+                              flaw);
     };
     const auto of_elements = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
         const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);

@@ -125,12 +125,11 @@ rollbem::Contact<double> make_contact(const Options& options, Problem problem) {
 }
 
 void offer_chebyshev(Options& options, const std::string& further) {
-    options.set_help("n",
-                     "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 "
-                     "(dimensionless)");
+    options.set_help(
+        "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 (dimensionless)");
     options.set_help("method",
-                     "by elements: collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary "
-                     "conditions); without: chebyshev (n states; no other option of this group applies)" +
+                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), or chebyshev: "
+                     "n states in place of elements, to which no other option of this group applies" +
                          further);
 }
 

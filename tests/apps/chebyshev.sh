@@ -33,7 +33,7 @@ for study in steady traction stability frequency 'transient --step 1'; do
     bad '--n = 2.5 must be' $s --n 2.5
     bad '--aspect = 1e-4 must be at least 0.001 with --method chebyshev' $s --aspect 1e-4
     bad '--aspect = 0 must be positive' $s --aspect 0
-    "$programs/${study%% *}_study" --help | grep -q 'chebyshev (n states' || fail "--help of $study"
+    "$programs/${study%% *}_study" --help | grep -q 'Chebyshev states' || fail "--help of $study"
 done
 for study in stability frequency 'transient --step 1'; do
     s="$programs/${study%% *}_study --method chebyshev --output x.csv"
@@ -68,6 +68,7 @@ shards $steady --n 1,2,3,4,5
 good 32 $traction --n 11,20 --kernel plane
 header n,x_over_a,traction,carter,carter_mean,relative_error,alpha_L,alpha_T
 check 'Carter at the point' '$3 < 0 && $4 < 0 && $5 $7 $8 == "" && $6 ^ 2 < 1e-26 && ($3 / $4 - 1 - $6) ^ 2 < 1e-30'
+check 'Carter' '($4 + sqrt((1 - $2) / (1 + $2)) / 1.44) ^ 2 < 1e-24 * $4 ^ 2'
 check 'points, trailing to leading' \
     '($2 + cos((2 * (NR - ($1 == 11 ? 1 : 12)) - 1) * 3.14159265358979324 / (2 * $1))) ^ 2 < 1e-30'
 awk -F, 'NR == 7 { middle = $2 == 0 } END { exit !middle }' out || fail 'the point in the middle'
@@ -119,8 +120,8 @@ good 21 $transient --step 1 --n 4 --aspect 0.3 --until 1 --unchecked
 
 # --- the state space: what it refuses, leaving nothing
 f="$programs/frequency_study --omega 0,0.7,5"
-bad '--state-space = d must go with one scheme; --n = 20,40,60' $f --method chebyshev --state-space d
-bad 'makes 2' $f --n 10 --alpha-T 0.5,0.63 --state-space d
+bad '--state-space = d must go with one scheme; the values of --n,' $f --method chebyshev --state-space d
+bad 'make 2' $f --n 10 --alpha-T 0.5,0.63 --state-space d
 bad '--state-space = d has no effect with --method polynomial' $f --method polynomial --state-space d
 bad '--shard = 1/2 cannot go with --state-space' $f --n 8 --shard 1/2 --state-space d
 bad 'rcond of G = ' $f --n 300 --state-space d --output x.csv
