@@ -19,16 +19,28 @@
 
 namespace rollbem::detail {
 
-/// Accuracy of the stick border, level by level: M points of the pressure, and N unknowns for a smooth part that is
-/// analytic up to a distance d. Chebyshev series on a zone of half-length h <= 1 converge like exp(-k asinh(d/h)), and
-/// an integral of the solution, as the force is, twice as fast in the smallness of the interaction itself: N starts
-/// where the series has e^-6 and grows from level to level until the force does not change.
+/// The narrowest strip, d/a of its smooth part, that these orders resolve.
 template <class Scalar>
-StickZoneRule<Scalar> stick_zone_rule(int level, const AngularPoints<Scalar>& points, Scalar distance) {
-    if (!is_finite(distance)) return {points, 0, 0};
-    const Scalar first = 4 + 6 / std::asinh(std::max(distance, Scalar(0.02)));
-    const Eigen::Index N = std::min<Eigen::Index>(static_cast<Eigen::Index>(first) * (level + 2) / 2, 400);
-    return {points, N, std::max<Eigen::Index>(std::min<Eigen::Index>(points.size(), 512), N)};
+inline constexpr Scalar least_distance = Scalar(0.01);
+
+/// Accuracy of the stick border, level by level: the points of the pressure, and what a smooth part takes that is
+/// analytic up to a distance d. All rates are the slowest ones, those of a zone of half-length 1.
+///
+/// N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), r the logarithm of the
+/// Bernstein ellipse through there, cosh r = (sqrt(4 + d^2) + d)/2; the force converges twice as fast. N starts where
+/// the sum has e^-14 and doubles, with which the force has rounding in any scalar type.
+/// P points for the integrals of the unknowns, whose integrands are singular at a distance d from any point of the
+/// zone: rounding at 2P - N = ln(1/eps)/asinh(d).
+/// K points for the integrals of the known tractions, which may have kinks: they grow with the points of the pressure.
+template <class Scalar>
+void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scalar>& points, Scalar distance) {
+    if (!is_finite(distance)) return rule.set(points, 0, 0, 0);
+    const Scalar digits = -std::log(std::numeric_limits<Scalar>::epsilon());
+    const Scalar ellipse = std::acosh((std::sqrt(4 + distance * distance) + distance) / 2), line = std::asinh(distance);
+    const auto N = static_cast<Eigen::Index>(4 + 14 / ellipse) * (std::min(level, 2) + 2) / 2;
+    const auto P = std::max(2 * N, (N + static_cast<Eigen::Index>(digits / line)) / 2 + 5);
+    const auto K = std::min<Eigen::Index>(static_cast<Eigen::Index>(4 + 12 / line) * (level + 2) / 2, 1000);
+    rule.set(points, N, P, std::max(std::min<Eigen::Index>(points.size(), 512), K));
 }
 
 /// The border whose creepage is `creepage` > 0, from `y` on: secant steps within a bracket, bisection where they leave
@@ -81,7 +93,8 @@ template <class Scalar, class Problem>
 SettledBorder<Scalar, Problem> settle_border(Problem& problem, PointsOfLevels<Scalar>& levels,
                                              const SmoothSplit<Scalar>& split, Scalar creepage, Scalar load,
                                              int& evaluations) {
-    SettledBorder<Scalar, Problem> settled{.rule = stick_zone_rule<Scalar>(0, levels[0], split.distance)};
+    SettledBorder<Scalar, Problem> settled;
+    set_level<Scalar>(settled.rule, 0, levels[0], split.distance);
     Scalar& y = settled.y;
     typename Problem::Point& point = settled.point;
     const auto force_at_creepage = [&] {
@@ -95,7 +108,7 @@ SettledBorder<Scalar, Problem> settle_border(Problem& problem, PointsOfLevels<Sc
             point = problem.evaluate(y, settled.rule);
         }
         const Scalar coarse = force_at_creepage(), coarse_creepage = point.creepage;
-        settled.rule = stick_zone_rule<Scalar>(level, levels[level], split.distance);
+        set_level<Scalar>(settled.rule, level, levels[level], split.distance);
         ++evaluations;
         point = problem.evaluate(y, settled.rule);
         settled.error = std::abs(force_at_creepage() - coarse);

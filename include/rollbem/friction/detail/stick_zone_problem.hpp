@@ -25,18 +25,19 @@ namespace rollbem::detail {
 /// Points and orders of one level of accuracy.
 template <class Scalar>
 struct StickZoneRule {
-    const AngularPoints<Scalar>* points;  // of the slip zone
-    Eigen::Index unknowns;                // N: q_0 ... q_{N-2} and one more; 0 without a smooth part
-    ArrayX<Scalar> eta, omega;            // K of integrals of even functions from 0 to 1: Gauss-Legendre
+    const AngularPoints<Scalar>* points = nullptr;  // of the slip zone
+    Eigen::Index unknowns = 0;                      // N: q_0 ... q_{N-2} and one more; 0 without a smooth part
+    Eigen::Index places = 0;                        // P of the integrals of the unknowns
+    ArrayX<Scalar> eta, omega;                      // K of integrals of even functions from 0 to 1: Gauss-Legendre
 
-    StickZoneRule(const AngularPoints<Scalar>& slip_points, Eigen::Index N, Eigen::Index K)
-        : points(&slip_points), unknowns(N), eta(K), omega(K) {
-        if (K == 0) return;
+    void set(const AngularPoints<Scalar>& slip_points, Eigen::Index N, Eigen::Index P, Eigen::Index K) {
+        points = &slip_points;
+        unknowns = N;
+        places = P;
+        if (K == eta.size()) return;
         const QuadratureRule<Scalar> rule = gauss_legendre<Scalar>(2 * K);
-        for (Eigen::Index j = 0; j < K; ++j) {
-            eta[j] = rule.nodes[K + j];
-            omega[j] = rule.weights[K + j];
-        }
+        eta = rule.nodes.tail(K);
+        omega = rule.weights.tail(K);
     }
 };
 
@@ -74,7 +75,7 @@ public:
 
     /// The zone of the last evaluation, at its creepage plus `excess`: no more than what is left of a root.
     const StickZone<Scalar>& zone(Scalar creepage, const StickZoneRule<Scalar>& rule) {
-        if (rule.unknowns == 0) transform(rule);
+        if (rule.unknowns == 0) transform();
         zone_.creepage = creepage;
         return zone_;
     }
@@ -82,33 +83,66 @@ public:
 private:
     /// h_n from the values. A long series is that of a pressure with kinks: what lies beyond is of their size over its
     /// order squared, and dies out ahead of the border.
-    void transform(const StickZoneRule<Scalar>& rule) {
+    ///
+    /// phi and pi - phi are both among the points as long as their number is even: odd n take the differences of their
+    /// values, even ones the sums, which are values at 2 phi. A third of the work without that.
+    void transform() {
         const Eigen::Index M = values_.size(), count = std::min<Eigen::Index>(M, 1024);
         ArrayX<Scalar>& h = zone_.h;
         h.resize(count);
-        now_ = constant_array(M, Scalar(1));
-        before_ = rule.points->cosine;
+        sums_ = values_;
+        Eigen::Index stride = 1, points = M;
+        for (; points % 2 == 0; points /= 2, stride *= 2) add_odd_coefficients(points, stride);
+        for (Eigen::Index n = 0; n < points && n * stride < count; ++n) {
+            h[n * stride] = 0;
+            for (Eigen::Index j = 0; j < points; ++j) {
+                h[n * stride] += sums_[j] * std::cos(static_cast<Scalar>(n) * angle_of_point(j, points));
+            }
+        }
         Scalar largest = 0;
         for (Eigen::Index n = 0; n < count; ++n) {
-            h[n] = dot(values_.data(), now_.data(), M) * (n == 0 ? 1 : 2) / static_cast<Scalar>(M);
+            h[n] *= (n == 0 ? 1 : 2) / static_cast<Scalar>(M);
             largest = std::max(largest, std::abs(h[n]));
-            for (Eigen::Index j = 0; j < M; ++j) {
-                const Scalar next = 2 * rule.points->cosine[j] * now_[j] - before_[j];
-                before_[j] = now_[j];
-                now_[j] = next;
-            }
         }
         Eigen::Index kept = count;
         while (kept > 1 && std::abs(h[kept - 1]) <= 4 * std::numeric_limits<Scalar>::epsilon() * largest) --kept;
         h.conservativeResize(kept);
     }
 
+    static Scalar angle_of_point(Eigen::Index j, Eigen::Index points) {
+        return (Scalar(2 * j + 1) / Scalar(2 * points)) * std::numbers::pi_v<Scalar>;
+    }
+
+    /// The sums for h_n, n = stride, 3 stride ..., of an even number of values; leaves half as many, those for the rest.
+    void add_odd_coefficients(Eigen::Index points, Eigen::Index stride) {
+        const Eigen::Index half = points / 2;
+        differences_.resize(half);
+        twice_.resize(half);
+        now_.resize(half);
+        for (Eigen::Index j = 0; j < half; ++j) {
+            const Scalar value = sums_[j], mirrored = sums_[points - 1 - j], angle = angle_of_point(j, points);
+            differences_[j] = value - mirrored;
+            sums_[j] = value + mirrored;
+            now_[j] = std::cos(angle);
+            twice_[j] = 2 * std::cos(2 * angle);
+        }
+        before_ = now_;  // cos(-phi)
+        for (Eigen::Index n = stride; n < zone_.h.size(); n += 2 * stride) {
+            zone_.h[n] = dot(differences_.data(), now_.data(), half);
+            for (Eigen::Index j = 0; j < half; ++j) {
+                const Scalar next = twice_[j] * now_[j] - before_[j];
+                before_[j] = now_[j];
+                now_[j] = next;
+            }
+        }
+    }
+
     /// With p_2 = sqrt((1-t)/(1+t)) [D + (1+t) sum q_k U_k(t)] the slope in stick is that of all tractions at N
     /// Chebyshev points; D, which no bounded traction has, is linear in the creepage and vanishes at the one that is
     /// sought.
     void add_smooth_part(const StickZoneRule<Scalar>& rule, Point& point) {
-        const Eigen::Index N = rule.unknowns, K = rule.eta.size(), points = 2 * N;
-        transform(rule);
+        const Eigen::Index N = rule.unknowns, K = rule.eta.size(), points = rule.places;
+        transform();
         zone_.places.resize(2 * K + points);
         zone_.loads.resize(2 * K + points);
         place_known_tractions(rule);
@@ -195,7 +229,7 @@ private:
     const Kernel& kernel_;
     const Bound& bound_;
     StickZone<Scalar> zone_;
-    ArrayX<Scalar> values_, now_, before_;
+    ArrayX<Scalar> values_, sums_, differences_, twice_, now_, before_;
 };
 
 }  // namespace rollbem::detail
