@@ -58,6 +58,13 @@ public:
     /// b/a of the kernel it was made with; empty for ready matrices, and for kernels that do not tell.
     std::optional<Scalar> aspect() const { return aspect_; }
 
+    /// x/a of the point that each equation belongs to, of a scheme x_l + alpha_l dx_l; empty for ready matrices.
+    const std::optional<ArrayX<Scalar>>& points() const { return points_; }
+
+    /// S, where the kernel is C - S ln|x| and no more (the plane's) and each equation holds at its point: there G and
+    /// G' of any half-length follow from these, and the contact may breathe. Empty for all others.
+    std::optional<Scalar> log_strength() const { return log_strength_; }
+
     /// The same for equal matrices and weights, in any process; different, with near certainty, for others.
     std::uint64_t fingerprint() const {
         detail::Fingerprint fingerprint;
@@ -69,7 +76,8 @@ public:
 
 protected:
     bool unknowns_are_tractions_ = false;
-    std::optional<Scalar> aspect_;
+    std::optional<Scalar> aspect_, log_strength_;
+    std::optional<ArrayX<Scalar>> points_;
 
 private:
     static void require_entries(const char* name, const MatrixX<Scalar>& matrix, Eigen::Index n) {
@@ -126,6 +134,42 @@ std::optional<Scalar> aspect_of(const Kernel& kernel) {
     return std::nullopt;
 }
 
+/// S of a kernel that is a logarithm and a constant and no more.
+template <class Scalar, class Kernel>
+std::optional<Scalar> strength_of_pure_logarithm(const Kernel& kernel) {
+    if constexpr (SmoothSplitKernel<Kernel>) {
+        const auto split = kernel.smooth_split();
+        if (!is_finite(split.distance)) return static_cast<Scalar>(split.strength);
+    }
+    return std::nullopt;
+}
+
+/// x/a of the point that each equation of a scheme belongs to.
+template <class Scalar, class Scheme>
+ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
+    const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
+    Scalar offset = 0;
+    for (Eigen::Index k = 0; k < rows.offsets.size(); ++k) offset += rows.weights[k] * rows.offsets[k];
+    const ArrayX<Scalar> alpha = interpolate_alpha(mesh, rows.alpha_L, rows.alpha_T);
+    ArrayX<Scalar> points(rows.unknown_count);
+    for (Eigen::Index i = 0; i < rows.unknown_count; ++i) {
+        const Eigen::Index element = rows.first_equation + i;
+        points[i] = mesh.centres()[element] + (alpha[element] + offset) * mesh.widths()[element];
+    }
+    return points;
+}
+
+/// Whether the equations of a scheme hold at points, G and G' at the same: central differences count, for they are the
+/// slope's mean over one element's width; Galerkin's integrals and quadratures do not.
+template <class Scalar, class Scheme>
+bool holds_at_points(const Scheme& scheme, Eigen::Index n) {
+    const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
+    const SchemeRows<Scalar> displacement = scheme_rows<Scalar>(scheme, Quantity::displacement, n);
+    return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
+           displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&
+           slope.alpha_L == displacement.alpha_L && slope.alpha_T == displacement.alpha_T;
+}
+
 /// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
 template <class Scalar, class Scheme>
 void require_one_system(const Scheme& scheme, Eigen::Index n) {
@@ -149,6 +193,10 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
     ElementSystem<Scalar> system(std::move(matrices.G), std::move(matrices.G_prime), unknown_widths(mesh, scheme));
     system.element_count_ = mesh.size();
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
+    system.points_ = detail::equation_points(mesh, scheme);
+    if (detail::holds_at_points<Scalar>(scheme, mesh.size())) {
+        system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
+    }
     return system;
 }
 

@@ -314,8 +314,10 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
 
     const detail::CircleTable<Scalar> circle(m);
     MatrixX<Scalar> G(m, m), G_prime(m, m);
+    ArrayX<Scalar> points(m);
     for (Eigen::Index l = 0; l < m; ++l) {
         const Eigen::Index theta = 2 * (m - l) - 1;  // x_l = cos(theta pi/2m)
+        points[l] = circle.cosine(theta);
         const Scalar sine = circle.sine(theta);
         const Scalar slope_m = (theta % 4 == 1 ? static_cast<Scalar>(m) : -static_cast<Scalar>(m)) / sine;
         Eigen::Index angle = 0;  // k theta
@@ -328,7 +330,9 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
     }
     ChebyshevSystem<Scalar> system(RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(weights)),
                                    std::move(last), std::move(stiffness));
-    if constexpr (requires { kernel.half_width(); }) system.aspect_ = kernel.half_width();
+    system.aspect_ = detail::aspect_of<Scalar>(kernel);
+    system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
+    system.points_ = std::move(points);
     return system;
 }
 
