@@ -325,6 +325,15 @@ struct OwnKernel {
 };
 static_assert(SlopeSplitKernel<OwnKernel>);
 
+struct NoSlope : OwnKernel {
+    double smooth_slope(double) const = delete;
+};
+template <class Kernel>
+concept HasBorder = requires(const Contact<double>& contact, const Kernel& kernel) {
+    solve_stick_border(contact, kernel, 1.0, hertz, 1e-3);
+};
+static_assert(HasBorder<OwnKernel> && SmoothSplitKernel<NoSlope> && !HasBorder<NoSlope>);
+
 TEST_CASE("the exact border of a kernel of one's own", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(1, nu);
     const OwnKernel kernel;
