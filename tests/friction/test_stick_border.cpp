@@ -264,6 +264,24 @@ TEST_CASE("the exact border on a strip", "[friction]") {
     }
 }
 
+TEST_CASE("the exact border on strips that would need more unknowns", "[friction]") {
+    for (const double aspect : {0.01, 0.02, 0.05}) {
+        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
+        const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+        const auto solve = [&](double ratio) {
+            return solve_stick_border(contact, kernel, 1.0, hertz, creepage(ratio));
+        };
+        // hardly any slip: full adhesion by another method, and a part of the order of the creepage
+        const auto solution = solve(1e-6);
+        const double adhesion = -reference::strip_c11(0, nu, aspect).c11.real() * creepage(1e-6);
+        CAPTURE(aspect, solution.force_per_width / adhesion - 1, solution.force_error / full_force);
+        CHECK(solution.exact);
+        CHECK(std::abs(solution.force_per_width - adhesion) < solution.force_error + 3e-6 * std::abs(adhesion));
+        CHECK(solution.force_error < 1e-7 * full_force);
+        CHECK(solve(0.01).exact == (aspect > 0.01));
+    }
+}
+
 /// Points of a shape at -cos of equal angles, with zeros at both ends.
 PressureTable<double> table_of(const Shaped& pressure, int count) {
     ArrayX<double> x(count + 1), value(count + 1);

@@ -196,6 +196,9 @@ Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Sca
     return violation;
 }
 
+/// The most unknowns of the smooth part: what strips below b/a of about 0.03 would need more of.
+inline constexpr Eigen::Index most_stick_zone_unknowns = 400;
+
 /// Accuracy of the stick border, level by level: M points of the pressure, and N unknowns for a smooth part that is
 /// analytic up to a distance d. Chebyshev series on a zone of half-length h <= 1 converge like exp(-k asinh(d/h)), and
 /// an integral of the solution, as the force is, twice as fast in the smallness of the interaction itself: N starts
@@ -204,7 +207,8 @@ template <class Scalar>
 StickZoneRule<Scalar> stick_zone_rule(int level, const AngularPoints<Scalar>& points, Scalar distance) {
     if (!is_finite(distance)) return {points, 0, 0};
     const Scalar first = 4 + 6 / std::asinh(std::max(distance, Scalar(0.02)));
-    const Eigen::Index N = std::min<Eigen::Index>(static_cast<Eigen::Index>(first) * (level + 2) / 2, 400);
+    const Eigen::Index N =
+        std::min<Eigen::Index>(static_cast<Eigen::Index>(first) * (level + 2) / 2, most_stick_zone_unknowns);
     return {points, N, std::max<Eigen::Index>(std::min<Eigen::Index>(points.size(), 512), N)};
 }
 
@@ -253,7 +257,8 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
 /// Hertz's and other analytic pressures over sqrt(1 - x^2) reach rounding with 32, tables, whose kinks converge like
 /// 1/M^2, 1e-6 with up to 4096. Where the pressure jumps, the estimated error exceeds 1e-6 mu N or the law is violated
 /// (several zones of stick or slip, slip against the traction, |p| above the bound), the solver on
-/// cosine_mesh(fallback_elements) with alpha = 0.5 takes its place, and the result says so.
+/// cosine_mesh(fallback_elements) with alpha = 0.5 takes its place, and the result says so. That is so, too, for strips
+/// much narrower than b/a = 0.02 once slip counts: they would need more unknowns than there are.
 ///
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument for fallback_elements < 1, a coefficient of
@@ -291,6 +296,9 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     const auto rule_of = [&](int level) {
         return detail::stick_zone_rule<Scalar>(level, levels[level], kernel.smooth_split().distance);
     };
+    const auto force_at_creepage = [&] {
+        return y < 2 ? point.force + point.tangent * (xi - point.creepage) : point.force;
+    };
     std::optional<detail::StickZoneRule<Scalar>> rule;
     if (!scan.jumps && kernel.smooth_split().strength > 0) rule = rule_of(0);
     for (int level = 1; level < levels.count && rule; ++level) {
@@ -300,9 +308,6 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
             y = 0;
             point = problem.evaluate(y, *rule);
         }
-        const auto force_at_creepage = [&] {
-            return y < 2 ? point.force + point.tangent * (xi - point.creepage) : point.force;
-        };
         const Scalar coarse = force_at_creepage(), coarse_creepage = point.creepage;
         rule = rule_of(level);
         ++result.evaluations;
@@ -316,6 +321,17 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
         }
         point.force = force_at_creepage();
         if (!detail::is_finite(error) || error <= 64 * epsilon * scan.load) break;
+    }
+
+    // where the unknowns have come to their most, the last levels do not tell what more of them would change
+    if (rule && rule->unknowns == detail::most_stick_zone_unknowns) {
+        const Scalar force = point.force;
+        const Eigen::Index fewer = rule->unknowns * 2 / 3;
+        result.evaluations += 2;
+        point = problem.evaluate(y, {*rule->points, fewer, rule->eta.size()});
+        error += std::abs(force_at_creepage() - force);
+        point = problem.evaluate(y, *rule);
+        point.force = force;
     }
 
     result.exact = rule && detail::is_finite(error) && detail::is_finite(point.tangent);
