@@ -222,6 +222,7 @@ TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
             [&](double x) { solve_stick_border(wide, plane, x, HertzPressure<double>{}, 0.1); });
     refuses("mu p_n / G = ", [&](double x) { solve_stick_border(wide, plane, 0.3, HertzPressure<double>{x}, 0.1); });
     refuses("tolerance = ", [](double x) { recommended_scheme(x, Purpose::steady); });
+    refuses("tolerance = ", [](double x) { recommended_scheme(x, Purpose::friction); });
     refuses("order = ", [](double x) { richardson(1.0, 2.0, x); });
     refuses("band = ", [](double x) { extrapolate([](std::ptrdiff_t) { return 1.0; }, 1, 2, x); });
     refuses("Re s = ", [](double x) { polynomial_c11<double>({x, 1}, 0.25, 10, 20); });
