@@ -268,7 +268,7 @@ TEST_CASE("the exact border on a strip", "[friction]") {
 }
 
 TEST_CASE("the exact border on narrow strips", "[friction]") {
-    for (const double aspect : {0.01, 0.02, 0.05, 0.1}) {
+    for (const double aspect : {0.02, 0.05, 0.1}) {
         const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
         const auto still = solve_stick_border(contact, kernel, 1.0, hertz, 0);
@@ -286,7 +286,7 @@ TEST_CASE("the exact border on narrow strips", "[friction]") {
         CHECK(on_fine + (on_fine - on_coarse) / 3 == Approx(solution.force_per_width).epsilon(2e-4));
     }
     // narrower ones are not resolved
-    const Contact<double> contact = Contact<double>::dimensionless(0.005, nu);
+    const Contact<double> contact = Contact<double>::dimensionless(0.015, nu);
     const auto kernel = StripKernel<double>::longitudinal(contact);
     CHECK_FALSE(solve_stick_border(contact, kernel, 1.0, hertz, 0).exact);
     CHECK(solve_stick_border(contact, kernel, 1.0, hertz, 0).elements);

@@ -136,7 +136,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
 /// trailing edge. The pressure counts in the slip zone alone, where its points are doubled until the force settles:
 /// Hertz's and other analytic pressures over sqrt(1 - x^2) reach rounding with 32, tables, whose kinks converge like
 /// 1/M^2, 1e-6 with up to 4096. Where the pressure jumps, the estimated error exceeds 1e-6 mu N, the strip is narrower
-/// than b/a = 0.01 or the law is violated (several zones of stick or slip, slip against the traction, |p| above the
+/// than b/a = 0.02 or the law is violated (several zones of stick or slip, slip against the traction, |p| above the
 /// bound), the solver on cosine_mesh(fallback_elements) with alpha = 0.5 takes its place, and the result says so.
 ///
 /// A pressure that falls to zero in a line at the leading edge, as a table's last piece does, lies below the traction

@@ -21,7 +21,7 @@ namespace rollbem::detail {
 
 /// The narrowest strip, d/a of its smooth part, that these orders resolve.
 template <class Scalar>
-inline constexpr Scalar least_distance = Scalar(0.01);
+inline constexpr Scalar least_distance = Scalar(0.02);
 
 /// Accuracy of the stick border, level by level: the points of the pressure, and what a smooth part takes that is
 /// analytic up to a distance d. All rates are the slowest ones, those of a zone of half-length 1.
