@@ -261,6 +261,59 @@ TEST_CASE("With a layer rolling is stable and tends to the steady state", "[laye
     }
 }
 
+TEST_CASE("Bristles that enter the contact bend with the way they have gone", "[layer]") {
+    // the brush from rest: p = -(xi/L) min(a - x, q), F_bar = -(xi/L) (2 a q - q^2/2) while q < 2a
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+    const double L = 1e7, dq = 1.0 / 512;
+    for (const bool cosine : {false, true}) {
+        std::vector<double> counts, errors;
+        for (const Eigen::Index n : {20, 40, 80, 160}) {
+            const Mesh<double> mesh = cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
+            const TransientModel<double> model(
+                contact, rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
+                unchecked);
+            const PreparedStep<double> step = model.prepare(dq);
+            TransientState<double> now = model.at_rest(), next = now;
+            double error = 0;
+            for (int k = 1; k <= 1024; ++k) {
+                const double q = k * dq, force = model.advance(now, step, 1, next).force_per_width;
+                error = std::max(error, std::abs(-L * force - (2 * q - q * q / 2)) / 2);
+                std::swap(now, next);
+            }
+            counts.push_back(static_cast<double>(n));
+            errors.push_back(error);
+        }
+        CAPTURE(cosine, errors);
+        CHECK(errors[3] < 0.02);
+        CHECK(std::abs(support::observed_order(counts, errors) - 1) < 0.15);
+    }
+}
+
+TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]") {
+    const double nu = 0.28, mu_p0 = 1e-3, xi = 2 * (1 - nu) * mu_p0 * 0.5;
+    const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
+    for (const Mesh<double>& mesh : {uniform_mesh<double>(40), cosine_mesh<double>(40)}) {
+        const LayeredKernel kernel(PlaneKernel<double>::longitudinal(contact), 0.5);
+        const CoulombFriction<double> friction{1, mu_p0 * mean_hertz_pressure(mesh)};
+        const SteadyFrictionModel<double> steady(contact, mesh, halves, kernel, friction);
+        const FrictionState<double> rest = steady.at_rest();
+        FrictionState<double> rolling = rest;
+        FrictionWorkspace<double> steady_workspace = steady.workspace();
+        const double expected = steady.solve(rest, xi, rolling, steady_workspace).force_per_width;
+        const FrictionModel<double> model(contact, rolling_system(mesh, halves, kernel), unchecked, friction);
+        FrictionWorkspace<double> workspace = model.workspace();
+        FrictionState<double> now = model.at_rest(), next = now;
+        FrictionStep<double> step;
+        for (int k = 0; k < 400; ++k) {
+            step = model.advance(now, 1, xi, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            std::swap(now, next);
+        }
+        CAPTURE(mesh.is_uniform(), step.force_per_width, expected);
+        CHECK(step.force_per_width == Approx(expected).epsilon(1e-10));
+    }
+}
+
 TEMPLATE_TEST_CASE("A layer in every scalar type", "[layer]", float, double, long double) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());

@@ -31,7 +31,9 @@ namespace rollbem {
 /// The contact as a force element. Built once; const and free of caches, so threads may share it. SI units outside.
 ///
 /// The half-length may change from step to step where can_breathe(): the unknowns then live on x = a zeta, and what a
-/// state holds at one half-length is carried to the next. b stays as it is.
+/// state holds at one half-length is carried to the next. b stays as it is. No status tells where a contact grows
+/// so far that Lambda of the plane kernel, with b over the new half-length, is no longer positive and a mode grows in
+/// time: a is then several times b.
 ///
 /// Invariant: the half-width is finite, and the scheme is stable as far as the verdict says.
 ///
