@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,12 +50,23 @@ public:
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
+    Scalar width() const { return width_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
         return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
                 friction_.normal_pressure, half_length_, fingerprint_};
     }
     Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
+
+    /// Per unit width [J/m]; not a number under a half-length that the system does not know.
+    Scalar elastic_energy(const State& state, const RollingSystem<Scalar>& system) const {
+        const Scalar a = state.half_length / half_length_;
+        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return std::numeric_limits<Scalar>::quiet_NaN();
+        VectorX<Scalar> displacement = VectorX<Scalar>::Zero(size());
+        find_displacement<Scalar>(system, a, state.traction, displacement);
+        return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
+               (2 * shear_modulus_);
+    }
 
     bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
         const auto sized = [this](const State& state) {
