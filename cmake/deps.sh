@@ -1,14 +1,17 @@
 #!/bin/sh
-# deps.sh [--ci]: installs what building rollbem and its programs, tests and benchmarks needs.
-# Installs only what is missing and says what; silent when nothing is. --ci adds the tools of continuous integration.
+# deps.sh [--ci | --docs]: installs what building rollbem and its programs, tests and benchmarks needs.
+# Installs only what is missing and says what; silent when nothing is. --ci adds the tools of continuous integration,
+# --docs that of the API reference.
 set -eu
 
 ci=no
+docs=no
 case "${1-}" in
 "") ;;
 --ci) ci=yes ;;
+--docs) docs=yes ;;
 *)
-    echo "usage: sh cmake/deps.sh [--ci]" >&2
+    echo "usage: sh cmake/deps.sh [--ci | --docs]" >&2
     exit 2
     ;;
 esac
@@ -53,6 +56,7 @@ if have apt-get; then
     if [ $ci = yes ]; then
         need_packages installed clang-format-14 clang-14 libsimbody-dev
     fi
+    [ $docs = no ] || need_command doxygen doxygen
     [ -n "$missing" ] || exit 0
     say apt-get
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 update </dev/null
@@ -71,6 +75,7 @@ elif have dnf; then
     if [ $ci = yes ]; then
         need_packages installed clang clang-tools-extra
     fi
+    [ $docs = no ] || need_command doxygen doxygen
     [ -n "$missing" ] || exit 0
     say dnf
     # shellcheck disable=SC2086
@@ -84,6 +89,7 @@ elif have brew; then
     if [ $ci = yes ]; then
         need_packages installed clang-format
     fi
+    [ $docs = no ] || need_command doxygen doxygen
     [ -n "$missing" ] || exit 0
     say brew
     # shellcheck disable=SC2086
