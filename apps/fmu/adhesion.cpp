@@ -227,19 +227,24 @@ private:
             throw std::invalid_argument("co-simulation has derivatives of the force only");
         }
         if (past_.duration == 0) return 0;
-        Scalar above = 0, below = 0;
+        Scalar force = 0;
         if (&known.real() == &slip_.value) {
             advance(model_->at_rest(), {.duration = past_.duration, .shift = 1, .distance = past_.distance}, next_,
-                    above);
-            return above * past_.duration;
+                    force);
+            return force * past_.duration;
         }
-        const Scalar change = past_.distance > 0 ? 1e-5 * past_.distance : 1e-5 * half_length_;
-        Past step = past_;
-        step.distance = past_.distance + change;
-        advance(from_, step, next_, above);
-        step.distance = std::max(past_.distance - change, Scalar(0));
-        advance(from_, step, next_, below);
-        return (above - below) / (past_.distance + change - step.distance) * past_.duration;
+        const auto force_at = [&](Scalar distance) {
+            Past step = past_;
+            step.distance = distance;
+            advance(from_, step, next_, force);
+            return force;
+        };
+        const Scalar distance = past_.distance, change = 1e-5 * std::max(distance, half_length_);
+        if (distance >= change) {
+            return (force_at(distance + change) - force_at(distance - change)) / (2 * change) * past_.duration;
+        }
+        return (4 * force_at(distance + change) - 3 * force_at(distance) - force_at(distance + 2 * change)) /
+               (2 * change) * past_.duration;
     }
 
     ContactParameters parameters_;

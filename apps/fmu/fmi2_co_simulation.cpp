@@ -65,9 +65,10 @@ fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind,
 }
 
 fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Boolean* value) {
-    return call(component, "fmi2GetBooleanStatus", can_tell, [&](Instance&) {
+    return call(component, "fmi2GetBooleanStatus", can_tell, [&](Instance& instance) {
         if (kind != fmi2Terminated) return fmi2Discard;
-        *value = fmi2False;
+        // after a refused step, for importing programs that would repeat it for ever
+        *value = instance.refused ? fmi2True : fmi2False;
         return fmi2OK;
     });
 }

@@ -58,6 +58,7 @@ void Instance::reset() {
     model_ = make_model(interface_);
     built_ = false;
     stale = true;
+    refused = false;
     time = 0;
     mode = instantiated;
 }
@@ -117,6 +118,7 @@ fmi2Status Instance::refresh() {
 
 fmi2Status Instance::step(double start, double duration) {
     const Outcome outcome = model_->step(duration);
+    refused = outcome != Outcome::ok;
     if (outcome != Outcome::ok) {
         return tell(outcome, "a step of " + text_of(duration) + " s from t = " + text_of(start) + " s");
     }
@@ -176,6 +178,7 @@ void Instance::restore(std::span<const std::byte> bytes) {
     mode = header.mode;
     stale = header.stale;
     time = header.time;
+    refused = false;
 }
 
 }  // namespace fmu

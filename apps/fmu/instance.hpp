@@ -63,7 +63,8 @@ public:
 
     Mode mode = instantiated;
     double time = 0;    ///< of co-simulation: the end of the last step that succeeded [s]
-    bool stale = true;  ///< of model exchange: states or inputs were set since the last update()
+    bool stale = true;     ///< of model exchange: states or inputs were set since the last update()
+    bool refused = false;  ///< of co-simulation: the last step
 
 private:
     [[noreturn]] void refuse_reference(fmi2ValueReference reference) const;
