@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         "complementarity_residual: largest violation of |p| <= mu p_n (over mu p0) and of the slip's direction\n"
         "(over |xi|); time_us and assembly_us [microseconds]: medians of at least 5 runs of the solution and of\n"
         "G' before it; tangent_ratio: d force_ratio/d creepage_ratio; slip_work: per distance a rolled, in mu N\n"
-        "mu p0 a/G, summed over the elements (of first order in 1/n). Where status is not ok, these two and\n"
+        "mu p0 a/G, summed over the elements (of second order in 1/n). Where status is not ok, these two and\n"
         "force_ratio are empty; it is inconsistent where in full adhesion tractions of the same scheme push with the\n"
         "creepage, so that the scheme does not converge: alpha at or below 0 (near 0 on coarse meshes), or above 1.\n"
         "--tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0; traction, stick and slip are\n"

@@ -28,6 +28,12 @@ enum class StepStatus {
     needs_prepare,  ///< the distance rolled has to be prepared: too many elements, or Integrator::matrix_exponential
     wrong_state,    ///< a state or workspace of another system, a prepared step of another model, or one object both
                     ///< `from` and `to`
+    invalid_load,   ///< a pressure is negative or not finite, their number is not that of the elements, or the
+                    ///< half-length is not positive and finite
+    /// The half-length differs from what the mesh can follow: it changes by as much as the step rolls or more, or the
+    /// system knows one half-length only (the strip kernel, Galerkin, ready matrices). Take a fixed mesh, on the largest
+    /// contact, whose elements gain and lose pressure.
+    needs_fixed_mesh,
 };
 
 /// The name of a status as it stands in this header.
@@ -50,6 +56,8 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::invalid_step: return "invalid_step";
         case StepStatus::needs_prepare: return "needs_prepare";
         case StepStatus::wrong_state: return "wrong_state";
+        case StepStatus::invalid_load: return "invalid_load";
+        case StepStatus::needs_fixed_mesh: return "needs_fixed_mesh";
         case StepStatus::not_finite: break;
     }
     return "not_finite";

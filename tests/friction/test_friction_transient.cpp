@@ -222,15 +222,22 @@ TEST_CASE("orders in dq of the force and of the slip work", "[friction]") {
     }
 }
 
-// Coulomb's law of tractions and slip, from the definition, but for rounding; the work that the slip turns into heat.
-double lawful_work(const Scene& scene, const VectorX<double>& traction, const VectorX<double>& slip, double rounding) {
-    double work = 0;
+// Coulomb's law of tractions and slip, from the definition, but for rounding; the work of each element against the slip
+// at its centre, which lies between the equation behind it and its own.
+VectorX<double> lawful_work(const Scene& scene, const VectorX<double>& traction, const VectorX<double>& slip,
+                            double rounding) {
+    const Mesh<double>& mesh = scene.mesh;
+    const ArrayX<double> points =
+        mesh.centres() + interpolate_alpha(mesh, scene.scheme.alpha_L, scene.scheme.alpha_T) * mesh.widths();
+    VectorX<double> work(traction.size());
     for (Eigen::Index i = 0; i < traction.size(); ++i) {
         const double p = traction[i], bound = scene.friction.normal_pressure[i];
         REQUIRE(std::abs(p) <= bound + rounding * peak);
         if (std::abs(p) < bound - 10 * rounding * peak) REQUIRE(std::abs(slip[i]) < rounding * peak);
         REQUIRE(p * slip[i] <= rounding * peak * peak);
-        work -= scene.mesh.widths()[i] * p * slip[i];
+        const Eigen::Index own = std::max<Eigen::Index>(i, 1);
+        const double slope = (slip[own] - slip[own - 1]) / (points[own] - points[own - 1]);
+        work[i] = -mesh.widths()[i] * p * (slip[own] + slope * (mesh.centres()[i] - points[own]));
     }
     return work;
 }
@@ -256,7 +263,8 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
                 const VectorX<double> imposed = VectorX<double>::Constant(24, xi * dq);
                 const VectorX<double>& slip = workspace.slip();
                 VectorX<double> last = G * (next.traction - now.traction) - dq * G_prime * next.traction + imposed;
-                double work = 0, rounding = 1e-11;
+                VectorX<double> work = VectorX<double>::Zero(24);
+                double rounding = 1e-11;
                 if (integrator == Integrator::sdirk2) {
                     rounding = 1e-8;
                     // what the first stage did follows from what the whole step did
@@ -272,7 +280,10 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
                     REQUIRE((slip - last).cwiseAbs().maxCoeff() < 1e-12 * peak);
                 }
                 work += lawful_work(scene, next.traction, last, rounding);
-                CHECK(step.slip_work_per_width == Approx(work).epsilon(1e-6).margin(1e-14));
+                // the slip may turn round within an element, which gains nothing by that
+                work = work.cwiseMax(0.0);
+                CHECK((workspace.slip_work() - work).cwiseAbs().maxCoeff() < 1e-6 * work.maxCoeff() + 1e-14);
+                CHECK(step.slip_work_per_width == Approx(work.sum()).epsilon(1e-6).margin(1e-14));
                 std::swap(now, next);
             }
         }

@@ -5,6 +5,8 @@
 #include "../detail/language.hpp"
 
 #include "../normal/hertz.hpp"
+#include "../normal/hertz_load.hpp"
+#include "../normal/load.hpp"
 #include "../normal/pressure_table.hpp"
 #include "steady.hpp"
 #include "stick_border.hpp"

@@ -21,10 +21,10 @@ struct CoulombFriction {
 
 namespace detail {
 
-/// mu p_n / G of the unknown elements (the first `count` of the mesh), after all checks of the law.
+/// The law on the unknown elements (the first `count` of the mesh), after all checks of it.
 template <class Scalar>
-VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& friction, Eigen::Index mesh_size,
-                               Eigen::Index count, Scalar shear_modulus) {
+CoulombFriction<Scalar> checked_friction(const char* who, const CoulombFriction<Scalar>& friction,
+                                         Eigen::Index mesh_size, Eigen::Index count) {
     require(count >= 1, who, "number of unknown elements", count, "be at least 1");
     require(is_finite(friction.friction_coefficient) && friction.friction_coefficient >= 0, who, "friction_coefficient",
             friction.friction_coefficient, "be finite and not negative");
@@ -36,7 +36,7 @@ VectorX<Scalar> friction_bound(const char* who, const CoulombFriction<Scalar>& f
     }
     require(friction.normal_pressure.maxCoeff() > 0, who, "largest normal_pressure",
             friction.normal_pressure.maxCoeff(), "be positive");
-    return friction.friction_coefficient / shear_modulus * friction.normal_pressure.head(count).matrix();
+    return {friction.friction_coefficient, friction.normal_pressure.head(count)};
 }
 
 }  // namespace detail

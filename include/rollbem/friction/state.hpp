@@ -23,6 +23,9 @@ struct FrictionState {
 
     VectorX<Scalar> traction;  ///< p on body 1 of each unknown element [Pa], trailing to leading
     std::vector<Zone> zones;   ///< what each element does; after a step, at its end
+    /// p_n [Pa] of each unknown element and a [m] of the contact that it lives under: what a step without a load keeps.
+    ArrayX<Scalar> normal_pressure;
+    Scalar half_length = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
 };
 
@@ -37,8 +40,9 @@ struct FrictionStep {
     Scalar tangent_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();  ///< the same of the force: 2b times it; infinite with b
     /// Work that slip turns into heat, never negative: of a step or a shift per unit width [J/m]; of a steady solution
-    /// per unit width and unit distance rolled [J/m^2]. The sum over the elements: of first order in 1/n, and in steady
-    /// rolling below -F_bar xi, what it tends to (n = 40, creepage ratios of 0.2, 0.5 and 0.8: by 13, 7 and 4 %).
+    /// per unit width and unit distance rolled [J/m^2]. The sum over the elements of tractions times the slip at their
+    /// centres, of second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3
+    /// at a creepage ratio of 0.5); for ready matrices times the slip of their own equation, of first order.
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     /// Largest violation of |p| <= mu p_n (over the largest mu p_n) and of s (over the largest slip there would be
     /// without traction).
@@ -47,6 +51,19 @@ struct FrictionStep {
     int rounds = 0;                ///< rounds of the active set
     int pivots = 0;                ///< pivots of the fallback; 0 where the rounds settled
     StepStatus status = StepStatus::not_finite;
+};
+
+/// Result of a step under a load of its own, with the tangents by it: derivatives of the force at the end of the step.
+/// By the load, d force / d load is that at constant half-length, and not a number where NormalLoad has no
+/// pressure_rate; where the half-length depends on the load too, the whole is by_load + by_half_length da/d load. Not a
+/// number where the matrix of the stick elements is singular; by the half-length neither where the system knows one
+/// half-length only.
+template <class Scalar>
+struct LoadedFrictionStep : FrictionStep<Scalar> {
+    Scalar tangent_by_load_per_width = std::numeric_limits<Scalar>::quiet_NaN();         ///< [N/m per unit of the load]
+    Scalar tangent_by_load = std::numeric_limits<Scalar>::quiet_NaN();                   ///< 2b times it
+    Scalar tangent_by_half_length_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< [N/m^2]
+    Scalar tangent_by_half_length = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b times it [N/m]
 };
 
 }  // namespace rollbem

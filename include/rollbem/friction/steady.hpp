@@ -5,9 +5,11 @@
 #include "../detail/language.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "../assembly/influence.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -48,8 +50,9 @@ public:
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
-                              detail::friction_bound("SteadyFrictionModel", friction, mesh.size(),
-                                                     unknown_count(scheme, mesh.size()), contact.shear_modulus())) {
+                              detail::equation_points(mesh, scheme),
+                              detail::checked_friction("SteadyFrictionModel", friction, mesh.size(),
+                                                       unknown_count(scheme, mesh.size()))) {
         detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
     }
 
@@ -58,9 +61,9 @@ public:
     /// positive. That G has not taken the place of G' cannot be seen here: ElementSystem, which has both, sees it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
-        : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths,
-                              detail::friction_bound("SteadyFrictionModel", friction, widths.size(), widths.size(),
-                                                     contact.shear_modulus())) {}
+        : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths, std::nullopt,
+                              detail::checked_friction("SteadyFrictionModel", friction, widths.size(), widths.size())) {
+    }
 
     Eigen::Index size() const { return core_.size(); }                 ///< number of unknown elements
     std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of G', widths and contact
@@ -70,9 +73,14 @@ public:
     Workspace workspace() const { return Workspace(size()); }
 
     /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of as many elements;
-    /// it is left alone where the status is wrong_state or the creepage is not finite. No allocation.
+    /// it is left alone where the status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite.
+    /// `from` keeps the pressures that it lives under; its half-length must be the contact's. No allocation.
     Step solve(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        return core_.solve_steady(from, creepage, G_prime_, to, workspace);
+        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
+        const StepStatus possible = core_.check_load(from);
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        if (from.half_length != core_.half_length()) return Core::failed(StepStatus::needs_fixed_mesh);
+        return core_.solve_steady(from, creepage, G_prime_, {from.normal_pressure, from.half_length}, to, workspace);
     }
 
 private:
@@ -81,8 +89,9 @@ private:
     struct Checked {};  // tells the constructor from the one whose law may come in braces
 
     SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
-                        VectorX<Scalar> bound)
-        : core_(contact, widths, std::move(bound), fingerprint_of(G_prime, widths)), G_prime_(std::move(G_prime)) {
+                        const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction)
+        : core_(contact, widths, points, std::move(friction), fingerprint_of(G_prime, widths)),
+          G_prime_(std::move(G_prime)) {
         const Eigen::Index n = size();
         detail::require(G_prime_.rows() == n, "SteadyFrictionModel", "number of rows of G_prime", G_prime_.rows(),
                         "equal the number of widths");

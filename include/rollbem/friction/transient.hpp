@@ -5,7 +5,6 @@
 #include "../detail/language.hpp"
 
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include "../adhesion/integrator.hpp"
@@ -41,6 +40,7 @@ public:
     using Scalar = Scalar_;
     using State = FrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
+    using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
     /// Throws std::invalid_argument unless the verdict is one of this system's eigenvalues and settles that none grows,
@@ -58,9 +58,8 @@ public:
     FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
-          core_(contact, system_.weights(),
-                detail::friction_bound("FrictionModel", friction, system_.element_count(), system_.size(),
-                                       contact.shear_modulus()),
+          core_(contact, system_.weights(), system_.points(),
+                detail::checked_friction("FrictionModel", friction, system_.element_count(), system_.size()),
                 system_.fingerprint()),
           integrator_(integrator) {
         detail::require_same_aspect("FrictionModel", contact, system_);
@@ -79,10 +78,17 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return core_.force(state); }
 
-    /// Steady rolling at a creepage [-], to start from: what SteadyFrictionModel::solve does, with states of this
-    /// model.
+    /// Steady rolling at a creepage [-] under the load of `from`, to start from: what SteadyFrictionModel::solve does,
+    /// with states of this model.
     Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        return core_.solve_steady(from, creepage, system_.G_prime(), to, workspace);
+        return settle(from, creepage, {from.normal_pressure, from.half_length}, to, workspace);
+    }
+    /// The same under another load. Where the half-length is not the contact's, the system must be one that can breathe.
+    Step steady(const State& from, Scalar creepage, const NormalLoad<Scalar>& load, State& to,
+                Workspace& workspace) const noexcept {
+        const StepStatus possible = load.check(system_.element_count());
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return settle(from, creepage, {load.normal_pressure, load.half_length}, to, workspace);
     }
 
     /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling. `from` is never written; `to`
@@ -91,30 +97,24 @@ public:
     /// `from` and the motion alone, to the last bit. No allocation; a new dq costs a factorisation.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to,
                  Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
-        const Scalar a = core_.half_length();
-        const Scalar distance = dq / a;
-        const StepStatus possible = motion.check(distance);
+        const Load load{from.normal_pressure, from.half_length};
+        const StepStatus possible = check(from, dq, motion, load, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        // A stage takes `part` of the step: (s/V) part dq = xi part dq - (part dq G' - G) p - G p_memory.
-        const bool two_stages = integrator_ == Integrator::sdirk2 && distance > 0;
-        const Scalar part = two_stages ? gamma : Scalar(1);
-        const Scalar travel = motion.is_shift() ? part / a : part * distance;
-        const MatrixX<Scalar>& G = system_.G();
-        if (MatrixX<Scalar>* matrix = core_.claim(part * distance, workspace)) {
-            *matrix = G - (part * distance) * system_.G_prime();
-        }
-        core_.remember(from, workspace);
-        if (!two_stages) {
-            core_.impose(travel * motion.end(), G, workspace);
-            return core_.solve_last(from, {.zones = from.zones}, {.first = 0, .last = travel}, a, to, workspace);
-        }
-        core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), G, workspace);
-        const typename Core::Before before = core_.solve_first(from, ratio, G, workspace);
-        core_.extrapolate_memory(ratio, workspace);
-        core_.impose(travel * motion.end(), G, workspace);
-        return core_.solve_last(from, before, {.first = motion.is_linear() ? gamma * travel : travel, .last = travel},
-                                a, to, workspace);
+        return roll<false>(from, dq / core_.half_length(), motion, load, {load.pressure, false}, to, workspace);
+    }
+
+    /// The same under a load that goes evenly from that of `from` to this one at the end of the step. `to` is left alone
+    /// where the status is invalid_load or needs_fixed_mesh, too. Where a system can breathe (log_strength), the mesh
+    /// follows the half-length, |da| < dq; a new half-length costs a factorisation, new pressures cost none. Steps end
+    /// where the load has kinks, or they lose the second order of sdirk2.
+    LoadedStep advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const NormalLoad<Scalar>& load,
+                       State& to, Workspace& workspace) const noexcept {
+        StepStatus possible = load.check(system_.element_count());
+        const Load end{load.normal_pressure, load.half_length};
+        if (possible == StepStatus::ok) possible = check(from, dq, motion, end, to, workspace);
+        if (possible != StepStatus::ok) return {Core::failed(possible)};
+        const bool breathes = system_.log_strength() && dq > 0;
+        return roll<true>(from, dq / core_.half_length(), motion, end, {load.pressure_rate, breathes}, to, workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling.
@@ -125,10 +125,72 @@ public:
 private:
     using Core = detail::FrictionCore<Scalar>;
 
-    // Alexander's two stages (1977): each takes gamma dq; the second starts from p + ratio (p_1 - p), p_1 the first's
-    // result. The slip of a step is `ratio` times the first's and the second's.
-    static constexpr Scalar gamma = 1 - std::numbers::sqrt2_v<Scalar> / 2;
-    static constexpr Scalar ratio = 1 + std::numbers::sqrt2_v<Scalar>;  // (1 - gamma)/gamma
+    using Stage = detail::RollingStage<Scalar>;
+    using Load = typename Core::Load;
+
+    static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
+    static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
+
+    // A step whose arguments have been checked; dq in a_0. With a load of its own it comes with the tangents by it.
+    template <bool loaded>
+    auto roll(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load,
+              const typename Core::LoadTangentsAsked& asked, State& to, Workspace& workspace) const noexcept {
+        const Scalar unit = core_.half_length(), a = from.half_length / unit, a_end = load.half_length / unit;
+        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
+        const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
+        const Scalar part = two_stages ? gamma : Scalar(1);
+        const Scalar travel = motion.is_shift() ? part / unit : part * dq;
+        const detail::StagePlace<Scalar> first{part, part}, last{part, 1};
+        core_.remember(from, system_, a, a != a_end, workspace);
+        if constexpr (loaded) core_.begin_tangents(asked, workspace);
+        typename Core::Before before{.zones = &from.zones};
+        typename Core::Gain gain{.first = 0, .last = travel};
+        if (two_stages) {
+            enter(Stage::within(part, dq, a, a_end), workspace);
+            core_.press(from.normal_pressure, load.pressure, part, workspace);
+            core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
+            before = core_.solve_first(from, ratio, system_, workspace);
+            if constexpr (loaded) core_.carry_tangents(asked, system_, first, ratio, workspace);
+            gain.first = motion.is_linear() ? gamma * travel : travel;
+            core_.extrapolate_memory(system_, ratio, workspace);
+        }
+        enter(Stage::last(part, dq, a, a_end), workspace);
+        core_.press(load.pressure, workspace);
+        core_.impose(travel * motion.end(), system_, workspace);
+        const Step step = core_.solve_last(from, before, gain, load, unit, to, workspace);
+        if constexpr (loaded) {
+            return core_.with_tangents(step, asked, system_, last, load, workspace);
+        } else {
+            return step;
+        }
+    }
+
+    Step settle(const State& from, Scalar creepage, const Load& load, State& to, Workspace& workspace) const noexcept {
+        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
+        StepStatus possible = core_.check_load(from);
+        if (possible == StepStatus::ok) {
+            const Scalar a = load.half_length / core_.half_length();
+            possible = detail::check_growth(system_, Scalar(0), a, a);
+        }
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return core_.solve_steady(from, creepage, system_.G_prime(), load, to, workspace);
+    }
+
+    // Whether a step can be made at all.
+    StepStatus check(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load, const State& to,
+                     const Workspace& workspace) const noexcept {
+        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
+        const Scalar unit = core_.half_length();
+        StepStatus status = motion.check(dq / unit);
+        if (status == StepStatus::ok) status = core_.check_load(from);
+        if (status != StepStatus::ok) return status;
+        return detail::check_growth(system_, dq / unit, from.half_length / unit, load.half_length / unit);
+    }
+
+    // The matrix of a stage, unless the workspace has it already.
+    void enter(const Stage& stage, Workspace& workspace) const noexcept {
+        if (MatrixX<Scalar>* matrix = core_.claim(stage, workspace)) detail::fill_stage_matrix(system_, stage, *matrix);
+    }
 
     ElementSystem<Scalar> system_;
     Core core_;

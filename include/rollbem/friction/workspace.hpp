@@ -10,6 +10,9 @@
 
 #include "../types.hpp"
 #include "detail/active_set.hpp"
+#include "detail/load_tangents.hpp"
+#include "detail/rolling_stage.hpp"
+#include "detail/stage_memory.hpp"
 
 namespace rollbem {
 
@@ -29,24 +32,35 @@ public:
     explicit FrictionWorkspace(Eigen::Index n)
         : solver_(n),
           slip_(VectorX<Scalar>::Zero(n)),
-          memory_(VectorX<Scalar>::Zero(n)),
+          work_(VectorX<Scalar>::Zero(n)),
+          bound_(VectorX<Scalar>::Zero(n)),
+          memory_(n),
+          load_tangents_(n),
           carried_(VectorX<Scalar>::Zero(n)),
           response_(VectorX<Scalar>::Zero(n)) {}
 
     Eigen::Index size() const { return slip_.size(); }
 
-    /// Slip of body 1 on body 2 of each element in what was solved last: in a step or a rigid shift the distance slid
-    /// meanwhile [m]; in a steady solution the slip velocity over the rolling velocity, s/V [-].
+    /// Slip of body 1 on body 2 in the equation of each element, where the scheme has its point, in what was solved
+    /// last: in a step or a rigid shift the distance slid meanwhile [m]; in a steady solution the slip velocity over
+    /// the rolling velocity, s/V [-].
     const VectorX<Scalar>& slip() const { return slip_; }
+
+    /// The terms of slip_work_per_width that each element contributes to the sum, none negative: per unit width [J/m],
+    /// of a steady solution per unit width and unit distance rolled [J/m^2]. Over the element's width it is the work
+    /// per area of contact, which wear follows.
+    const VectorX<Scalar>& slip_work() const { return work_; }
 
 private:
     friend class detail::FrictionCore<Scalar>;
 
     detail::ActiveSet<Scalar> solver_;
-    std::uint64_t system_ = 0;  // the solver's matrix is that of this model and distance rolled
-    Scalar distance_ = std::numeric_limits<Scalar>::quiet_NaN();
-    VectorX<Scalar> slip_;
-    VectorX<Scalar> memory_;   // tractions that the present stage of a step starts from
+    std::uint64_t system_ = 0;  // the solver's matrix is that of this model and stage
+    detail::RollingStage<Scalar> stage_{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
+    VectorX<Scalar> slip_, work_;
+    VectorX<Scalar> bound_;  // mu p_n / G of the present stage
+    detail::StageMemory<Scalar> memory_;
+    detail::LoadTangents<Scalar> load_tangents_;
     VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
     VectorX<Scalar> response_;
     Scalar unit_tangent_ = 0, carried_tangent_ = 0;  // sum of areas times dp, by dc of the last stage and of the first

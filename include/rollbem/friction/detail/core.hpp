@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,47 +13,61 @@
 
 #include "../../assembly/rolling_system.hpp"
 #include "../../detail/finite.hpp"
+#include "../../normal/load.hpp"
 #include "../../scene/contact.hpp"
 #include "../../types.hpp"
+#include "../law.hpp"
 #include "../state.hpp"
 #include "../workspace.hpp"
+#include "rolling_stage.hpp"
+#include "slip_work.hpp"
 
 namespace rollbem::detail {
 
 /// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
-/// in G, lengths in a.
+/// in G, lengths in a_0, the contact's half-length.
 template <class Scalar>
 class FrictionCore {
 public:
     using State = FrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
+    using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// `widths` in a, `bound` = mu p_n / G, `system` the fingerprint of the equations.
-    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths, VectorX<Scalar> bound,
-                 std::uint64_t system)
+    /// `widths` in a_0, `points` x/a of the equations where they are known, `friction` of as many elements, `system` the
+    /// fingerprint of the equations.
+    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
+                 const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction, std::uint64_t system)
         : half_length_(contact.half_length()),
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
           widths_(widths.matrix()),
-          bound_(std::move(bound)),
+          slip_work_(widths, points),
           ones_(VectorX<Scalar>::Ones(widths_.size())),
-          fingerprint_(fingerprint_of(contact, system)) {}
+          fingerprint_(fingerprint_of(contact, system) ^ fingerprint_of_law(friction)),
+          friction_(std::move(friction)) {}
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
         return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
-                fingerprint_};
+                friction_.normal_pressure, half_length_, fingerprint_};
     }
-    Scalar force(const State& state) const { return width_ * half_length_ * widths_.dot(state.traction); }
+    Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
 
     bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
         const auto sized = [this](const State& state) {
-            return state.traction.size() == size() && state.zones.size() == static_cast<std::size_t>(size());
+            return state.traction.size() == size() && state.zones.size() == static_cast<std::size_t>(size()) &&
+                   state.normal_pressure.size() == size();
         };
         return &from != &to && from.system == fingerprint_ && sized(from) && sized(to) && workspace.size() == size();
+    }
+
+    /// Whether a state tells of a load that the present pressures can be.
+    StepStatus check_load(const State& from) const noexcept {
+        const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
+        return valid ? StepStatus::ok : StepStatus::invalid_load;
     }
 
     static Step failed(StepStatus status) noexcept {
@@ -61,10 +76,22 @@ public:
         return step;
     }
 
+    /// What holds at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
+    struct Load {
+        const ArrayX<Scalar>& pressure;
+        Scalar half_length;
+    };
+    /// The tangents by the load that a step is asked for: with pressure rates or without, by the half-length or not.
+    struct LoadTangentsAsked {
+        const ArrayX<Scalar>& pressure_rate;
+        bool by_half_length;
+
+        bool by_load() const { return pressure_rate.size() > 0; }
+    };
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
-        const std::vector<Zone>& zones;
-        Scalar work = 0, residual = 0;
+        const std::vector<Zone>* zones;
+        Scalar residual = 0;
         int rounds = 0, pivots = 0;
         bool tangent_exists = true, solved = true;
     };
@@ -73,56 +100,65 @@ public:
         Scalar first, last;
     };
 
-    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`.
-    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, State& to,
+    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`, under a load that has been checked.
+    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, const Load& load, State& to,
                       Workspace& workspace) const noexcept {
-        if (!fits(from, to, workspace)) return failed(StepStatus::wrong_state);
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
-        if (MatrixX<Scalar>* matrix = claim(steadily, workspace)) *matrix = -G_prime;
+        if (MatrixX<Scalar>* matrix = claim({.distance = steadily}, workspace)) *matrix = -G_prime;
         workspace.solver_.constant().setConstant(creepage);
-        return solve_last(from, {.zones = from.zones}, {.first = 0, .last = 1}, 1, to, workspace);
+        press(load.pressure, workspace);
+        return solve_last(from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
     }
 
-    /// The matrix to fill for a distance rolled, or nothing when the workspace has it already.
-    MatrixX<Scalar>* claim(Scalar distance, Workspace& workspace) const noexcept {
-        if (workspace.system_ == fingerprint_ && workspace.distance_ == distance) return nullptr;
+    /// The matrix to fill for a stage, or nothing when the workspace has it already.
+    MatrixX<Scalar>* claim(const RollingStage<Scalar>& stage, Workspace& workspace) const noexcept {
+        if (workspace.system_ == fingerprint_ && workspace.stage_ == stage) return nullptr;
         workspace.system_ = fingerprint_;
-        workspace.distance_ = distance;
-        workspace.carried_.setZero();
+        workspace.stage_ = stage;
         return &workspace.solver_.new_matrix();
     }
 
-    /// The tractions p/G that a step starts from.
-    void remember(const State& from, Workspace& workspace) const noexcept {
-        workspace.memory_ = from.traction / shear_modulus_;
+    /// The bounds mu p_n of the stage to come.
+    void press(const ArrayX<Scalar>& pressure, Workspace& workspace) const noexcept {
+        workspace.bound_ = friction_.friction_coefficient / shear_modulus_ * pressure.head(size()).matrix();
     }
-    /// Those that the last stage starts from: `ratio` times as far from them as the first stage has come.
-    void extrapolate_memory(Scalar ratio, Workspace& workspace) const noexcept {
-        workspace.memory_ += ratio * (workspace.solver_.traction() - workspace.memory_);
+    /// Those of a stage within a step, at its `progress` from one load to the next.
+    void press(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress,
+               Workspace& workspace) const noexcept {
+        workspace.bound_ =
+            friction_.friction_coefficient / shear_modulus_ * (from + progress * (to.head(size()) - from)).matrix();
     }
-    /// c = imposed - G p_memory.
-    void impose(Scalar imposed, const MatrixX<Scalar>& G, Workspace& workspace) const noexcept {
-        VectorX<Scalar>& constant = workspace.solver_.constant();
-        constant.noalias() = G * workspace.memory_;
-        constant = VectorX<Scalar>::Constant(size(), imposed) - constant;
+
+    /// Starts a step from tractions at the half-length `half_length` in a_0, that `grows` in it or not.
+    void remember(const State& from, const RollingSystem<Scalar>& system, Scalar half_length, bool grows,
+                  Workspace& workspace) const noexcept {
+        workspace.memory_.begin(system, from.traction / shear_modulus_, half_length, grows);
+    }
+    /// After the first of two stages.
+    void extrapolate_memory(const RollingSystem<Scalar>& system, Scalar ratio, Workspace& workspace) const noexcept {
+        workspace.memory_.extrapolate(system, workspace.solver_.traction(), workspace.stage_.half_length, ratio);
+    }
+    void impose(Scalar imposed, const RollingSystem<Scalar>& system, Workspace& workspace) const noexcept {
+        workspace.memory_.impose(system, imposed, workspace.solver_.constant());
     }
 
     /// The first of two stages, from the zones of `from`; its slip counts `weight` times.
-    Before solve_first(const State& from, Scalar weight, const MatrixX<Scalar>& G,
+    Before solve_first(const State& from, Scalar weight, const RollingSystem<Scalar>& system,
                        Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, from.zones);
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, from.zones);
         set_slip(workspace);
         workspace.slip_ *= weight;
+        workspace.work_.setZero();
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, workspace.stage_.half_length);
         if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
             solver.respond(ones_, workspace.response_);
-            workspace.carried_.noalias() = G * workspace.response_;
+            find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
             workspace.carried_ *= -weight;
             workspace.carried_revision_ = solver.revision();
             workspace.tangent_revision_ = Workspace::never;
         }
-        return {.zones = solver.zones(),
-                .work = work(workspace),
+        return {.zones = &solver.zones(),
                 .residual = outcome.residual,
                 .rounds = outcome.rounds,
                 .pivots = outcome.pivots,
@@ -130,37 +166,48 @@ public:
                 .solved = outcome.status == StepStatus::ok};
     }
 
-    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`.
-    Step solve_last(const State& from, const Before& before, const Gain& gain, Scalar slip_unit, State& to,
-                    Workspace& workspace) const noexcept {
+    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`, and its slip work.
+    Step solve_last(const State& from, const Before& before, const Gain& gain, const Load& load, Scalar slip_unit,
+                    State& to, Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
-        const bool only = &before.zones == &from.zones;
-        if (!only) workspace.response_ = workspace.slip_;
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(bound_, before.zones);
+        const bool only = before.zones == &from.zones;
+        if (only) {
+            workspace.work_.setZero();
+        } else {
+            workspace.response_ = workspace.slip_;
+        }
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, *before.zones);
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
-        const Scalar total_work = before.work + work(workspace);
+        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
+        slip_work_.end(workspace.work_);
+        workspace.work_ *= half_length_ * shear_modulus_ * slip_unit;
         to.system = fingerprint_;
-        const Scalar force_per_width = half_length_ * shear_modulus_ * force;
-        const Scalar work_per_width = half_length_ * shear_modulus_ * slip_unit * total_work;
+        const Scalar force_per_width = load.half_length * shear_modulus_ * force;
+        const Scalar work_per_width = workspace.work_.sum();
         if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
             !all_finite(solver.slip())) {
             workspace.slip_.setZero();
+            workspace.work_.setZero();
             to.traction = from.traction;
             to.zones = from.zones;
+            to.normal_pressure = from.normal_pressure;
+            to.half_length = from.half_length;
             return failed(StepStatus::not_finite);
         }
         if (!only) workspace.slip_ += workspace.response_;
         workspace.slip_ *= slip_unit;
         to.zones = solver.zones();
         to.traction = shear_modulus_ * solver.traction();
+        to.normal_pressure = load.pressure.head(size());
+        to.half_length = load.half_length;
         Step step;
         step.stick_count = solver.stick_count();
         step.force_per_width = force_per_width;
         step.force = width_ * step.force_per_width;
         step.slip_work_per_width = work_per_width;
         if (before.tangent_exists && outcome.tangent_exists) {
-            step.tangent_per_width = half_length_ * shear_modulus_ * tangent(gain, workspace);
+            step.tangent_per_width = load.half_length * shear_modulus_ * tangent(gain, workspace);
             step.tangent = width_ * step.tangent_per_width;
         }
         step.complementarity_residual = std::max(before.residual, outcome.residual);
@@ -170,6 +217,41 @@ public:
         return step;
     }
 
+    /// Of a step that is about to begin,
+    void begin_tangents(const LoadTangentsAsked& asked, Workspace& workspace) const noexcept {
+        workspace.load_tangents_.clear();
+        if (!asked.by_load()) return;
+        workspace.load_tangents_.bound_change() =
+            friction_.friction_coefficient / shear_modulus_ * asked.pressure_rate.head(size()).matrix();
+    }
+    /// the first of two stages solved,
+    void carry_tangents(const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
+                        const StagePlace<Scalar>& place, Scalar ratio, Workspace& workspace) const noexcept {
+        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, asked.by_load(), asked.by_half_length,
+                                       workspace.solver_);
+    }
+    /// and the last.
+    LoadedStep with_tangents(const Step& step, const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
+                             const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
+        LoadedStep loaded{step};
+        if (is_nan(step.tangent_per_width)) return loaded;  // nor are there any by the load
+        LoadTangents<Scalar>& tangents = workspace.load_tangents_;
+        ActiveSet<Scalar>& solver = workspace.solver_;
+        if (asked.by_load()) {
+            const Scalar change = widths_.dot(tangents.respond_to_load(place, solver));
+            loaded.tangent_by_load_per_width = load.half_length * shear_modulus_ * change;
+            loaded.tangent_by_load = width_ * loaded.tangent_by_load_per_width;
+        }
+        if (asked.by_half_length) {
+            const Scalar change = widths_.dot(tangents.respond_to_half_length(system, workspace.stage_, place, solver));
+            const Scalar force = widths_.dot(solver.traction());
+            loaded.tangent_by_half_length_per_width =
+                shear_modulus_ * (force + load.half_length / half_length_ * change);
+            loaded.tangent_by_half_length = width_ * loaded.tangent_by_half_length_per_width;
+        }
+        return loaded;
+    }
+
 private:
     static constexpr Scalar steadily = -1;  // in place of a distance rolled, which is 0 for a rigid shift
 
@@ -177,9 +259,6 @@ private:
     static void set_slip(Workspace& workspace) {
         const ActiveSet<Scalar>& solver = workspace.solver_;
         workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
-    }
-    Scalar work(const Workspace& workspace) const {
-        return -widths_.cwiseProduct(workspace.solver_.traction()).dot(workspace.slip_);
     }
 
     Scalar tangent(const Gain& gain, Workspace& workspace) const {
@@ -196,9 +275,18 @@ private:
         return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
     }
 
-    Scalar half_length_, width_, shear_modulus_;  // a [m], 2b [m], G [Pa]
-    VectorX<Scalar> widths_, bound_, ones_;
+    static std::uint64_t fingerprint_of_law(const CoulombFriction<Scalar>& friction) {
+        Fingerprint fingerprint;
+        fingerprint.add(friction.normal_pressure);
+        return fingerprint.value();
+    }
+
+    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
+    VectorX<Scalar> widths_;
+    SlipWork<Scalar> slip_work_;
+    VectorX<Scalar> ones_;
     std::uint64_t fingerprint_;
+    CoulombFriction<Scalar> friction_;
 };
 
 }  // namespace rollbem::detail

@@ -1,0 +1,80 @@
+// The work that slip turns into heat on each element: slip is known where the equations hold, tractions on elements.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+
+namespace rollbem::detail {
+
+/// Work of tractions against slip, element by element, with the slip taken at the element's centre: linear between the
+/// two neighbouring points of the equations, and beyond the first or the last of them. At alpha = 0.5, where the
+/// equation of an element holds at its leading edge, that is the mean of the slips at its two edges. The slip of the
+/// element's own equation would leave an error of first order.
+///
+/// Lengths in units of a, tractions in G. Two directions share one: their works add up.
+template <class Scalar>
+class SlipWork {
+public:
+    /// `widths` of the elements with unknown tractions, which begin at the trailing edge; `points` x/a of their
+    /// equations. Without points each slip is taken as it is.
+    SlipWork(const ArrayX<Scalar>& widths, const std::optional<ArrayX<Scalar>>& points)
+        : widths_(widths), behind_(static_cast<std::size_t>(widths.size())), share_(ArrayX<Scalar>::Zero(size())) {
+        Scalar edge = 0;  // 1 + x/a of the trailing edge of element i
+        for (Index i = 0; i < size(); ++i) {
+            place(i, edge + widths[i] / 2, points);
+            edge += widths[i];
+        }
+    }
+
+    Eigen::Index size() const { return widths_.size(); }
+
+    /// Slip at the centre of an element from the slips of all equations.
+    template <class Vector>
+    Scalar at_centre(Eigen::Index element, const Vector& slip) const {
+        const Index j = behind_[static_cast<std::size_t>(element)];
+        return share_[element] == 0 ? slip[j] : slip[j] + share_[element] * (slip[j + 1] - slip[j]);
+    }
+
+    /// Adds -p s dx of each element to `work`, on a contact of another half-length where one is given.
+    template <class Traction, class Slip>
+    void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work, Scalar half_length = 1) const {
+        for (Index i = 0; i < size(); ++i) work[i] -= half_length * widths_[i] * traction[i] * at_centre(i, slip);
+    }
+
+    /// Ends a sum: no element gains energy. Where the slip turns round or ends within an element, interpolation may say
+    /// so, by an amount of second order.
+    static void end(VectorX<Scalar>& work) { work = work.cwiseMax(Scalar(0)); }
+
+private:
+    using Index = Eigen::Index;
+
+    // The two points about a centre, 1 + x/a = `centre`, are those that `behind` and share place it between.
+    void place(Index element, Scalar centre, const std::optional<ArrayX<Scalar>>& points) {
+        Index& behind = behind_[static_cast<std::size_t>(element)];
+        behind = element;
+        if (!points || size() < 2) return;
+        const auto point = [&](Index k) { return 1 + (*points)[k]; };
+        if (behind == size() - 1) --behind;
+        while (behind > 0 && point(behind) > centre) --behind;
+        while (behind < size() - 2 && point(behind + 1) <= centre) ++behind;
+        const Scalar distance = point(behind + 1) - point(behind);
+        if (distance > 0) {
+            share_[element] = (centre - point(behind)) / distance;
+        } else {
+            behind = element;  // points of tiny elements may round to one number
+        }
+    }
+
+    ArrayX<Scalar> widths_;
+    std::vector<Index> behind_;  // the equation behind each centre
+    ArrayX<Scalar> share_;       // of the way from there to the next equation
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,49 @@
+// What presses the bodies together at one instant: the pressures of the elements and the length of the contact.
+// Given to a step of friction as what holds at its end; plain data.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
+#include "../status.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+namespace detail {
+
+/// Whether each is a pressure: finite and not negative.
+template <class Scalar>
+bool all_pressures(const ArrayX<Scalar>& values) noexcept {
+    return all_finite(values) && (values.size() == 0 || !(values.minCoeff() < 0));
+}
+
+}  // namespace detail
+
+/// Kept and rewritten by its user, so that no step allocates. Elements without pressure carry no traction: contact may
+/// come and go element by element, and pressures may all be zero.
+template <class Scalar_ = double>
+struct NormalLoad {
+    using Scalar = Scalar_;
+
+    ArrayX<Scalar>
+        normal_pressure;     ///< p_n [Pa], the mean of each of the mesh's elements, trailing to leading; finite,
+                             ///< not negative, zero where there is no contact
+    Scalar half_length = 0;  ///< a [m] of the contact that the mesh covers, positive and finite
+    /// d p_n / d load of each element at constant half-length, for the tangent by the load, in whatever unit the user
+    /// has for it. Empty: nothing asks for that tangent.
+    ArrayX<Scalar> pressure_rate;
+
+    /// Whether it can be the load of a mesh of that many elements: ok or invalid_load.
+    StepStatus check(Eigen::Index element_count) const noexcept {
+        const bool sized = normal_pressure.size() == element_count &&
+                           (pressure_rate.size() == 0 || pressure_rate.size() == element_count);
+        const bool valid = sized && detail::is_finite(half_length) && half_length > 0 &&
+                           detail::all_pressures(normal_pressure) && detail::all_finite(pressure_rate);
+        return valid ? StepStatus::ok : StepStatus::invalid_load;
+    }
+};
+
+}  // namespace rollbem

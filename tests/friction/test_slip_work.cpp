@@ -1,0 +1,148 @@
+// rollbem/friction/detail/slip_work.hpp, and the slip work of friction problems by it.
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/friction/detail/slip_work.hpp>
+
+#include "scene.hpp"
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+
+namespace {
+
+using namespace friction_tests;
+
+TEST_CASE("a slip linear in x is met exactly at the centres", "[friction]") {
+    const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
+    const auto check = [&](const Mesh<double>& mesh, const auto& scheme) {
+        const ArrayX<double> points = detail::equation_points(mesh, scheme);
+        const Eigen::Index n = points.size();
+        const detail::SlipWork<double> slip_work(unknown_widths(mesh, scheme), points);
+        const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
+        for (Eigen::Index i = 0; i < n; ++i) {
+            CAPTURE(mesh.size(), i);
+            CHECK(std::abs(slip_work.at_centre(i, slip) - expected[i]) < 1e-13);
+        }
+        VectorX<double> work = VectorX<double>::Constant(n, 0.1);
+        slip_work.add(VectorX<double>::Constant(n, -3), slip, work);
+        const double length = mesh.widths().head(n).sum();
+        CHECK(std::abs(work.sum() - 0.1 * static_cast<double>(n) -
+                       3 * (expected.array() * mesh.widths().head(n)).sum()) < 1e-13 * length * 3);
+    };
+    for (const Eigen::Index n : {2, 3, 20}) {
+        for (const Mesh<double>& mesh : {uniform_mesh<double>(n), cosine_mesh<double>(n), geometric_mesh(n, 3.0)}) {
+            check(mesh, half);
+            check(mesh, Collocation{.alpha_L = 0, .alpha_T = 0.63});
+            check(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.1});
+            if (n == 2) continue;
+            check(mesh, Galerkin{.alpha_L = 0, .alpha_T = 0.7, .quadrature = 7});
+            check(mesh, KnotheBoundary{});
+        }
+    }
+}
+
+TEST_CASE("half an element ahead: the mean of the slips at both edges", "[friction]") {
+    const Mesh<double> mesh = cosine_mesh<double>(6);
+    const detail::SlipWork<double> slip_work(mesh.widths(), detail::equation_points(mesh, half));
+    const VectorX<double> slip = VectorX<double>{{5, 3, 2, 0, 7, 1}};
+    for (Eigen::Index i = 1; i < 6; ++i) {
+        CHECK(std::abs(slip_work.at_centre(i, slip) - (slip[i - 1] + slip[i]) / 2) < 1e-13);
+    }
+    const double edge = slip[0] - (slip[1] - slip[0]) * mesh.widths()[0] / mesh.widths()[1];
+    CHECK(std::abs(slip_work.at_centre(0, slip) - (edge + slip[0]) / 2) < 1e-13);
+}
+
+TEST_CASE("without points, with one, and where points coincide, the slip is taken as it is", "[friction]") {
+    const VectorX<double> slip = VectorX<double>{{5, 3, 2}};
+    const ArrayX<double> widths = ArrayX<double>::Constant(3, 2.0 / 3);
+    const detail::SlipWork<double> bare(widths, std::nullopt), flat(widths, ArrayX<double>::Zero(3));
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        CHECK(bare.at_centre(i, slip) == slip[i]);
+        CHECK(flat.at_centre(i, slip) == slip[i]);
+    }
+    const detail::SlipWork<double> one(ArrayX<double>::Constant(1, 2), ArrayX<double>::Constant(1, 1));
+    CHECK(one.at_centre(0, VectorX<double>::Constant(1, 4)) == 4);
+    // Galerkin's equations are means over the elements themselves: no neighbour has a part in them
+    const Mesh<double> mesh = uniform_mesh<double>(8);
+    const detail::SlipWork<double> galerkin(mesh.widths(), detail::equation_points(mesh, Galerkin{0, 0}));
+    for (Eigen::Index i = 0; i < 8; ++i) {
+        CHECK(std::abs(galerkin.at_centre(i, VectorX<double>::Unit(8, i)) - 1) < 1e-14);
+    }
+}
+
+TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
+    struct Expected {
+        double ratio;
+        std::vector<double> errors;  // against -F xi of the same mesh, n = 20, 40, 80, 160
+    };
+    for (const Expected& expected :
+         {Expected{0.2, {2.3e-2, 6.1e-3, 1.5e-3, 3.8e-4}}, Expected{0.5, {6.2e-3, 1.5e-3, 3.8e-4, 9.6e-5}},
+          Expected{0.8, {2.1e-3, 5.0e-4, 1.2e-4, 3.1e-5}}}) {
+        std::vector<double> sizes, against_carter;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Scene scene(cosine_mesh<double>(20 << k));
+            const SteadyFrictionModel<double> model = scene.steady();
+            const FrictionState<double> rest = model.at_rest();
+            FrictionState<double> state = rest;
+            FrictionWorkspace<double> workspace = model.workspace();
+            const double xi = creepage(expected.ratio);
+            const FrictionStep<double> point = model.solve(rest, xi, state, workspace);
+            CAPTURE(expected.ratio, scene.mesh.size());
+            CHECK(std::abs(point.slip_work_per_width / (-point.force_per_width * xi) - 1 - expected.errors[k]) <
+                  0.05 * expected.errors[k]);
+            CHECK(workspace.slip_work().minCoeff() >= 0);
+            CHECK(std::abs(workspace.slip_work().sum() / point.slip_work_per_width - 1) < 1e-14);
+            // no heat where it sticks, but in the element that the border lies in
+            for (Eigen::Index i = 1; i < scene.mesh.size(); ++i) {
+                const bool sticks = workspace.slip()[i - 1] == 0 && workspace.slip()[i] == 0;
+                CHECK((workspace.slip_work()[i] == 0) == sticks);
+            }
+            sizes.push_back(static_cast<double>(scene.mesh.size()));
+            against_carter.push_back(
+                point.slip_work_per_width / (carter_force_ratio(expected.ratio) * full_force * xi) - 1);
+        }
+        CAPTURE(against_carter);
+        CHECK(support::observed_order(sizes, against_carter) > 1.75);
+    }
+}
+
+TEST_CASE("in full sliding the work is exact on any mesh", "[friction]") {
+    // what slips with the creepage beyond that of full sliding adds (xi - xi_full) mu N, whatever the mesh
+    for (const Eigen::Index n : {3, 10, 40}) {
+        const Scene scene(cosine_mesh<double>(n));
+        const double more = from_scratch(scene.steady(), creepage(3)).slip_work_per_width;
+        const double less = from_scratch(scene.steady(), creepage(2)).slip_work_per_width;
+        CHECK(std::abs((more - less) / (creepage(1) * full_force) - 1) < 1e-12);
+    }
+}
+
+TEST_CASE("no element gains energy where the slip turns round", "[friction]") {
+    const Scene scene(cosine_mesh<double>(24), half, 1, 10);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        FrictionState<double> now = model.at_rest(), next = now;
+        FrictionWorkspace<double> workspace = model.workspace();
+        int turns = 0;
+        for (int k = 0; k < 60; ++k) {
+            const double wave = 1.5 * std::cos(2.3 * k);
+            const FrictionStep<double> step = k % 2 == 0 ? model.shift(now, peak * wave, next, workspace)
+                                                         : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            CHECK(workspace.slip_work().minCoeff() >= 0);
+            CHECK(std::abs(workspace.slip_work().sum() - step.slip_work_per_width) <= 1e-14 * step.slip_work_per_width);
+            for (Eigen::Index i = 1; i < 24; ++i) {
+                const double mean = (workspace.slip()[i - 1] + workspace.slip()[i]) / 2;
+                if (mean * next.traction[i] > 0) ++turns;
+            }
+            std::swap(now, next);
+        }
+        CAPTURE(name(integrator), turns);
+        CHECK(turns > 0);
+    }
+}
+
+}  // namespace
