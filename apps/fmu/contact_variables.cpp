@@ -1,10 +1,10 @@
 // What the FMUs of contacts have in common.
 #include "contact_variables.hpp"
 
+#include <numbers>
 #include <string>
 
 #include <rollbem/detail/require.hpp>
-#include <rollbem/normal/hertz.hpp>
 
 namespace fmu {
 
@@ -48,15 +48,15 @@ std::vector<Variable> ContactParameters::variables() {
         {.name = "half_length",
          .value = &half_length,
          .unit = "m",
-         .description = "a, in the rolling direction, where it is given"},
+         .description = "a, in the rolling direction, under nominal_load; where it is given"},
         {.name = "combined_radius",
          .value = &combined_radius,
          .unit = "m",
-         .description = "R of 1/R = 1/R_wheel + 1/R_rail, for Hertz's half-length"},
+         .description = "R of 1/R = 1/R_wheel + 1/R_rail, where a is Hertz's"},
         {.name = "nominal_load",
          .value = &nominal_load,
          .unit = "N",
-         .description = "Normal force, for Hertz's half-length"},
+         .description = "Normal force that half_length belongs to, or that Hertz's is taken of"},
         {.name = "kernel",
          .value = &kernel,
          .description = "How displacements follow from tractions",
@@ -64,27 +64,39 @@ std::vector<Variable> ContactParameters::variables() {
     };
 }
 
-rollbem::Contact<double> ContactParameters::contact() const {
-    require_item("half_length_from", half_length_from, half_length_sources);
-    require_item("kernel", kernel, kernels);
-    rollbem::Contact<double>::Parameters parameters{.half_length = half_length,
-                                                    .half_width = half_width,
-                                                    .shear_modulus = shear_modulus,
-                                                    .poisson_ratio = poisson_ratio};
-    const bool from_load = half_length_from == static_cast<int>(HalfLengthFrom::nominal_load);
-    if (from_load) parameters.half_length = half_width;  // any: the others are checked before Hertz needs them
-    const rollbem::Contact<double> given(parameters);
-    rollbem::detail::require(rollbem::detail::is_finite(half_width), "Contact", "half_width", half_width, "be finite");
-    if (!from_load) return given;
+rollbem::HertzLine<double> ContactParameters::line() const {
+    contact_of(half_length_is_given() ? half_length : half_width);  // checks what is used below
     rollbem::detail::require(rollbem::detail::is_finite(nominal_load) && nominal_load > 0, "HertzLine", "nominal_load",
                              nominal_load, "be positive and finite");
     const rollbem::ElasticBody<double> body{.young_modulus = 2 * shear_modulus * (1 + poisson_ratio),
                                             .poisson_ratio = poisson_ratio};
-    return rollbem::HertzLine<double>({.load_per_width = nominal_load / (2 * half_width),
-                                       .combined_radius = combined_radius,
+    const double load_per_width = nominal_load / (2 * half_width);
+    // from a^2 = 4 P R/(pi E*), where E* = G/(1 - nu) of two equal bodies
+    const double radius =
+        std::numbers::pi * shear_modulus / (1 - poisson_ratio) * half_length * half_length / (4 * load_per_width);
+    return rollbem::HertzLine<double>({.load_per_width = load_per_width,
+                                       .combined_radius = half_length_is_given() ? radius : combined_radius,
                                        .body_1 = body,
-                                       .body_2 = body})
-        .contact(half_width);
+                                       .body_2 = body});
+}
+
+rollbem::Contact<double> ContactParameters::contact() const {
+    return half_length_is_given() ? contact_of(half_length) : contact_of(line().half_length());
+}
+
+rollbem::Contact<double> ContactParameters::contact_of(double length) const {
+    require_item("half_length_from", half_length_from, half_length_sources);
+    require_item("kernel", kernel, kernels);
+    const rollbem::Contact<double> contact({.half_length = length,
+                                            .half_width = half_width,
+                                            .shear_modulus = shear_modulus,
+                                            .poisson_ratio = poisson_ratio});
+    rollbem::detail::require(rollbem::detail::is_finite(half_width), "Contact", "half_width", half_width, "be finite");
+    return contact;
+}
+
+bool ContactParameters::half_length_is_given() const {
+    return half_length_from == static_cast<int>(HalfLengthFrom::half_length);
 }
 
 Outcome outcome_of(rollbem::StepStatus status) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
 
@@ -33,8 +34,15 @@ struct ContactParameters {
     /// Their rows of the table.
     std::vector<Variable> variables();
 
-    /// Throws std::invalid_argument, naming the parameter that is out of range.
+    /// Hertz's line contact under the nominal load, and the contact that it makes; where the half-length is given, the
+    /// radius follows. Throw std::invalid_argument, naming the parameter that is out of range.
+    rollbem::HertzLine<double> line() const;
     rollbem::Contact<double> contact() const;
+    /// The same with another half-length [m].
+    rollbem::Contact<double> contact_of(double length) const;
+
+private:
+    bool half_length_is_given() const;
 };
 
 extern const Enumeration initial_states;

@@ -62,7 +62,7 @@ public:
     void restore(std::span<const std::byte> bytes);
 
     Mode mode = instantiated;
-    double time = 0;    ///< of co-simulation: the end of the last step that succeeded [s]
+    double time = 0;       ///< of co-simulation: the end of the last step that succeeded [s]
     bool stale = true;     ///< of model exchange: states or inputs were set since the last update()
     bool refused = false;  ///< of co-simulation: the last step
 

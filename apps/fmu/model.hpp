@@ -73,9 +73,10 @@ public:
     template <class Value>
     requires std::is_trivially_copyable_v<Value>
     void keep(Value& value) { keep(&value, sizeof value); }
-    /// As many numbers as there are: the length is the model's business.
-    void keep(Eigen::Ref<rollbem::VectorX<double>> values) {
-        keep(values.data(), sizeof(double) * static_cast<std::size_t>(values.size()));
+    /// All the numbers of a vector, an array or a matrix that owns them. Their count is the model's business.
+    template <class Derived>
+    void keep(Eigen::PlainObjectBase<Derived>& values) {
+        keep(values.data(), sizeof(*values.data()) * static_cast<std::size_t>(values.size()));
     }
     template <class Value>
     void keep(std::vector<Value>& values) {
