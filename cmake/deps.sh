@@ -1,20 +1,23 @@
 #!/bin/sh
-# deps.sh [--ci | --docs]: installs what building rollbem and its programs, tests and benchmarks needs.
+# deps.sh [--ci] [--docs] [--fmu]: installs what building rollbem and its programs, tests and benchmarks needs.
 # Installs only what is missing and says what; silent when nothing is. --ci adds the tools of continuous integration,
-# --docs that of the API reference.
+# --docs Doxygen for the API reference; --fmu puts FMPy, which brings the headers of FMI 2.0 and runs FMUs in tests, into build-fmu/venv.
 set -eu
 
 ci=no
 docs=no
-case "${1-}" in
-"") ;;
---ci) ci=yes ;;
---docs) docs=yes ;;
-*)
-    echo "usage: sh cmake/deps.sh [--ci | --docs]" >&2
-    exit 2
-    ;;
-esac
+fmu=no
+for option in "$@"; do
+    case $option in
+    --ci) ci=yes ;;
+    --docs) docs=yes ;;
+    --fmu) fmu=yes ;;
+    *)
+        echo "usage: sh cmake/deps.sh [--ci] [--docs] [--fmu]" >&2
+        exit 2
+        ;;
+    esac
+done
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
@@ -43,6 +46,20 @@ need_packages() {
 
 say() { echo "deps.sh: installing with $1:$missing"; }
 
+# Whether Python can make virtual environments with pip in them.
+have_venv() { have python3 && python3 -c 'import ensurepip, venv' 2>/dev/null; }
+
+# Puts FMPy into build-fmu/venv. That is never activated: FMPy brings a cmake of its own.
+fmpy=0.3.32
+install_fmpy() {
+    venv=$(dirname "$0")/../build-fmu/venv
+    ! "$venv/bin/python3" -c "from importlib.metadata import version; assert version('fmpy') == '$fmpy'" 2>/dev/null ||
+        return 0
+    echo "deps.sh: installing with pip into build-fmu/venv: fmpy $fmpy"
+    python3 -m venv --clear "$venv"
+    "$venv/bin/python3" -m pip install --quiet --disable-pip-version-check "fmpy==$fmpy" </dev/null
+}
+
 missing=
 if have apt-get; then
     installed() { dpkg-query -W -f='${Status}' "$1" | grep -q '^install ok installed$'; }
@@ -57,12 +74,14 @@ if have apt-get; then
         need_packages installed clang-format-14 clang-14 libsimbody-dev
     fi
     [ $docs = no ] || need_command doxygen doxygen
-    [ -n "$missing" ] || exit 0
-    say apt-get
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 update </dev/null
-    # shellcheck disable=SC2086 # one word a package
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 -o Dpkg::Use-Pty=0 \
-        install -y --no-install-recommends $missing </dev/null
+    [ $fmu = no ] || have_venv || missing="$missing python3-venv"
+    if [ -n "$missing" ]; then
+        say apt-get
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 update </dev/null
+        # shellcheck disable=SC2086 # one word a package
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 -o Dpkg::Use-Pty=0 \
+            install -y --no-install-recommends $missing </dev/null
+    fi
 elif have dnf; then
     need_command gcc-c++ g++
     need_command make make
@@ -76,10 +95,12 @@ elif have dnf; then
         need_packages installed clang clang-tools-extra
     fi
     [ $docs = no ] || need_command doxygen doxygen
-    [ -n "$missing" ] || exit 0
-    say dnf
-    # shellcheck disable=SC2086
-    as_root dnf -q -y install $missing </dev/null
+    [ $fmu = no ] || have_venv || missing="$missing python3-pip"
+    if [ -n "$missing" ]; then
+        say dnf
+        # shellcheck disable=SC2086
+        as_root dnf -q -y install $missing </dev/null
+    fi
 elif have brew; then
     need_command cmake cmake
     need_command pkgconf pkg-config
@@ -90,12 +111,16 @@ elif have brew; then
         need_packages installed clang-format
     fi
     [ $docs = no ] || need_command doxygen doxygen
-    [ -n "$missing" ] || exit 0
-    say brew
-    # shellcheck disable=SC2086
-    brew install --quiet $missing </dev/null
+    [ $fmu = no ] || have_venv || missing="$missing python"
+    if [ -n "$missing" ]; then
+        say brew
+        # shellcheck disable=SC2086
+        brew install --quiet $missing </dev/null
+    fi
 else
     echo "deps.sh: no apt-get, dnf or brew here. Please install a C++20 compiler, make, CMake >= 3.25, git," \
         "pkg-config, Eigen >= 3.4, GSL, Catch2 (2.13 or 3), Google Benchmark, CLI11 and gnuplot." >&2
     exit 1
 fi
+
+[ $fmu = no ] || install_fmpy

@@ -1,0 +1,113 @@
+// What the FMUs of contacts have in common.
+#include "contact_variables.hpp"
+
+#include <numbers>
+#include <string>
+
+#include <rollbem/detail/require.hpp>
+
+namespace fmu {
+
+namespace {
+
+const Enumeration half_length_sources{
+    "HalfLengthFrom",
+    {{"half_length", "as it is given"}, {"nominal_load", "Hertz's of the nominal load, combined_radius and material"}}};
+
+const Enumeration kernels{"Kernel",
+                          {{"plane", "much wider than long"}, {"strip", "of finite width, from b/a = 0.1 on"}}};
+
+/// All of rollbem::StepStatus: its enumerators count from 0, and name() calls not_finite whatever lies beyond them.
+Enumeration enumerate_statuses() {
+    using rollbem::StepStatus;
+    Enumeration result{"StepStatus", {}};
+    const std::string beyond = name(StepStatus::not_finite);
+    for (int i = 0;; ++i) {
+        const std::string item = name(static_cast<StepStatus>(i));
+        if (item == beyond && i != static_cast<int>(StepStatus::not_finite)) return result;
+        result.items.push_back({item});
+    }
+}
+
+}  // namespace
+
+const Enumeration initial_states{"InitialState",
+                                 {{"rest", "no traction"}, {"steady", "steady rolling at the first inputs"}}};
+
+const Enumeration step_statuses = enumerate_statuses();
+
+std::vector<Variable> ContactParameters::variables() {
+    return {
+        {.name = "shear_modulus", .value = &shear_modulus, .unit = "Pa", .description = "G of both bodies"},
+        {.name = "poisson_ratio", .value = &poisson_ratio, .description = "nu of both bodies"},
+        {.name = "half_width", .value = &half_width, .unit = "m", .description = "b: the contact is 2b wide"},
+        {.name = "half_length_from",
+         .value = &half_length_from,
+         .description = "Where the half-length a comes from",
+         .items = &half_length_sources},
+        {.name = "half_length",
+         .value = &half_length,
+         .unit = "m",
+         .description = "a, in the rolling direction, under nominal_load; where it is given"},
+        {.name = "combined_radius",
+         .value = &combined_radius,
+         .unit = "m",
+         .description = "R of 1/R = 1/R_wheel + 1/R_rail, where a is Hertz's"},
+        {.name = "nominal_load",
+         .value = &nominal_load,
+         .unit = "N",
+         .description = "Normal force that half_length belongs to, or that Hertz's is taken of"},
+        {.name = "kernel",
+         .value = &kernel,
+         .description = "How displacements follow from tractions",
+         .items = &kernels},
+    };
+}
+
+rollbem::HertzLine<double> ContactParameters::line() const {
+    contact_of(half_length_is_given() ? half_length : half_width);  // checks what is used below
+    rollbem::detail::require(rollbem::detail::is_finite(nominal_load) && nominal_load > 0, "HertzLine", "nominal_load",
+                             nominal_load, "be positive and finite");
+    const rollbem::ElasticBody<double> body{.young_modulus = 2 * shear_modulus * (1 + poisson_ratio),
+                                            .poisson_ratio = poisson_ratio};
+    const double load_per_width = nominal_load / (2 * half_width);
+    // from a^2 = 4 P R/(pi E*), where E* = G/(1 - nu) of two equal bodies
+    const double radius =
+        std::numbers::pi * shear_modulus / (1 - poisson_ratio) * half_length * half_length / (4 * load_per_width);
+    return rollbem::HertzLine<double>({.load_per_width = load_per_width,
+                                       .combined_radius = half_length_is_given() ? radius : combined_radius,
+                                       .body_1 = body,
+                                       .body_2 = body});
+}
+
+rollbem::Contact<double> ContactParameters::contact() const {
+    return half_length_is_given() ? contact_of(half_length) : contact_of(line().half_length());
+}
+
+rollbem::Contact<double> ContactParameters::contact_of(double length) const {
+    require_item("half_length_from", half_length_from, half_length_sources);
+    require_item("kernel", kernel, kernels);
+    const rollbem::Contact<double> contact({.half_length = length,
+                                            .half_width = half_width,
+                                            .shear_modulus = shear_modulus,
+                                            .poisson_ratio = poisson_ratio});
+    rollbem::detail::require(rollbem::detail::is_finite(half_width), "Contact", "half_width", half_width, "be finite");
+    return contact;
+}
+
+bool ContactParameters::half_length_is_given() const {
+    return half_length_from == static_cast<int>(HalfLengthFrom::half_length);
+}
+
+Outcome outcome_of(rollbem::StepStatus status) {
+    if (status == rollbem::StepStatus::ok) return Outcome::ok;
+    return status == rollbem::StepStatus::not_finite ? Outcome::not_a_number : Outcome::refused;
+}
+
+void require_item(const char* parameter, int value, const Enumeration& items) {
+    const std::string rule = "lie in [1, " + std::to_string(items.items.size()) + "]";
+    rollbem::detail::require(value >= 1 && value <= static_cast<int>(items.items.size()), items.name.c_str(), parameter,
+                             value, rule.c_str());
+}
+
+}  // namespace fmu

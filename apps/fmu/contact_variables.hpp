@@ -1,0 +1,61 @@
+// What the FMUs of contacts have in common: the contact's parameters, and how the status of a step is told.
+#pragma once
+
+#include <vector>
+
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/scene/contact.hpp>
+#include <rollbem/status.hpp>
+
+#include "model.hpp"
+
+namespace fmu {
+
+/// Where the half-length comes from.
+enum class HalfLengthFrom { half_length = 1, nominal_load };
+
+/// Which line kernel.
+enum class KernelName { plane = 1, strip };
+
+/// Where a simulation begins.
+enum class InitialState { rest = 1, steady };
+
+/// Sizes and material of a contact. Names are those of the library, which its messages use.
+struct ContactParameters {
+    double shear_modulus = 8e10;  // steel
+    double poisson_ratio = 0.28;
+    double half_width = 0.05;
+    int half_length_from = static_cast<int>(HalfLengthFrom::half_length);
+    double half_length = 0.005;
+    double combined_radius = 0.46;
+    double nominal_load = 1e5;
+    int kernel = static_cast<int>(KernelName::plane);
+
+    /// Their rows of the table.
+    std::vector<Variable> variables();
+
+    /// Hertz's line contact under the nominal load, and the contact that it makes; where the half-length is given, the
+    /// radius follows. Throw std::invalid_argument, naming the parameter that is out of range.
+    rollbem::HertzLine<double> line() const;
+    rollbem::Contact<double> contact() const;
+    /// The same with another half-length [m].
+    rollbem::Contact<double> contact_of(double length) const;
+
+private:
+    bool half_length_is_given() const;
+};
+
+extern const Enumeration initial_states;
+
+/// The statuses of a step, ok first.
+extern const Enumeration step_statuses;
+
+/// What a variable of that enumeration is set to.
+inline int value_of(rollbem::StepStatus status) { return static_cast<int>(status) + 1; }
+
+Outcome outcome_of(rollbem::StepStatus status);
+
+/// Throws std::invalid_argument unless the value of an enumeration is one of its items.
+void require_item(const char* parameter, int value, const Enumeration& items);
+
+}  // namespace fmu

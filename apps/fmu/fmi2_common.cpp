@@ -1,0 +1,270 @@
+// The functions of FMI 2.0 that model exchange and co-simulation share.
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmi2Functions.h>
+
+#include "description.hpp"
+#include "instance.hpp"
+
+namespace {
+
+using fmu::call;
+using fmu::Instance;
+
+using Bytes = std::vector<std::byte>;
+
+/// Serialised states end with a hash, for they may come from a file.
+std::uint64_t hash_of(std::span<const std::byte> bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const std::byte value : bytes) hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u;
+    return hash;
+}
+
+template <class Value>
+void get(Instance& instance, const fmi2ValueReference references[], std::size_t count, Value values[], bool real) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const fmu::Variable& variable = instance.variable(references[i], real);
+        if constexpr (std::is_same_v<Value, double>) {
+            values[i] = variable.real();
+        } else {
+            values[i] = variable.integer();
+        }
+    }
+}
+
+/// Whether any of the variables has to be calculated before it is read.
+bool calculated(const Instance& instance, const fmi2ValueReference references[], std::size_t count, bool real) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const fmu::Causality causality = instance.variable(references[i], real).causality;
+        if (causality != fmu::Causality::parameter && causality != fmu::Causality::input) return true;
+    }
+    return false;
+}
+
+fmi2Status no_such_type(fmi2Component component, const char* function, std::size_t count) {
+    return call(component, function, fmu::any, [&](Instance&) {
+        if (count > 0) throw std::invalid_argument("there are no variables of this type");
+        return fmi2OK;
+    });
+}
+
+constexpr unsigned before_and_while_running = fmu::instantiated | fmu::initialization | fmu::running;
+
+}  // namespace
+
+extern "C" {
+
+const char* fmi2GetTypesPlatform() { return fmi2TypesPlatform; }
+const char* fmi2GetVersion() { return fmi2Version; }
+
+fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String /*resources*/,
+                              const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/,
+                              fmi2Boolean /*logging_on*/) {
+    if (functions == nullptr) return nullptr;
+    const auto refuse = [&](const char* message) -> fmi2Component {
+        if (functions->logger != nullptr) {
+            functions->logger(functions->componentEnvironment, name == nullptr ? "" : name, fmi2Error, "logStatusError",
+                              "%s", message);
+        }
+        return nullptr;
+    };
+    try {
+        if (name == nullptr || *name == 0) return refuse("fmi2Instantiate: the instance needs a name");
+        if (guid == nullptr || fmu::guid() != guid) {
+            return refuse("fmi2Instantiate: modelDescription.xml and the library do not belong together (GUID)");
+        }
+        if (type == fmi2ModelExchange && !fmu::identity.model_exchange) {
+            return refuse("fmi2Instantiate: this FMU is for co-simulation only");
+        }
+        return std::make_unique<Instance>(
+                   name, type == fmi2ModelExchange ? fmu::Interface::model_exchange : fmu::Interface::co_simulation,
+                   *functions)
+            .release();
+    } catch (...) {
+        return refuse("fmi2Instantiate: out of memory");
+    }
+}
+
+void fmi2FreeInstance(fmi2Component component) { delete static_cast<Instance*>(component); }
+
+fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::size_t count,
+                               const fmi2String categories[]) {
+    return call(component, "fmi2SetDebugLogging", fmu::any, [&](Instance& instance) {
+        // messages about errors are no debugging: without categories they stay on
+        instance.set_logging(on ? std::span(categories, count) : std::span<const fmi2String>());
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean /*tolerance_defined*/, fmi2Real /*tolerance*/,
+                               fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop) {
+    return call(component, "fmi2SetupExperiment", fmu::instantiated, [&](Instance& instance) {
+        if (!std::isfinite(start) || (stop_defined && !(stop > start))) {
+            throw std::invalid_argument("the experiment must start at a finite time and stop later");
+        }
+        instance.time = start;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
+    return call(component, "fmi2EnterInitializationMode", fmu::instantiated, [](Instance& instance) {
+        instance.mode = fmu::initialization;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
+    return call(component, "fmi2ExitInitializationMode", fmu::initialization, [](Instance& instance) {
+        instance.build();
+        instance.mode = instance.used() == fmu::Interface::model_exchange ? fmu::event : fmu::stepping;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2Terminate(fmi2Component component) {
+    return call(component, "fmi2Terminate", fmu::running, [](Instance& instance) {
+        instance.mode = fmu::terminated;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2Reset(fmi2Component component) {
+    return call(component, "fmi2Reset", fmu::any, [](Instance& instance) {
+        instance.reset();
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                       fmi2Real values[]) {
+    return call(component, "fmi2GetReal", fmu::any, [&](Instance& instance) {
+        const fmi2Status status = calculated(instance, references, count, true) ? instance.refresh() : fmi2OK;
+        if (status == fmi2OK) get(instance, references, count, values, true);
+        return status;
+    });
+}
+
+fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                          fmi2Integer values[]) {
+    return call(component, "fmi2GetInteger", fmu::any, [&](Instance& instance) {
+        // a status is there to be read where the rest cannot be calculated
+        if (calculated(instance, references, count, false)) instance.refresh();
+        get(instance, references, count, values, false);
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2Boolean[]) {
+    return no_such_type(component, "fmi2GetBoolean", count);
+}
+
+fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2String[]) {
+    return no_such_type(component, "fmi2GetString", count);
+}
+
+fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                       const fmi2Real values[]) {
+    return call(component, "fmi2SetReal", before_and_while_running, [&](Instance& instance) {
+        for (std::size_t i = 0; i < count; ++i) instance.settable(references[i], true).real() = values[i];
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                          const fmi2Integer values[]) {
+    return call(component, "fmi2SetInteger", before_and_while_running, [&](Instance& instance) {
+        for (std::size_t i = 0; i < count; ++i) instance.settable(references[i], false).integer() = values[i];
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, const fmi2Boolean[]) {
+    return no_such_type(component, "fmi2SetBoolean", count);
+}
+
+fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference[], std::size_t count, const fmi2String[]) {
+    return no_such_type(component, "fmi2SetString", count);
+}
+
+fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {
+    return call(component, "fmi2GetFMUstate", fmu::any, [&](Instance& instance) {
+        if (*state == nullptr) *state = new Bytes;
+        instance.save(*static_cast<Bytes*>(*state));
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
+    return call(component, "fmi2SetFMUstate", fmu::any, [&](Instance& instance) {
+        if (state == nullptr) throw std::invalid_argument("there is no state");
+        instance.restore(*static_cast<Bytes*>(state));
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
+    return call(component, "fmi2FreeFMUstate", fmu::any, [&](Instance&) {
+        if (state != nullptr) {
+            delete static_cast<Bytes*>(*state);
+            *state = nullptr;
+        }
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, std::size_t* size) {
+    return call(component, "fmi2SerializedFMUstateSize", fmu::any, [&](Instance&) {
+        if (state == nullptr) throw std::invalid_argument("there is no state");
+        *size = static_cast<Bytes*>(state)->size() + sizeof(std::uint64_t);
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte serialized[], std::size_t size) {
+    return call(component, "fmi2SerializeFMUstate", fmu::any, [&](Instance&) {
+        if (state == nullptr) throw std::invalid_argument("there is no state");
+        const Bytes& bytes = *static_cast<Bytes*>(state);
+        const std::uint64_t hash = hash_of(bytes);
+        if (size < bytes.size() + sizeof hash) throw std::invalid_argument("the serialised state needs more room");
+        std::memcpy(serialized, bytes.data(), bytes.size());
+        std::memcpy(serialized + bytes.size(), &hash, sizeof hash);
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte serialized[], std::size_t size,
+                                   fmi2FMUstate* state) {
+    return call(component, "fmi2DeSerializeFMUstate", fmu::any, [&](Instance&) {
+        std::uint64_t hash = 0;
+        if (size < sizeof hash) throw std::invalid_argument("the serialised state is too short");
+        const std::span<const std::byte> bytes(reinterpret_cast<const std::byte*>(serialized), size - sizeof hash);
+        std::memcpy(&hash, serialized + bytes.size(), sizeof hash);
+        if (hash != hash_of(bytes)) throw std::invalid_argument("the serialised state is damaged");
+        if (*state == nullptr) *state = new Bytes;
+        static_cast<Bytes*>(*state)->assign(bytes.begin(), bytes.end());
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[],
+                                        std::size_t unknown_count, const fmi2ValueReference knowns[],
+                                        std::size_t known_count, const fmi2Real seeds[], fmi2Real derivatives[]) {
+    return call(component, "fmi2GetDirectionalDerivative", fmu::running, [&](Instance& instance) {
+        for (std::size_t i = 0; i < unknown_count; ++i) {
+            double sum = 0;
+            for (std::size_t j = 0; j < known_count; ++j) sum += instance.partial(unknowns[i], knowns[j]) * seeds[j];
+            derivatives[i] = sum;
+        }
+        return fmi2OK;
+    });
+}
+
+}  // extern "C"

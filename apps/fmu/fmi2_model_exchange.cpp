@@ -1,0 +1,117 @@
+// The functions of FMI 2.0 for model exchange. There are no events: nothing jumps but what the inputs do.
+#include <cmath>
+#include <stdexcept>
+
+#include <fmi2Functions.h>
+
+#include "instance.hpp"
+
+namespace {
+
+using fmu::call;
+using fmu::Causality;
+using fmu::Instance;
+
+/// Calls action(variable, place) for each variable of a causality. Throws std::invalid_argument unless there are
+/// `count` of them.
+template <class Action>
+void for_each(const Instance& instance, Causality causality, std::size_t count, const Action& action) {
+    std::size_t found = 0;
+    for (const fmu::Variable& variable : instance.variables()) {
+        if (variable.causality != causality) continue;
+        if (found < count) action(variable, found);
+        ++found;
+    }
+    if (found != count) throw std::invalid_argument("the number of continuous states is " + std::to_string(found));
+}
+
+constexpr unsigned in_time = fmu::event | fmu::continuous_time;
+constexpr unsigned can_evaluate = fmu::initialization | in_time | fmu::terminated;
+
+}  // namespace
+
+extern "C" {
+
+fmi2Status fmi2EnterEventMode(fmi2Component component) {
+    return call(component, "fmi2EnterEventMode", fmu::continuous_time, [](Instance& instance) {
+        instance.mode = fmu::event;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo* info) {
+    return call(component, "fmi2NewDiscreteStates", fmu::event, [&](Instance&) {
+        *info = {};
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component) {
+    return call(component, "fmi2EnterContinuousTimeMode", fmu::event, [](Instance& instance) {
+        instance.mode = fmu::continuous_time;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean /*no_state_before_this_point*/,
+                                       fmi2Boolean* enter_event_mode, fmi2Boolean* terminate) {
+    return call(component, "fmi2CompletedIntegratorStep", fmu::continuous_time, [&](Instance&) {
+        *enter_event_mode = fmi2False;
+        *terminate = fmi2False;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {
+    return call(component, "fmi2SetTime", in_time, [&](Instance& instance) {
+        if (!std::isfinite(time)) throw std::invalid_argument("time must be finite");
+        instance.time = time;  // on which nothing depends
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2SetContinuousStates(fmi2Component component, const fmi2Real states[], std::size_t count) {
+    return call(component, "fmi2SetContinuousStates", in_time, [&](Instance& instance) {
+        for_each(instance, Causality::state, count,
+                 [&](const fmu::Variable& variable, std::size_t i) { variable.real() = states[i]; });
+        instance.stale = true;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real states[], std::size_t count) {
+    return call(component, "fmi2GetContinuousStates", can_evaluate, [&](Instance& instance) {
+        instance.build();
+        for_each(instance, Causality::state, count,
+                 [&](const fmu::Variable& variable, std::size_t i) { states[i] = variable.real(); });
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component component, fmi2Real nominals[], std::size_t count) {
+    return call(component, "fmi2GetNominalsOfContinuousStates", fmu::instantiated | can_evaluate,
+                [&](Instance& instance) {
+                    for_each(instance, Causality::state, count,
+                             [&](const fmu::Variable& variable, std::size_t i) { nominals[i] = variable.nominal; });
+                    return fmi2OK;
+                });
+}
+
+fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], std::size_t count) {
+    return call(component, "fmi2GetDerivatives", can_evaluate, [&](Instance& instance) {
+        const fmi2Status status = instance.refresh();
+        if (status != fmi2OK) return status;
+        for_each(instance, Causality::derivative, count,
+                 [&](const fmu::Variable& variable, std::size_t i) { derivatives[i] = variable.real(); });
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetEventIndicators(fmi2Component component, fmi2Real[], std::size_t count) {
+    return call(component, "fmi2GetEventIndicators", can_evaluate, [&](Instance&) {
+        if (count != 0) throw std::invalid_argument("there are no event indicators");
+        return fmi2OK;
+    });
+}
+
+}  // extern "C"

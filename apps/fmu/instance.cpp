@@ -1,0 +1,184 @@
+// An instance of an FMU.
+#include "instance.hpp"
+
+#include <array>
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+#include "description.hpp"
+
+namespace fmu {
+
+namespace {
+
+std::string text_of(double value) {
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+/// What a saved state begins with.
+struct Header {
+    std::array<char, 38> guid{};
+    Interface interface {};
+    Mode mode{};
+    bool built = false, stale = false;
+    double time = 0;
+};
+
+}  // namespace
+
+Instance::Instance(std::string name, Interface used, const fmi2CallbackFunctions& callbacks)
+    : name_(std::move(name)), interface_(used), callbacks_(callbacks), model_(make_model(used)) {}
+
+void Instance::log(fmi2Status status, const std::string& message) const {
+    const bool discard = status == fmi2Discard;
+    if (callbacks_.logger == nullptr || !(discard ? log_discards_ : log_errors_)) return;
+    callbacks_.logger(callbacks_.componentEnvironment, name_.c_str(), status,
+                      discard ? "logStatusDiscard" : "logStatusError", "%s", message.c_str());
+}
+
+void Instance::set_logging(std::span<const fmi2String> categories) {
+    bool discards = categories.empty(), errors = categories.empty();
+    for (const fmi2String category : categories) {
+        const std::string_view wanted = category == nullptr ? "" : category;
+        if (wanted == "logStatusDiscard") {
+            discards = true;
+        } else if (wanted == "logStatusError") {
+            errors = true;
+        } else {
+            throw std::invalid_argument("there is no log category " + std::string(wanted));
+        }
+    }
+    log_discards_ = discards;
+    log_errors_ = errors;
+}
+
+void Instance::reset() {
+    model_ = make_model(interface_);
+    built_ = false;
+    stale = true;
+    refused = false;
+    time = 0;
+    mode = instantiated;
+}
+
+void Instance::refuse_reference(fmi2ValueReference reference) const {
+    throw std::invalid_argument("there is no variable of this type with the value reference " +
+                                std::to_string(reference));
+}
+
+const Variable& Instance::settable(fmi2ValueReference reference, bool real) {
+    const Variable& found = variable(reference, real);
+    const bool before = (mode & (instantiated | initialization)) != 0;
+    if (found.causality != Causality::input && !(found.causality == Causality::parameter && before)) {
+        throw std::invalid_argument(found.name + (found.causality == Causality::parameter
+                                                      ? " is fixed once the simulation runs"
+                                                      : " is calculated and cannot be set"));
+    }
+    if (before) built_ = false;
+    stale = true;
+    return found;
+}
+
+void Instance::build() {
+    if (built_) return;
+    model_->initialise();
+    built_ = true;
+    stale = true;
+}
+
+fmi2Status Instance::tell(Outcome outcome, std::string message) const {
+    message += outcome == Outcome::refused ? " is refused" : " needs finite numbers";
+    const char* separator = ": ";
+    for (const Variable& variable : variables()) {
+        const bool status = variable.causality == Causality::output && variable.items != nullptr;
+        if (variable.causality != Causality::input && !status) continue;
+        message += separator + variable.name + " = ";
+        separator = ", ";
+        if (status) {
+            message += variable.items->items[static_cast<std::size_t>(variable.integer() - 1)].name;
+        } else {
+            message += text_of(variable.real()) + ' ' + variable.unit;
+        }
+    }
+    const fmi2Status result = outcome == Outcome::refused ? fmi2Discard : fmi2Error;
+    log(result, message);
+    return result;
+}
+
+fmi2Status Instance::refresh() {
+    if ((mode & (initialization | running)) == 0) return fmi2OK;
+    build();
+    if (!stale || interface_ == Interface::co_simulation) return fmi2OK;
+    const Outcome outcome = model_->update();
+    stale = outcome != Outcome::ok;
+    return stale ? tell(outcome, "an evaluation at t = " + text_of(time) + " s") : fmi2OK;
+}
+
+fmi2Status Instance::step(double start, double duration) {
+    const Outcome outcome = model_->step(duration);
+    refused = outcome != Outcome::ok;
+    if (outcome != Outcome::ok) {
+        return tell(outcome, "a step of " + text_of(duration) + " s from t = " + text_of(start) + " s");
+    }
+    time = start + duration;
+    return fmi2OK;
+}
+
+double Instance::partial(fmi2ValueReference unknown, fmi2ValueReference known) {
+    return model_->partial(variable(unknown, true), variable(known, true));
+}
+
+bool Instance::keep_variables(Archive& archive) {
+    bool same = true;
+    for (const Variable& variable : variables()) {
+        const bool parameter = variable.causality == Causality::parameter;
+        if (variable.is_real()) {
+            const double before = variable.real();
+            archive.keep(variable.real());
+            same = same && (!parameter || variable.real() == before);
+        } else {
+            const int before = variable.integer();
+            archive.keep(variable.integer());
+            same = same && (!parameter || variable.integer() == before);
+        }
+        if (variable.rate) archive.keep(*variable.rate);
+    }
+    return same;
+}
+
+void Instance::save(std::vector<std::byte>& bytes) {
+    Archive archive(bytes);
+    Header header{.interface = interface_, .mode = mode, .built = built_, .stale = stale, .time = time};
+    guid().copy(header.guid.data(), header.guid.size());
+    archive.keep(header);
+    keep_variables(archive);
+    if (built_) model_->archive(archive);
+}
+
+void Instance::restore(std::span<const std::byte> bytes) {
+    Archive archive(bytes);
+    Header header;
+    archive.keep(header);
+    if (std::string_view(header.guid.data(), header.guid.size()) != guid() || header.interface != interface_) {
+        throw std::invalid_argument("the saved state is of another FMU, or of its other interface");
+    }
+    const std::span<const std::byte> variables = bytes.last(archive.left());
+    const bool same_parameters = keep_variables(archive);
+    built_ = built_ && same_parameters;
+    if (header.built && !built_) {
+        build();  // which sets variables
+        Archive again(variables);
+        keep_variables(again);
+    }
+    built_ = header.built;
+    if (built_) model_->archive(archive);
+    if (archive.left() != 0) throw std::invalid_argument("the saved state is too long");
+    mode = header.mode;
+    stale = header.stale;
+    time = header.time;
+    refused = false;
+}
+
+}  // namespace fmu

@@ -1,0 +1,106 @@
+// An instance of an FMU: a model, where it is in the order of calls that FMI prescribes, and whom it tells what went
+// wrong.
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmi2Functions.h>
+
+#include "model.hpp"
+
+namespace fmu {
+
+/// Where an instance is in the order of calls; sets of them say when a function may be called.
+enum Mode : unsigned {
+    instantiated = 1,
+    initialization = 2,
+    event = 4,            // model exchange
+    continuous_time = 8,  // model exchange
+    stepping = 16,        // co-simulation, between steps
+    terminated = 32,
+    failed = 64,  // after an error: only a saved state or a reset helps
+    running = event | continuous_time | stepping,
+    any = 127,
+};
+
+class Instance {
+public:
+    Instance(std::string name, Interface used, const fmi2CallbackFunctions& callbacks);
+
+    /// Sends a message to the importing program.
+    void log(fmi2Status status, const std::string& message) const;
+    /// Which categories are logged: all of them where none is named. Throws std::invalid_argument for an unknown one.
+    void set_logging(std::span<const fmi2String> categories);
+
+    /// Back to what was instantiated.
+    void reset();
+
+    Interface used() const { return interface_; }
+    const std::vector<Variable>& variables() const { return model_->variables(); }
+    /// Throws std::invalid_argument where there is no such variable of that type.
+    const Variable& variable(fmi2ValueReference reference, bool real) const {
+        if (reference >= variables().size() || variables()[reference].is_real() != real) refuse_reference(reference);
+        return variables()[reference];
+    }
+    /// For writing. Throws std::invalid_argument where the variable may not be set in this mode.
+    const Variable& settable(fmi2ValueReference reference, bool real);
+
+    /// Builds the model unless it is built for the present parameters and initial inputs. Throws std::invalid_argument.
+    void build();
+    /// Makes what can be read agree with what was set.
+    fmi2Status refresh();
+    fmi2Status step(double time, double duration);
+    double partial(fmi2ValueReference unknown, fmi2ValueReference known);
+
+    void save(std::vector<std::byte>& bytes);
+    /// Throws std::invalid_argument where the bytes are not of this FMU.
+    void restore(std::span<const std::byte> bytes);
+
+    Mode mode = instantiated;
+    double time = 0;       ///< of co-simulation: the end of the last step that succeeded [s]
+    bool stale = true;     ///< of model exchange: states or inputs were set since the last update()
+    bool refused = false;  ///< of co-simulation: the last step
+
+private:
+    [[noreturn]] void refuse_reference(fmi2ValueReference reference) const;
+    fmi2Status tell(Outcome outcome, std::string message) const;  // of an outcome that is not ok
+    bool keep_variables(Archive& archive);                        // whether parameters are read as they were
+
+    std::string name_;
+    Interface interface_;
+    fmi2CallbackFunctions callbacks_;
+    bool log_discards_ = true, log_errors_ = true;
+    std::unique_ptr<Model> model_;
+    bool built_ = false;
+};
+
+/// Calls body(instance) for a function of the C interface that is allowed in the given modes. No exception leaves it:
+/// one becomes a message and an error.
+template <class Body>
+fmi2Status call(fmi2Component component, const char* function, unsigned allowed, const Body& body) noexcept {
+    auto* const instance = static_cast<Instance*>(component);
+    if (instance == nullptr) return fmi2Error;
+    fmi2Status status = fmi2Error;
+    try {
+        if ((instance->mode & allowed) == 0) {
+            instance->log(fmi2Error, std::string(function) + " must not be called now");
+        } else {
+            status = body(*instance);
+        }
+    } catch (const std::exception& error) {
+        try {
+            instance->log(fmi2Error, std::string(function) + ": " + error.what());
+        } catch (...) {
+        }
+    } catch (...) {
+    }
+    if (status == fmi2Error) instance->mode = failed;
+    return status;
+}
+
+}  // namespace fmu

@@ -1,0 +1,157 @@
+// What an FMU simulates, as the FMI functions see it: a table of variables and what can be done with them.
+// The table is the only list of the variables: modelDescription.xml and the documentation are written from it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <rollbem/types.hpp>
+
+namespace fmu {
+
+/// Values of an enumeration; the first item is 1.
+struct Enumeration {
+    struct Item {
+        std::string name;
+        std::string description = "";
+    };
+    std::string name;
+    std::vector<Item> items;
+};
+
+/// As in FMI; a state is a local variable that has a derivative.
+enum class Causality { parameter, calculated_parameter, input, output, state, derivative };
+
+/// One variable. Its value reference is its place in the table, its start value what it is when it enters the table.
+struct Variable {
+    std::string name;
+    std::variant<double*, int*> value;
+    std::string unit = "";  ///< one of known_units(); empty: a pure number
+    std::string description = "";
+    Causality causality = Causality::parameter;
+    const Enumeration* items = nullptr;  ///< of an int that stands for one of them
+    double* rate = nullptr;              ///< of an input: its derivative by time during the next step
+    int state = -1;                      ///< of a derivative: the place in the table of what it is the rate of
+    double nominal = 1;                  ///< of a state: its usual size
+    bool by_states_alone = false;        ///< of an output: it does not depend on the inputs of the same instant
+
+    bool is_real() const { return std::holds_alternative<double*>(value); }
+    double& real() const { return *std::get<double*>(value); }
+    int& integer() const { return *std::get<int*>(value); }
+};
+
+/// A unit in terms of kilogram, metre and second.
+struct Unit {
+    const char* name;
+    int kg, m, s;
+};
+std::span<const Unit> known_units();
+
+enum class Interface { model_exchange, co_simulation };
+
+/// What became of a step, or of an evaluation of derivatives.
+enum class Outcome {
+    ok,
+    refused,       ///< outside the model's domain: another step or other inputs may do
+    not_a_number,  ///< an input or a state is infinite or not a number
+};
+
+/// What an instance has to remember, as bytes. One function names what is kept, for writing and for reading.
+class Archive {
+public:
+    /// Writes; what `bytes` holds is lost.
+    explicit Archive(std::vector<std::byte>& bytes) : bytes_(&bytes) { bytes.clear(); }
+    /// Reads. Throws std::invalid_argument, in keep(), where more is asked for than there is.
+    explicit Archive(std::span<const std::byte> source) : source_(source) {}
+
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void keep(Value& value) { keep(&value, sizeof value); }
+    /// All the numbers of a vector, an array or a matrix that owns them. Their count is the model's business.
+    template <class Derived>
+    void keep(Eigen::PlainObjectBase<Derived>& values) {
+        keep(values.data(), sizeof(*values.data()) * static_cast<std::size_t>(values.size()));
+    }
+    template <class Value>
+    void keep(std::vector<Value>& values) {
+        keep(values.data(), sizeof(Value) * values.size());
+    }
+
+    bool reads() const { return bytes_ == nullptr; }
+    std::size_t left() const { return source_.size(); }  ///< bytes that were not read yet
+
+private:
+    void keep(void* data, std::size_t size);
+
+    std::vector<std::byte>* bytes_ = nullptr;
+    std::span<const std::byte> source_;
+};
+
+/// One contact. The FMI functions construct it, set variables, and call initialise(); then step() or update(), and
+/// archive() whenever they like.
+class Model {
+public:
+    explicit Model(Interface used) : interface_(used) {}
+    virtual ~Model() = default;
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+
+    const std::vector<Variable>& variables() const { return variables_; }
+
+    /// Builds what the parameters ask for, and its first state at the inputs that are set. Throws
+    /// std::invalid_argument, naming the parameter.
+    virtual void initialise() = 0;
+
+    /// Co-simulation: goes on by `duration` > 0 [s] and sets the outputs, or leaves all as it was but a status.
+    virtual Outcome step(double duration) = 0;
+
+    /// Model exchange: sets derivatives and outputs at the present states and inputs.
+    virtual Outcome update() { return Outcome::ok; }
+
+    /// d unknown / d known. Model exchange: at the present states and inputs. Co-simulation: what an output at the end
+    /// of the last step owes to an input during it. Throws std::invalid_argument where there is none.
+    virtual double partial(const Variable& unknown, const Variable& known) = 0;
+
+    /// Names what is remembered besides the variables.
+    virtual void archive(Archive& archive) = 0;
+
+protected:
+    /// An input and its derivative by time, which holds for the next step.
+    struct Input {
+        double value;
+        double rate = 0;
+        double after(double duration) const { return value + duration * rate; }
+    };
+
+    Interface used() const { return interface_; }
+
+    /// Returns the place in the table.
+    int add(Variable variable) {
+        variables_.push_back(std::move(variable));
+        return static_cast<int>(variables_.size()) - 1;
+    }
+
+private:
+    Interface interface_;
+    std::vector<Variable> variables_;
+};
+
+/// What an FMU is, apart from its variables.
+struct Identity {
+    const char* identifier;  ///< of the file and the shared library
+    const char* description;
+    bool model_exchange;          ///< besides co-simulation
+    double stop_time, step_size;  ///< of an experiment to begin with [s]
+};
+
+// Each FMU defines these two.
+extern const Identity identity;
+std::unique_ptr<Model> make_model(Interface used);
+
+}  // namespace fmu

@@ -1,0 +1,51 @@
+/* cost LIBRARY DESCRIPTION: what fmi2DoStep takes beyond the step of the library that it makes. At most 0.3 us. */
+#define _POSIX_C_SOURCE 199309L
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "fmu.h"
+#include "library_steps.h"
+
+enum { rounds = 1500 };
+static const double duration = 2.5e-5; /* a tenth of the half-length at 20 m/s */
+
+static double now_us(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return 1e6 * (double)time.tv_sec + 1e-3 * (double)time.tv_nsec;
+}
+
+int main(int count, char **arguments) {
+    if (count != 3) return 2;
+    const Fmu fmu = load_fmu(arguments[1], arguments[2]);
+    const int adhesion = has_variable(&fmu, "slip_velocity");
+    double (*const library)(double, int) = adhesion ? library_adhesion : library_friction;
+    const fmi2Component instance = instantiate(&fmu, "contact", fmi2CoSimulation);
+    expect(fmu.setup_experiment(instance, fmi2False, 0, 0, fmi2False, 0), fmi2OK, "fmi2SetupExperiment");
+    set_real(&fmu, instance, adhesion ? "slip_velocity" : "longitudinal_slip_velocity", 1e-3);
+    expect(fmu.enter_initialization_mode(instance), fmi2OK, "fmi2EnterInitializationMode");
+    expect(fmu.exit_initialization_mode(instance), fmi2OK, "fmi2ExitInitializationMode");
+
+    /* The shortest time of many short rounds, in turns: what is longer was interrupted. */
+    const int steps = adhesion ? 1000 : 10;
+    double library_time = 1e30, fmu_time = 1e30, force = 0;
+    for (int round = 0; round < rounds; ++round) {
+        double start = now_us();
+        force = library(duration, steps);
+        library_time = fmin(library_time, (now_us() - start) / steps);
+        start = now_us();
+        for (int i = 0; i < steps; ++i) {
+            expect(fmu.do_step(instance, (round * steps + i) * duration, duration, fmi2True), fmi2OK, "fmi2DoStep");
+        }
+        fmu_time = fmin(fmu_time, (now_us() - start) / steps);
+    }
+    const double fmu_force = get_real(&fmu, instance, adhesion ? "force" : "longitudinal_force");
+    printf("library %.3f us, fmi2DoStep %.3f us, difference %.3f us (at most 0.3)\n", library_time, fmu_time,
+           fmu_time - library_time);
+    printf("forces %.17g and %.17g N\n", force, fmu_force);
+    fmu.free_instance(instance);
+    free(fmu.description);
+    return !(fmu_time - library_time <= 0.3) || force != fmu_force;
+}

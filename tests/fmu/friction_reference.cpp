@@ -1,0 +1,20 @@
+// friction_reference follows|fixed: reads lines of duration [s], both slip velocities and the rolling speed [m/s] and the
+// load [N], and prints what the library answers to each step: both forces and the slip work to the last bit, and the
+// number of elements that stick. Ends with 1 at a step that is not ok.
+#include <cstdio>
+#include <string_view>
+
+#include "library.hpp"
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    library::Friction contact(std::string_view(arguments[1]) == "fixed");
+    double duration, longitudinal, lateral, speed, load, work = 0;
+    while (std::scanf("%la %la %la %la %la", &duration, &longitudinal, &lateral, &speed, &load) == 5) {
+        const library::Friction::Step step = contact.step(duration, longitudinal, lateral, speed, load);
+        if (step.status != rollbem::StepStatus::ok) return 1;
+        work += 2 * library::half_width * step.slip_work_per_width;
+        std::printf("%a %a %a %d\n", step.force.longitudinal, step.force.lateral, work,
+                    static_cast<int>(step.stick_count));
+    }
+}

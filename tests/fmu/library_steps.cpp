@@ -1,0 +1,18 @@
+// Steps of the library, for cost.c to take the time of.
+#include "library_steps.h"
+
+#include "library.hpp"
+
+double library_adhesion(double duration, int count) {
+    static library::Adhesion contact(duration * 20);
+    double force = 0;
+    for (int i = 0; i < count; ++i) force = contact.step(duration * 1e-3);
+    return force;
+}
+
+double library_friction(double duration, int count) {
+    static library::Friction contact(false);
+    double force = 0;
+    for (int i = 0; i < count; ++i) force = contact.step(duration, 1e-3, 0, 20, 1e5).force.longitudinal;
+    return force;
+}

@@ -1,0 +1,425 @@
+"""rollbem_adhesion.fmu: test_adhesion.py FMU REFERENCE, the program that prints the exact step response."""
+import math
+import subprocess
+import sys
+
+import numpy as np
+from fmpy import simulate_fmu
+from fmpy.sundials import CVodeSolver
+from fmpy.validation import validate_fmu
+
+from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
+
+file, reference = sys.argv[1:3]
+fmu = Fmu(file)
+
+# b/a = 100, nu = 0.25: numbers to compare with are in the literature of this project
+a, b, G, nu, V = 5e-3, 0.5, 8e10, 0.25, 20.0
+scene = {"half_length": a, "half_width": b, "shear_modulus": G, "poisson_ratio": nu}
+force_unit = 2 * b * a * G  # N: a force is c11 times this and the creepage
+creepage = 1e-4
+
+
+def exact_step(distances):
+    """-F/(a G xi) at q/a after a step of the creepage."""
+    lines = subprocess.run([reference, str(nu), str(b / a), *map(repr, distances)], capture_output=True, text=True,
+                           check=True).stdout.split()
+    return [float(line) for line in lines]
+
+
+def bessel(n, z):
+    """J_n(z) by its integral: the trapezoidal rule converges faster than any power."""
+    angle = 2 * math.pi * np.arange(64) / 64
+    return float(np.mean(np.cos(n * angle - z * np.sin(angle))))
+
+
+def exact_c11(z):
+    """c11 of a creepage e^{i z q/a}."""
+    compliance = math.log(4 * b / a) + nu / (1 - nu)
+    J = bessel(0, z) + 1j * bessel(1, z)
+    return math.pi / (2 * (1 - nu)) * J / (bessel(0, z) + 1j * z * compliance * J)
+
+
+def history(times, slip):
+    """Slip velocities at V as FMPy's input."""
+    rows = [(t, s, V) for t, s in zip(times, slip)]
+    return np.array(rows, dtype=[("time", float), ("slip_velocity", float), ("rolling_speed", float)])
+
+
+def amplitude(q_over_a, response, z):
+    """c11 from the last rows of the response to sin(z q/a), by least squares."""
+    waves = np.column_stack([np.sin(z * q_over_a), np.cos(z * q_over_a)])
+    (in_phase, quadrature), *_ = np.linalg.lstsq(waves, response, rcond=None)
+    return complex(in_phase, quadrature)
+
+
+def test_validation():
+    assert validate_fmu(file) == []
+
+
+def test_step_response():
+    distances = [0.5, 1, 2, 3, 5, 10, 20]
+    for (kind, arguments) in [("ModelExchange", {"solver": "CVode", "relative_tolerance": 1e-10}), ("CoSimulation", {})]:
+        result = simulate_fmu(file, fmi_type=kind, stop_time=20 * a / V, output_interval=0.05 * a / V,
+                              start_values=scene, input=history([0, 1], [creepage * V] * 2), output=["force"],
+                              **arguments)
+        for q, exact in zip(distances, exact_step(distances)):
+            row = result[round(q / 0.05)]
+            close_to(row["time"] * V / a, q, 1e-12, "q/a")
+            close_to(-row["force"] / force_unit / creepage, exact, 1e-4 if q < 3 else 1e-6, f"{kind}, q/a = {q}")
+
+
+def sine_by_model_exchange(z, distances):
+    """Forces at q/a by FMPy's CVode, which sees the slip velocity at each instant that it asks for: in simulate_fmu it
+    would be held between communication points."""
+    instance = Instance(fmu, True).start(**scene, rolling_speed=V)
+    instance.calls.enterContinuousTimeMode()
+    calls = instance.calls
+    solver = CVodeSolver(nx=fmu.states, nz=0, get_x=calls.getContinuousStates, set_x=calls.setContinuousStates,
+                         get_dx=calls.getDerivatives, get_z=calls.getEventIndicators,
+                         get_nominals=calls.getNominalsOfContinuousStates,
+                         set_time=lambda t: instance.set(slip_velocity=creepage * V * math.sin(z * t * V / a)),
+                         startTime=0.0, maxStep=a / V, relativeTolerance=1e-10, input=None)
+    forces = []
+    time = 0.0
+    for q in distances:
+        _, _, time = solver.step(time, q * a / V)
+        forces.append(instance.get("force"))
+    instance.close()
+    return np.array(forces)
+
+
+def sine_by_co_simulation(z, distances):
+    """Forces at q/a, evenly spaced from 0 on, with the slip velocity of the middle held in each step."""
+    instance = Instance(fmu).start(**scene, rolling_speed=V)
+    forces = []
+    for q, following in zip(np.append(0, distances), distances):
+        instance.set(slip_velocity=creepage * V * math.sin(z * (q + following) / 2))
+        assert instance.step(q * a / V, (following - q) * a / V) == ok
+        forces.append(instance.get("force"))
+    instance.close()
+    return np.array(forces)
+
+
+def test_sine():
+    for z in (0.1, 0.5, 1.0):
+        period, settled = 2 * math.pi / z, 100  # in a; the slowest mode has decayed to 3e-8 then
+        for method, spacing in ((sine_by_model_exchange, 0.05), (sine_by_co_simulation, 1e-3)):
+            spacing /= z
+            q = spacing * np.arange(1, math.ceil((settled + period) / spacing))
+            forces = method(z, q)
+            late = q > settled
+            c11 = amplitude(q[late], -forces[late] / force_unit / creepage, z)
+            distance = abs(c11 - exact_c11(z)) / abs(exact_c11(z))
+            print(f"    {method.__name__}, omega a/V = {z}: {c11:.9f}, exact {exact_c11(z):.9f}, error {distance:.1e}")
+            assert distance < 1e-6
+
+
+def test_input_rates():
+    # a slip velocity that grows evenly, told by its rate: exact to second order, not to first
+    errors = []
+    for steps in (20, 40):
+        instance = Instance(fmu).start(**scene, rolling_speed=V)
+        duration = 2 * a / V / steps
+        for i in range(steps):
+            instance.set(slip_velocity=creepage * V * i / steps)
+            instance.rate("slip_velocity", creepage * V / steps / duration)
+            assert instance.step(i * duration, duration) == ok
+        errors.append(instance.get("force"))
+        instance.close()
+    fine = Instance(fmu).start(**scene, rolling_speed=V)
+    for i in range(2000):
+        fine.set(slip_velocity=creepage * V * (i + 0.5) / 2000)
+        fine.step(i * a / V / 1000, a / V / 1000)
+    exact = fine.get("force")
+    fine.close()
+    coarse, finer = (abs(force / exact - 1) for force in errors)
+    print(f"    errors {coarse:.2e}, {finer:.2e}")
+    assert coarse < 2e-4 and 3.5 < coarse / finer < 4.5
+
+
+def test_shift_without_rolling():
+    shift = 2e-6
+    instance = Instance(fmu).start(**scene, rolling_speed=0.0, slip_velocity=shift / 0.3)
+    for i in range(3):
+        assert instance.step(0.1 * i, 0.1) == ok
+    rigid = 2 * ((1 - nu) * math.log(4 * b / a) + nu)  # displacement over a by T_0's share of the traction over G
+    close_to(instance.get("force"), -2 * b * G * math.pi * shift / rigid, 1e-13, "force of a rigid shift")
+    instance.close()
+
+
+def test_beginning_in_steady_rolling():
+    for exchange in (False, True):
+        instance = Instance(fmu, exchange).start(**scene, rolling_speed=V, slip_velocity=creepage * V, initial_state=2)
+        exact = -math.pi / (2 * (1 - nu)) * force_unit * creepage
+        close_to(instance.get("force"), exact, 1e-13, "force")
+        if exchange:
+            assert max(map(abs, instance.rates())) < 1e-12 * V
+        else:
+            close_to(instance.roll(0.3 * a / V, 10)[-1], exact, 1e-12, "force after 3 a")
+        instance.close()
+
+
+def test_half_length_of_a_load():
+    load, radius, width = 8e4, 0.45, 0.04
+    instance = Instance(fmu).start(half_length_from=2, nominal_load=load, combined_radius=radius, half_width=width,
+                                   shear_modulus=G, poisson_ratio=nu)
+    close_to(instance.get("contact_half_length"),
+             math.sqrt(4 / math.pi * load / (2 * width) * radius * (1 - nu) / G), 1e-14, "half-length")
+    instance.close()
+
+
+def test_directions_and_kernels():
+    for direction, c1, c2 in ((1, 1 - nu, nu), (2, 1.0, -nu)):
+        for kernel, narrowness in ((1, 0.0), (2, (0.5 - c2 / c1) * (a / b) ** 2)):
+            instance = Instance(fmu).start(**scene, direction=direction, kernel=kernel, rolling_speed=V,
+                                           slip_velocity=creepage * V, initial_state=2)
+            exact = -math.pi / 2 / c1 * force_unit * creepage * (1 + narrowness)
+            close_to(instance.get("force"), exact, 1e-7, f"direction {direction}, kernel {kernel}")
+            instance.close()
+
+
+def test_derivatives_of_model_exchange():
+    instance = Instance(fmu, True).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    states = list(1e-6 * np.sin(1.0 + np.arange(fmu.states)))
+    instance.set_states(states)
+    names = [f"displacement[{k}]" for k in range(fmu.states)]
+
+    def outcome():
+        return np.array(instance.rates() + [instance.get("force")])
+
+    unknowns = [f"der({name})" for name in names] + ["force"]
+    largest = 0
+    for known in names + ["slip_velocity", "rolling_speed"]:
+        def move(change):
+            if known in names:
+                moved = list(states)
+                moved[names.index(known)] += change
+                instance.set_states(moved)
+            else:
+                instance.set(**{known: (creepage * V if known == "slip_velocity" else V) + change})
+            return outcome()
+
+        # all is linear in each of them: any change will do
+        change = 1e-6 if known in names else 1e-3 if known == "slip_velocity" else 1.0
+        difference = (move(change) - move(-change)) / (2 * change)
+        move(0)
+        exact = np.array([instance.derivative(unknown, known) for unknown in unknowns])
+        scale = np.abs(difference).max()
+        largest = max(largest, np.abs(exact - difference).max() / scale)
+    print(f"    largest difference {largest:.1e}")
+    assert largest < 1e-9
+    instance.close()
+
+
+def test_derivatives_of_a_step():
+    duration = 0.2 * a / V
+
+    def force(slip, speed, change_of=None):
+        instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+        instance.roll(duration, 5)
+        instance.set(slip_velocity=slip, rolling_speed=speed)
+        assert instance.step(5 * duration, duration) == ok
+        result = instance.derivative("force", change_of) if change_of else instance.get("force")
+        instance.close()
+        return result
+
+    for speed in (V, 0.0):
+        for known, change in (("slip_velocity", 1e-3), ("rolling_speed", 3e-3)):
+            def moved(by):
+                return force(creepage * V + (by if known == "slip_velocity" else 0),
+                             speed + (by if known == "rolling_speed" else 0))
+
+            one_sided = speed == 0 and known == "rolling_speed"
+            # the one-sided difference is of second order, too
+            difference = ((4 * moved(change / 2) - moved(change) - 3 * moved(0)) / change if one_sided
+                          else (moved(change) - moved(-change)) / (2 * change))
+            close_to(force(creepage * V, speed, known), difference, 1e-6, f"d force / d {known} at V = {speed}")
+
+
+def test_save_step_restore_step():
+    duration = 0.1 * a / V
+    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    instance.roll(duration, 7)
+    state = instance.calls.getFMUstate()
+    before = instance.get("force")
+    once = instance.roll(duration, 4)
+    instance.set(slip_velocity=0.3)
+    instance.roll(3 * duration, 2)
+    instance.calls.setFMUstate(state)
+    assert instance.get("force") == before
+    assert instance.roll(duration, 4) == once
+
+    # in another instance, which has never been started
+    bytes_of_it = instance.calls.serializeFMUstate(state)
+    other = Instance(fmu)
+    copy = other.calls.deSerializeFMUstate(bytes_of_it)
+    other.calls.setFMUstate(copy)
+    assert other.get("half_width") == b and other.get("force") == before
+    assert other.roll(duration, 4) == once
+
+    # damaged, cut off, of the other interface
+    for damaged in (bytes_of_it[:100], bytes_of_it[:200] + b"?" + bytes_of_it[201:], b""):
+        assert status_of(lambda: Instance(fmu).calls.deSerializeFMUstate(damaged)) == error
+    exchange = Instance(fmu, True)
+    wrong = exchange.calls.deSerializeFMUstate(bytes_of_it)
+    assert status_of(lambda: exchange.calls.setFMUstate(wrong)) == error
+    assert "other interface" in exchange.messages[-1]
+    exchange.calls.freeFMUstate(wrong)
+    exchange.close()
+    other.calls.freeFMUstate(copy)
+    other.close()
+    instance.calls.freeFMUstate(state)
+    instance.close()
+
+
+def test_model_exchange_state_is_saved():
+    instance = Instance(fmu, True).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    states = [1e-6 * (k + 1) for k in range(fmu.states)]
+    instance.set_states(states)
+    rates = instance.rates()
+    state = instance.calls.getFMUstate()
+    instance.set_states([0.0] * fmu.states)
+    instance.set(slip_velocity=0.0)
+    assert instance.rates() != rates
+    instance.calls.setFMUstate(state)
+    assert instance.states() == states and instance.rates() == rates
+    instance.calls.freeFMUstate(state)
+    instance.close()
+
+
+def test_two_instances_at_once():
+    narrow = {**scene, "half_length": 2e-3}
+    duration = 0.1 * a / V
+    alone = []
+    for parameters in (scene, narrow):
+        instance = Instance(fmu).start(**parameters, rolling_speed=V, slip_velocity=creepage * V)
+        alone.append(instance.roll(duration, 10))
+        instance.close()
+    assert alone[0] != alone[1]
+    both = [Instance(fmu).start(**parameters, rolling_speed=V, slip_velocity=creepage * V)
+            for parameters in (scene, narrow)]
+    together = [[], []]
+    for i in range(10):
+        for forces, instance in zip(together, both):
+            instance.step(i * duration, duration)
+            forces.append(instance.get("force"))
+    assert together == alone
+    for instance in both:
+        instance.close()
+
+
+def test_wrong_parameters():
+    for parameters, message in [
+        ({"poisson_ratio": 0.7}, "poisson_ratio = 0.7 must lie in [0, 0.5]"),
+        ({"shear_modulus": -1.0}, "shear_modulus = -1 must be positive and finite"),
+        ({"half_length": 0.0}, "half_length = 0 must be positive and finite"),
+        ({"half_length": math.nan}, "half_length = nan must be positive and finite"),
+        ({"half_width": math.inf}, "half_width = inf must be finite"),
+        ({"half_length_from": 2, "nominal_load": 0.0}, "nominal_load = 0 must be positive and finite"),
+        ({"half_length_from": 2, "combined_radius": -1.0}, "combined_radius = -1 must be positive and finite"),
+        ({"half_length_from": 3}, "half_length_from = 3 must lie in [1, 2]"),
+        ({"kernel": 0}, "kernel = 0 must lie in [1, 2]"),
+        ({"direction": 3}, "direction = 3 must lie in [1, 2]"),
+        ({"initial_state": 3}, "initial_state = 3 must lie in [1, 2]"),
+        ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive"),
+        ({"half_width": 1e-4}, "Lambda"),
+        ({"kernel": 2, "half_width": 1e-6}, "b/a"),
+    ]:
+        for exchange in (False, True):
+            instance = Instance(fmu, exchange)
+            instance.calls.setupExperiment()
+            instance.set(**parameters)
+            instance.calls.enterInitializationMode()
+            assert status_of(instance.calls.exitInitializationMode) == error, parameters
+            assert message in instance.messages[-1], instance.messages
+            instance.calls.reset()  # from which it can begin anew
+            instance.start(**scene)
+            instance.close()
+
+
+def test_what_a_step_refuses():
+    duration = 0.1 * a / V
+    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    forces = instance.roll(duration, 5)
+    instance.set(rolling_speed=-1.0)
+    assert instance.step(5 * duration, duration) == discard
+    assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
+    assert "refused" in instance.messages[-1] and "rolling_speed = -1 m/s" in instance.messages[-1]
+    assert instance.get("status") == 4 and instance.get("force") == forces[-1]
+    instance.set(rolling_speed=V)
+    assert instance.step(5 * duration, duration) == ok and instance.get("status") == 1 and not instance.wants_to_stop()
+    after = instance.get("force")
+
+    state = instance.calls.getFMUstate()
+    for values in ({"slip_velocity": math.nan}, {"rolling_speed": math.inf}):
+        instance.set(**values)
+        assert instance.step(6 * duration, duration) == error
+        assert "needs finite numbers" in instance.messages[-1]
+        instance.calls.setFMUstate(state)
+    assert instance.get("force") == after
+    for wrong in (0.0, -duration, math.nan, math.inf):
+        assert instance.step(6 * duration, wrong) == error
+        instance.calls.setFMUstate(state)
+    reference_run = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    assert reference_run.roll(duration, 6)[-1] == after
+    reference_run.close()
+    instance.calls.freeFMUstate(state)
+    instance.close()
+
+
+def test_what_model_exchange_refuses():
+    instance = Instance(fmu, True).start(**scene)
+    instance.set(rolling_speed=-1.0)
+    assert status_of(instance.rates) == discard
+    instance.set(rolling_speed=1.0)
+    instance.rates()
+    assert status_of(lambda: (instance.set_states([math.nan] * fmu.states), instance.rates())) == error
+    instance.close()
+
+
+def test_order_of_calls():
+    instance = Instance(fmu)
+    assert instance.step(0.0, 1e-3) == error
+    assert "fmi2DoStep must not be called now" in instance.messages[-1]
+    instance.calls.reset()
+    instance.start(**scene)
+    for values, message in (({"half_width": 1.0}, "fixed"), ({"force": 1.0}, "calculated")):
+        assert status_of(lambda: instance.set(**values)) == error
+        assert message in instance.messages[-1]
+        instance.calls.reset()
+        instance.start(**scene)
+    assert status_of(lambda: instance.calls.getReal([9999])) == error
+    instance.close()
+    try:
+        Instance(fmu, guid="{00000000-0000-0000-0000-000000000000}")
+        raise AssertionError("a wrong GUID was accepted")
+    except Exception as exception:
+        assert "instantiate" in str(exception)
+
+
+def test_reset_is_as_new():
+    duration = 0.1 * a / V
+    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    forces = instance.roll(duration, 5)
+    instance.calls.reset()
+    assert instance.get("half_width") == float(next(v.start for v in fmu.description.modelVariables if v.name == "half_width"))
+    assert instance.start(**scene, rolling_speed=V, slip_velocity=creepage * V).roll(duration, 5) == forces
+    instance.close()
+
+
+def test_debug_logging():
+    instance = Instance(fmu)
+    instance.calls.setDebugLogging(True, ["logStatusDiscard"])
+    assert instance.step(0.0, 1e-3) == error and instance.messages == []
+    instance.calls.reset()
+    instance.calls.setDebugLogging(False, [])
+    assert instance.step(0.0, 1e-3) == error and len(instance.messages) == 1
+    assert status_of(lambda: instance.calls.setDebugLogging(True, ["none"])) == error
+    instance.close()
+
+
+try:
+    run(globals())
+finally:
+    fmu.close()

@@ -1,0 +1,10 @@
+"""test_docs.py FMU.md SCRIPT DESCRIBE...: the page holds the example's text, and the variables as the FMUs tell them."""
+import subprocess
+import sys
+
+page = open(sys.argv[1]).read()
+for name, text in [(sys.argv[2], "```python\n" + open(sys.argv[2]).read() + "```"),
+                   *((program, subprocess.run([program, "--table"], capture_output=True, text=True, check=True).stdout)
+                     for program in sys.argv[3:])]:
+    if text not in page:
+        sys.exit(f"{sys.argv[1]} does not hold this, which {name} has:\n{text}")
