@@ -11,9 +11,12 @@ for include in "$@"; do
     includes="$includes -isystem $include"
 done
 
-# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of ARGUMENTS do not compile, because of CONCEPT.
+# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of ARGUMENTS do not compile, because of CONCEPT. Where it is
+# -, they do, by their full names too.
 try() {
     for call in solve_steady rolling_system; do
+        qualified=
+        [ "$2" = - ] && qualified="(void)rollbem::$call($3);"
         cat > "$folder/unit.cpp" <<END
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
@@ -38,7 +41,7 @@ struct WrongKernel {
     using Scalar = double;
     double g(double) const;
 };
-void function(const Mesh<double>& mesh) { (void)$call($3); }
+void function(const Mesh<double>& mesh) { (void)$call($3); $qualified }
 END
         # shellcheck disable=SC2086 # one word an option
         if "$compiler" -std=c++20 -fsyntax-only $includes "$folder/unit.cpp" > "$folder/said" 2>&1; then

@@ -144,18 +144,28 @@ UnitSteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
     return solution;
 }
 
-/// Assembles and solves for unit creepage, dimensionless (a = G = 1). Above 1000 elements the memory is that of one
-/// matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws as assemble_G_prime does.
+namespace detail {
+
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
-UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+UnitSteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
-    const detail::KernelView<Scalar> view(kernel);
-    const ArrayX<Scalar> widths = detail::segment(mesh.widths(), 0, rows.unknown_count);
-    MatrixX<Scalar> G_prime = detail::influence_matrix<Scalar>(mesh, rows, view, Quantity::slope);
-    if (widths.size() <= detail::largest_copied_G_prime) return solve_steady<Scalar>(std::move(G_prime), widths);
-    return detail::solve_steady_in_place<Scalar>(G_prime, widths, [&](const VectorX<Scalar>& p) {
-        return detail::influence_product<Scalar>(mesh, rows, view, Quantity::slope, p);
+    const KernelView<Scalar> view(kernel);
+    const ArrayX<Scalar> widths = segment(mesh.widths(), 0, rows.unknown_count);
+    MatrixX<Scalar> G_prime = influence_matrix<Scalar>(mesh, rows, view, Quantity::slope);
+    if (widths.size() <= largest_copied_G_prime) return solve_steady<Scalar>(std::move(G_prime), widths);
+    return solve_steady_in_place<Scalar>(G_prime, widths, [&](const VectorX<Scalar>& p) {
+        return influence_product<Scalar>(mesh, rows, view, Quantity::slope, p);
     });
+}
+
+}  // namespace detail
+
+/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with a LineKernel. Above
+/// 1000 elements the memory is that of one matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws
+/// as assemble_G_prime does.
+template <class Scalar, class Scheme, class Kernel>
+UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return detail::solve_steady_on(mesh, scheme, kernel);  // which asks for both: one candidate makes a short message
 }
 
 /// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.

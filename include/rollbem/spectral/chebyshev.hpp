@@ -28,52 +28,12 @@
 
 namespace rollbem {
 
-struct Chebyshev;
-template <class Scalar>
-struct ChebyshevSteadySolution;
-template <class Scalar>
-struct ChebyshevSteadySolutionSI;
-
-namespace detail {
-template <SmoothSplitKernel Kernel>
-ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel);
-template <class Scalar, SmoothSplitKernel Kernel>
-ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                                         const Kernel& kernel, Scalar creepage);
-}  // namespace detail
-
 /// The discretisation: m states u_0 ... u_{m-1}, the first Chebyshev coefficients of the displacement
 /// u(x) = sum u_k T_k(x/a), for the traction p = sum_{k=0..m} a_k T_k(x/a)/sqrt(1 - (x/a)^2). Zero slip,
 /// du/dx - du/dq = xi, holds in the coefficients of T_0 ... T_{m-1}; u_m follows from p = 0 at the leading edge,
 /// sum a_k = 0 (the tau method).
 struct Chebyshev {
     Eigen::Index states = 12;
-
-    /// Steady rolling at unit creepage. There u = x + a constant that only sum a_k = 0 sets, so that K_00 is not needed
-    /// and an infinite half-width has a solution. For the plane kernel it is exact from one state on. Throws
-    /// std::invalid_argument for no states and b/a < 0.001. A friend, so that only calls with a Chebyshev see it.
-    template <SmoothSplitKernel Kernel>
-    friend ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method,
-                                                                         const Kernel& kernel) {
-        return detail::solve_chebyshev_steady(method, kernel);
-    }
-
-    /// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
-    /// Throws as the dimensionless one; a creepage, or a result, that is not finite gives Status::not_finite.
-    template <class Scalar>
-    friend ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                                          std::type_identity_t<Scalar> creepage) {
-        return detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
-    }
-
-    /// The same with a kernel of the contact, e.g. StripKernel<double>::lateral(contact): creepage, traction, force and
-    /// creep coefficient (c22) are then those across the rolling direction. Throws std::invalid_argument, besides, for
-    /// a kernel of another b/a than the contact's.
-    template <class Scalar, SmoothSplitKernel Kernel>
-    friend ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                                          const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
-        return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
-    }
 };
 
 /// A traction by its coefficients: p/G, or p/(G xi), is sum a_k T_k(x/a)/sqrt(1 - (x/a)^2), where the a_k add up to
@@ -280,5 +240,30 @@ ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& 
 }
 
 }  // namespace detail
+
+/// Steady rolling at unit creepage. There u = x + a constant that only sum a_k = 0 sets, so that K_00 is not needed and
+/// an infinite half-width has a solution. For the plane kernel it is exact from one state on. The kernel has to be a
+/// SmoothSplitKernel. Throws std::invalid_argument for no states and b/a < 0.001.
+template <class Kernel>
+ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
+    return detail::solve_chebyshev_steady(method, kernel);
+}
+
+/// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
+/// Throws as the dimensionless one; a creepage, or a result, that is not finite gives Status::not_finite.
+template <class Scalar>
+ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                               std::type_identity_t<Scalar> creepage) {
+    return detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
+}
+
+/// The same with a kernel of the contact, e.g. StripKernel<double>::lateral(contact): creepage, traction, force and
+/// creep coefficient (c22) are then those across the rolling direction. Throws std::invalid_argument, besides, for a
+/// kernel of another b/a than the contact's.
+template <class Scalar, class Kernel>
+ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                               const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
+    return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
+}
 
 }  // namespace rollbem
