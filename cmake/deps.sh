@@ -1,7 +1,8 @@
 #!/bin/sh
 # deps.sh [--ci] [--docs] [--fmu]: installs what building rollbem and its programs, tests and benchmarks needs.
 # Installs only what is missing and says what; silent when nothing is. --ci adds the tools of continuous integration,
-# --docs Doxygen for the API reference; --fmu puts FMPy, which brings the headers of FMI 2.0 and runs FMUs in tests, into build-fmu/venv.
+# --docs Doxygen for the API reference; --fmu puts FMPy, which brings the headers of FMI 2.0 and runs FMUs in tests,
+# into build-fmu/venv.
 set -eu
 
 ci=no
