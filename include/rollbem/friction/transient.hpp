@@ -145,7 +145,8 @@ private:
     static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
 
-    // A step whose arguments have been checked; dq in a_0. With a load of its own it comes with the tangents by it that have been begun.
+    // A step whose arguments have been checked; dq in a_0. One that is loaded anew comes with the tangents by the load
+    // that have been begun.
     template <bool loaded>
     auto roll(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load, State& to,
               Workspace& workspace) const noexcept {
