@@ -15,6 +15,7 @@
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
 #include "../combined_state.hpp"
+#include "combined_partition.hpp"
 #include "stick_equations.hpp"
 
 namespace rollbem::detail {
@@ -51,18 +52,16 @@ public:
     /// The same, to be filled anew: the factors are void.
     Matrix& new_matrix(std::size_t direction) { return side_[direction].sticking.new_matrix(); }
 
-    /// Factorises for the elements with stick = 1 and those with slip = 1; those with neither are free. `traction` is
-    /// the unit vector along the traction of each element that slips, `stiffness` its k. False where the equations are
-    /// singular to working precision.
-    bool factorise(const Vector& stick, const Vector& slip, const ElementVectors<Scalar>& traction,
-                   const Vector& stiffness) {
-        slipping_.take(slip);
+    /// Factorises for the elements that stick and slip; the stiffness is k. False where the equations are singular to
+    /// working precision.
+    bool factorise(const CombinedPartition<Scalar>& part) {
+        slipping_.take(part.slide);
         for (Index k = 0; k < slipping_.count; ++k) {
-            tangent_(k, 0) = -traction(slipping_[k], 1);
-            tangent_(k, 1) = traction(slipping_[k], 0);
+            tangent_(k, 0) = -part.direction(slipping_[k], 1);
+            tangent_(k, 1) = part.direction(slipping_[k], 0);
         }
-        is_whole_ = !eliminate(stick);
-        return is_whole_ ? factorise_whole(stick, stiffness) : factorise_reduced(stiffness);
+        is_whole_ = !eliminate(part.stick);
+        return is_whole_ ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
     }
 
     /// dp for the slip s.
