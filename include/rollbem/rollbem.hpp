@@ -20,6 +20,7 @@
 #include "closed_form/friction.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/scheme.hpp"
+#include "elasticity/layered_kernel.hpp"
 #include "elasticity/line_kernel.hpp"
 #include "friction/friction.hpp"
 #include "scene/contact.hpp"

@@ -122,6 +122,30 @@ TEST_CASE("A new dq does not allocate up to 128 elements", "[transient]") {
     }
 }
 
+TEST_CASE("A step to another half-length does not allocate", "[transient]") {
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const Eigen::Index n : {1, 2, 40, 128}) {
+            const TransientModel<double> model = make_model(n, integrator);
+            const PreparedStep<double> prepared = model.prepare(0.1);
+            TransientState<double> now = model.at_rest(), next = now;
+            bool ok = true, refused = true;
+            const long before = allocations;
+            for (int k = 1; k <= 20; ++k) {
+                ok = model.advance(now, 0.1, 1.0, 1 + 0.01 * k, next).status == StepStatus::ok && ok;
+                std::swap(now, next);
+                ok = model.advance(now, 0.1, 1.0, next).status == StepStatus::ok && ok;
+                ok = model.advance(next, prepared, 1.0, now).status == StepStatus::ok && ok;
+                refused = model.advance(now, 0.1, 1.0, 5.0, next).status == StepStatus::needs_fixed_mesh && refused;
+            }
+            const long after = allocations;
+            CAPTURE(n, name(integrator));
+            CHECK(ok);
+            CHECK(refused);
+            CHECK(after == before);
+        }
+    }
+}
+
 FrictionModel<double> make_friction_model(Eigen::Index n, double alpha_L, double alpha_T, Integrator integrator) {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const Mesh<double> mesh = cosine_mesh<double>(n);

@@ -134,6 +134,25 @@ TEST_CASE_METHOD(Fixture, "fast math: steps in full adhesion", "[fast_math]") {
     const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
     const Model stiff_model(stiff, good, unchecked);
     CHECK(stiff_model.advance(stiff_model.at_rest(), 0.1, 1e10, next).status == StepStatus::not_finite);
+
+    // a contact that breathes, and one that cannot
+    const Model breathing(contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)), unchecked);
+    const Model::State start = breathing.at_rest();
+    CHECK(breathing.advance(start, 0.1, 1e-3, 1.05, next).status == StepStatus::ok);
+    CHECK(model.advance(now, 0.1, 1e-3, 1.05, next).status == StepStatus::needs_fixed_mesh);
+    for (const double value : {nan, infinity, -infinity, 0.0, -1.0}) {
+        CHECK(breathing.advance(start, 0.1, 1e-3, value, next).status == StepStatus::invalid_load);
+        CHECK(model.advance(now, 0.1, 1e-3, value, next).status == StepStatus::invalid_load);
+        Model::State spoilt = start;
+        spoilt.half_length = value;
+        CHECK(breathing.advance(spoilt, 0.1, 1e-3, next).status == StepStatus::wrong_state);
+        CHECK(breathing.advance(spoilt, 0.1, 1e-3, 1.05, next).status == StepStatus::wrong_state);
+    }
+    for (const double value : {nan, infinity}) {
+        Model::State spoilt = start;
+        spoilt.traction[3] = value;
+        CHECK(breathing.advance(spoilt, 0.1, 1e-3, 1.05, next).status == StepStatus::not_finite);
+    }
 }
 
 TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {

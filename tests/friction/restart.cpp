@@ -64,6 +64,7 @@ struct Ride {
             for (const Zone zone : state.zones) file << static_cast<int>(zone) << '\n';
         }
         file << sticking.system << '\n';
+        write(file, sticking.half_length);
         for (const double p : sticking.traction) write(file, p);
     }
     void load(std::istream& file) {
@@ -77,6 +78,7 @@ struct Ride {
             }
         }
         file >> sticking.system;
+        sticking.half_length = read(file);
         for (double& p : sticking.traction) p = read(file);
     }
     void save_results(std::ostream& file) const {
