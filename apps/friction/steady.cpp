@@ -100,7 +100,9 @@ void plain_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t 
     // Slip hides what is wrong with a scheme that does not converge; in full adhesion it shows.
     const bool consistent = rollbem::solve_steady<double>(G_prime, widths).status != rollbem::Status::inconsistent;
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
-    const rollbem::SteadyFrictionModel<double> model(scene.contact, G_prime, widths, {1, means.head(widths.size())});
+    const rollbem::SteadyFrictionModel<double> model = scene.visit([&](const auto&... parts) {
+        return rollbem::SteadyFrictionModel<double>(scene.contact, parts..., {1, means});
+    });
     const rollbem::FrictionState<double> rest = model.at_rest();
     rollbem::FrictionState<double> state = rest;
     const rollbem::FrictionWorkspace<double> fresh = model.workspace();

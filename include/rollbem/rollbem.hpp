@@ -24,6 +24,7 @@
 #include "elasticity/line_kernel.hpp"
 #include "friction/friction.hpp"
 #include "scene/contact.hpp"
+#include "scene/creepage.hpp"
 #include "scene/rigid_motion.hpp"
 #include "spectral/chebyshev.hpp"
 #include "spectral/polynomial.hpp"

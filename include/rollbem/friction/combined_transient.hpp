@@ -88,6 +88,11 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     TangentialForce<Scalar> force(const State& state) const { return core_.force(state); }
 
+    /// Elastic energy of both bodies per unit width [J/m] and in all [J], as that of FrictionModel: the sum over both
+    /// directions. The state must have size() elements.
+    Scalar elastic_energy_per_width(const State& state) const { return core_.elastic_energy(state, systems_); }
+    Scalar elastic_energy(const State& state) const { return core_.width() * elastic_energy_per_width(state); }
+
     /// Steady rolling at a creepage under the load of `from`, to start from: what SteadyCombinedModel::solve does, with
     /// states of this model.
     Step steady(const State& from, const Creepage<Scalar>& creepage, State& to, Workspace& workspace) const noexcept {

@@ -104,23 +104,28 @@ private:
             const detail::UnitStretch<Scalar> element{trailing[i] - beside, leading[i] - beside,
                                                       trailing[i + 1] - beside, leading[i + 1] - beside,
                                                       mesh_.widths()[i]};
-            const detail::SemicircleIntegrals<Scalar> integrals = integrate_covered(element, radius);
+            const detail::SemicircleIntegrals<Scalar> integrals =
+                radius > 0 ? integrate_covered(element, radius) : integrate_beginning(element);
             const Scalar width = *fixed_ * mesh_.widths()[i];
             load.normal_pressure[i] = peak_times_a * integrals.area / width;
             load.pressure_rate[i] = integrals.angle / (std::numbers::pi_v<Scalar> * width);
         }
     }
 
+    // Of a contact that is about to begin in the middle of the mesh: all lies in one element, or on the edge of two.
+    static detail::SemicircleIntegrals<Scalar> integrate_beginning(const detail::UnitStretch<Scalar>& element) {
+        const auto angle = [](Scalar trailing, Scalar leading) {
+            const Scalar pi = std::numbers::pi_v<Scalar>;
+            return trailing < leading ? Scalar(0) : trailing > leading ? pi : pi / 2;
+        };
+        return {0, angle(element.trailing_2, element.leading_2) - angle(element.trailing_1, element.leading_1)};
+    }
+
     // Over the part of an element that lies within a contact of half-length `radius`; distances from the ends of the
     // contact, negative where the element reaches beyond.
     static detail::SemicircleIntegrals<Scalar> integrate_covered(const detail::UnitStretch<Scalar>& element,
                                                                  Scalar radius) {
-        if (element.trailing_2 <= 0 || element.leading_1 <= 0) {
-            // a contact that is about to begin, and meets the edge between two elements, takes half of each
-            const bool at_edge = radius == 0 && (element.trailing_2 == 0 || element.leading_1 == 0);
-            return {0, at_edge ? std::numbers::pi_v<Scalar> / 2 : Scalar(0)};
-        }
-        if (radius == 0) return {0, std::numbers::pi_v<Scalar>};
+        if (element.trailing_2 <= 0 || element.leading_1 <= 0) return {0, 0};
         const bool begins = element.trailing_1 < 0, ends = element.leading_2 < 0;
         const Scalar whole = 2 * radius;
         const Scalar width = begins && ends ? whole

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -65,6 +66,21 @@ public:
                 friction_.normal_pressure, half_length_, fingerprint_};
     }
     Force force(const State& state) const { return sum(state.traction, width_ * state.half_length); }
+    /// Per unit width [J/m]; not a number under a half-length that the systems do not know.
+    Scalar elastic_energy(const State& state, const SystemPair<Scalar>& systems) const {
+        const Scalar a = state.half_length / half_length_;
+        Scalar energy = 0;
+        VectorX<Scalar> traction(size()), displacement(size());
+        for (std::size_t d = 0; d < 2; ++d) {
+            if (check_growth(systems[d], Scalar(0), a, a) != StepStatus::ok) {
+                return std::numeric_limits<Scalar>::quiet_NaN();
+            }
+            traction = state.traction.col(static_cast<Eigen::Index>(d));
+            find_displacement(systems[d], a, traction, displacement);
+            energy += slip_work_.product(traction, displacement) / 2;
+        }
+        return half_length_ * state.half_length / shear_modulus_ * energy;
+    }
     static Memory& memory(Workspace& workspace) { return workspace.memory_; }
 
     /// ok, wrong_state, or invalid_load where a state tells of a load that cannot be.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,12 +50,23 @@ public:
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
+    Scalar width() const { return width_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
         return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
                 friction_.normal_pressure, half_length_, fingerprint_};
     }
     Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
+
+    /// Per unit width [J/m]; not a number under a half-length that the system does not know.
+    Scalar elastic_energy(const State& state, const RollingSystem<Scalar>& system) const {
+        const Scalar a = state.half_length / half_length_;
+        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return std::numeric_limits<Scalar>::quiet_NaN();
+        VectorX<Scalar> displacement = VectorX<Scalar>::Zero(size());
+        find_displacement<Scalar>(system, a, state.traction, displacement);
+        return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
+               (2 * shear_modulus_);
+    }
 
     bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
         const auto sized = [this](const State& state) {
@@ -80,13 +92,6 @@ public:
     struct Load {
         const ArrayX<Scalar>& pressure;
         Scalar half_length;
-    };
-    /// The tangents by the load that a step is asked for: with pressure rates or without, by the half-length or not.
-    struct LoadTangentsAsked {
-        const ArrayX<Scalar>& pressure_rate;
-        bool by_half_length;
-
-        bool by_load() const { return pressure_rate.size() > 0; }
     };
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
@@ -217,32 +222,32 @@ public:
         return step;
     }
 
-    /// Of a step that is about to begin,
-    void begin_tangents(const LoadTangentsAsked& asked, Workspace& workspace) const noexcept {
-        workspace.load_tangents_.clear();
-        if (!asked.by_load()) return;
-        workspace.load_tangents_.bound_change() =
-            friction_.friction_coefficient / shear_modulus_ * asked.pressure_rate.head(size()).matrix();
+    /// The tangents by the load that a step is about to be asked for: by the half-length or not, by the load unless there
+    /// are no rates;
+    void begin_tangents(const ArrayX<Scalar>& pressure_rate, bool by_half_length, Workspace& workspace) const noexcept {
+        LoadTangents<Scalar>& tangents = workspace.load_tangents_;
+        tangents.begin(pressure_rate.size() > 0, by_half_length);
+        if (!tangents.by_load()) return;
+        tangents.bound_change() = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
     }
     /// the first of two stages solved,
-    void carry_tangents(const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
-                        const StagePlace<Scalar>& place, Scalar ratio, Workspace& workspace) const noexcept {
-        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, asked.by_load(), asked.by_half_length,
-                                       workspace.solver_);
+    void carry_tangents(const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place, Scalar ratio,
+                        Workspace& workspace) const noexcept {
+        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, workspace.solver_);
     }
     /// and the last.
-    LoadedStep with_tangents(const Step& step, const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
-                             const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
+    LoadedStep with_tangents(const Step& step, const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place,
+                             const Load& load, Workspace& workspace) const noexcept {
         LoadedStep loaded{step};
         if (is_nan(step.tangent_per_width)) return loaded;  // nor are there any by the load
         LoadTangents<Scalar>& tangents = workspace.load_tangents_;
         ActiveSet<Scalar>& solver = workspace.solver_;
-        if (asked.by_load()) {
+        if (tangents.by_load()) {
             const Scalar change = widths_.dot(tangents.respond_to_load(place, solver));
             loaded.tangent_by_load_per_width = load.half_length * shear_modulus_ * change;
             loaded.tangent_by_load = width_ * loaded.tangent_by_load_per_width;
         }
-        if (asked.by_half_length) {
+        if (tangents.by_half_length()) {
             const Scalar change = widths_.dot(tangents.respond_to_half_length(system, workspace.stage_, place, solver));
             const Scalar force = widths_.dot(solver.traction());
             loaded.tangent_by_half_length_per_width =
