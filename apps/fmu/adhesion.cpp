@@ -1,9 +1,12 @@
 // rollbem_adhesion: a contact in full adhesion, by Chebyshev states, in one direction of creepage.
 //
-// With U = a u, u the displacement coefficients of the library, s the rigid slip velocity and V that of rolling,
-//     dU/dt = (V/a) A U - e_0 s,   F = 2b G w . U:
-// no creepage s/V is ever formed, so that V = 0 is a rigid shift. Model exchange hands out U and its derivative;
-// co-simulation takes the exponential of the matrix, exact for slip and speed that do not change within a step.
+// With y the unknowns of the library's Chebyshev system, which stand for the traction, and a the half-length, the
+// coefficients U of the displacement over x/a follow from (s the rigid slip velocity, V that of rolling)
+//     U = a (y - S ln(a/a_0) (w.y) e_0),   dU/dt = (V + da/dt Z) A y - s e_0,   F = 2b G a w.y,
+// where a_0 is the half-length that the system was made for, S the strength of the kernel's logarithm, and Z multiplies
+// by x/a. No creepage s/V is ever formed, so that V = 0 is a rigid shift. Model exchange hands out U and its
+// derivative. Co-simulation takes the exponential of the matrix where a stays, exact for slip and speed that do not
+// change within a step, and sdirk2 where it follows the load.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -31,7 +34,14 @@ constexpr Eigen::Index state_count = ROLLBEM_FMU_STATES;
 
 enum class Direction { longitudinal = 1, lateral };
 
+enum class Length { fixed = 1, follows_load };
+
 const Enumeration directions{"Direction", {{"longitudinal"}, {"lateral"}}};
+
+const Enumeration lengths{
+    "ContactLength",
+    {{"fixed", "of nominal_load"},
+     {"follows_load", "of normal_load; plane kernel, changes of a below the distance rolled"}}};
 
 class Adhesion final : public Model {
 public:
@@ -41,15 +51,11 @@ public:
              .value = &direction_,
              .description = "Direction of slip velocity and force",
              .items = &directions});
+        add({.name = "contact_length", .value = &length_, .description = "What the half-length is", .items = &lengths});
         add({.name = "initial_state",
              .value = &initial_state_,
              .description = "Where the simulation begins",
              .items = &initial_states});
-        add({.name = "contact_half_length",
-             .value = &half_length_,
-             .unit = "m",
-             .description = "a that the contact has",
-             .causality = Causality::calculated_parameter});
         add({.name = "slip_velocity",
              .value = &slip_.value,
              .unit = "m/s",
@@ -62,12 +68,30 @@ public:
              .description = "V, at which the contact moves along the rail; not negative",
              .causality = Causality::input,
              .rate = &speed_.rate});
+        add({.name = "normal_load",
+             .value = &load_.value,
+             .unit = "N",
+             .description = "N over the width 2b, of co-simulation at the end of a step; for a contact that follows it",
+             .causality = Causality::input,
+             .rate = &load_.rate});
+        add({.name = "normal_load_rate",
+             .value = &load_rate_.value,
+             .unit = "N/s",
+             .description = "dN/dt, for model exchange of a contact that follows the load",
+             .causality = Causality::input,
+             .rate = &load_rate_.rate});
         add({.name = "force",
              .value = &force_,
              .unit = "N",
              .description = "Force on the wheel, over the width 2b; against the slip velocity in steady rolling",
              .causality = Causality::output,
-             .by_states_alone = true});
+             .depends_on = {"displacement", "normal_load"}});
+        add({.name = "contact_half_length",
+             .value = &half_length_,
+             .unit = "m",
+             .description = "a that the contact has",
+             .causality = Causality::output,
+             .depends_on = {"normal_load"}});
         add({.name = "status",
              .value = &status_,
              .description = "What became of the last step or evaluation",
@@ -96,77 +120,84 @@ public:
 
     void initialise() override {
         require_item("direction", direction_, directions);
+        require_item("contact_length", length_, lengths);
         require_item("initial_state", initial_state_, initial_states);
         const rollbem::Contact<Scalar> contact = parameters_.contact();
-        half_length_ = contact.half_length();
-        if (parameters_.kernel == static_cast<int>(KernelName::plane)) {
-            build<rollbem::PlaneKernel<Scalar>>(contact);
-        } else {
-            build<rollbem::StripKernel<Scalar>>(contact);
+        first_half_length_ = contact.half_length();
+        const bool plane = parameters_.kernel == static_cast<int>(KernelName::plane);
+        if (follows_load()) {
+            parameters_.line();  // checks nominal_load
+            require(plane, "contact_length", length_,
+                    "be 1 (fixed) where kernel is strip, which knows one length only");
+            require(rollbem::detail::is_finite(load_.value) && load_.value > 0, "normal_load", load_.value,
+                    "be positive and finite where contact_length is follows_load");
         }
+        plane ? build<rollbem::PlaneKernel<Scalar>>(contact) : build<rollbem::StripKernel<Scalar>>(contact);
         prepared_.reset();
-        next_ = from_ = now_ = model_->at_rest();
+        now_ = model_->at_rest();
         if (initial_state_ == static_cast<int>(InitialState::steady)) {
-            rollbem::detail::require(speed_.value > 0, "rollbem_adhesion", "rolling_speed", speed_.value,
-                                     "be positive where initial_state is steady");
-            now_ = model_->steady(slip_.value / speed_.value);
+            require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
+            now_ = model_->steady(slip_.value / speed_.value);  // the same unknowns at any half-length
         }
+        now_.half_length = half_length_at(load_.value);
+        next_ = from_ = now_;
         past_ = {};
         show(now_);
         status_ = value_of(StepStatus::ok);
     }
 
     Outcome step(Scalar duration) override {
-        const Past step{.duration = duration,
-                        .shift = duration * (slip_.value + slip_.after(duration)) / 2,
-                        .distance = duration * (speed_.value + speed_.after(duration)) / 2};
-        StepStatus status = check();
+        Past step{.duration = duration,
+                  .shift = duration * (slip_.value + slip_.after(duration)) / 2,
+                  .distance = duration * (speed_.value + speed_.after(duration)) / 2,
+                  .half_length = half_length_at(load_.after(duration))};
+        StepStatus status = check(slip_, speed_, load_);
         if (status == StepStatus::ok && speed_.after(duration) < 0) status = StepStatus::invalid_step;
-        Scalar force = 0;
-        if (status == StepStatus::ok) status = advance(now_, step, next_, force);
+        if (status == StepStatus::ok) status = advance(now_, step, next_);
         status_ = value_of(status);
         if (status != StepStatus::ok) return outcome_of(status);
         std::swap(from_, now_);
         std::swap(now_, next_);
         past_ = step;
         show(now_);
-        force_ = force;
+        force_ = step.force;
         return Outcome::ok;
     }
 
     Outcome update() override {
-        StepStatus status = check();
+        StepStatus status = check(slip_, speed_, load_, load_rate_);
         if (status == StepStatus::ok && !rollbem::detail::all_finite(displacement_)) status = StepStatus::not_finite;
+        if (status == StepStatus::ok && follows_load() && !(load_.value > 0)) status = StepStatus::invalid_load;
         status_ = value_of(status);
         if (status != StepStatus::ok) return outcome_of(status);
-        rates_.noalias() = (speed_.value / half_length_) * (A_ * displacement_);
+        half_length_ = half_length_at(load_.value);
+        if (!(softening() > 0)) {  // Lambda of so long a contact is not positive: the plane model grows in time
+            status_ = value_of(StepStatus::invalid_load);
+            return Outcome::refused;
+        }
+        slope_.noalias() = A_ * unknowns();
+        rates_ = speed_.value * slope_;
+        const Scalar growth = growth_rate();
+        if (growth != 0) rates_ += growth * by_position(slope_);
         rates_[0] -= slip_.value;
-        force_ = force_weights_.dot(displacement_);
+        force_ = half_length_ * force_weights_.dot(unknowns_);
         return Outcome::ok;
     }
 
     Scalar partial(const Variable& unknown, const Variable& known) override {
-        if (unknown.causality == Causality::output || unknown.causality == Causality::derivative) {
-            if (used() == Interface::co_simulation) {
-                if (known.causality == Causality::input) return partial_of_step(unknown, known);
-            } else if (unknown.causality == Causality::output) {
-                if (known.causality == Causality::input) return 0;
-                if (known.causality == Causality::state) return force_weights_[coefficient(known)];
-            } else {
-                const Eigen::Index row = coefficient(unknown);
-                if (known.causality == Causality::state) {
-                    return speed_.value / half_length_ * A_(row, coefficient(known));
-                }
-                if (&known.real() == &slip_.value) return row == 0 ? -1 : 0;
-                if (&known.real() == &speed_.value) return A_.row(row).dot(displacement_) / half_length_;
-            }
+        if (used() == Interface::model_exchange) {
+            if (const std::optional<Scalar> value = partial_now(unknown, known)) return *value;
+        } else if (&unknown.real() == &force_ && known.causality == Causality::input) {
+            return partial_of_step(known);
         }
         throw std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name);
     }
 
     void archive(Archive& archive) override {
-        archive.keep(now_.traction);
-        archive.keep(from_.traction);
+        for (Transient::State* state : {&now_, &from_}) {
+            archive.keep(state->traction);
+            archive.keep(state->half_length);
+        }
         archive.keep(past_);
     }
 
@@ -175,10 +206,19 @@ private:
 
     // What a step of co-simulation was made of.
     struct Past {
-        Scalar duration = 0;  // [s]
-        Scalar shift = 0;     // [m]
-        Scalar distance = 0;  // rolled [m]
+        Scalar duration = 0;                // [s]
+        Scalar shift = 0;                   // [m]
+        Scalar distance = 0;                // rolled [m]
+        Scalar half_length = 0;             // at the end [m]
+        Scalar force = 0;                   // [N]
+        Scalar tangent_by_shift = 0;        // d force / d shift [N/m]
+        Scalar tangent_by_half_length = 0;  // [N/m]
     };
+
+    template <class Value>
+    static void require(bool holds, const char* parameter, Value value, const char* rule) {
+        rollbem::detail::require(holds, "rollbem_adhesion", parameter, value, rule);
+    }
 
     static std::string state_name(Eigen::Index k) { return "displacement[" + std::to_string(k) + "]"; }
 
@@ -187,32 +227,82 @@ private:
         const bool longitudinal = direction_ == static_cast<int>(Direction::longitudinal);
         const auto system = rolling_system(rollbem::Chebyshev{.states = state_count},
                                            longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact));
-        model_.emplace(contact, system, verdict(system), rollbem::Integrator::matrix_exponential);
+        model_.emplace(contact, system, verdict(system),
+                       follows_load() ? rollbem::Integrator::sdirk2 : rollbem::Integrator::matrix_exponential);
         A_ = system.rates();
-        force_weights_ = 2 * contact.half_width() * contact.shear_modulus() * system.weights();
-        length_per_traction_ = half_length_ / contact.shear_modulus();
+        weights_ = system.weights();
+        force_weights_ = 2 * contact.half_width() * contact.shear_modulus() * weights_;
+        strength_ = system.log_strength().value_or(0);
+        unit_traction_ = contact.shear_modulus();
     }
 
-    StepStatus check() const {
+    bool follows_load() const { return length_ == static_cast<int>(Length::follows_load); }
+
+    // Hertz's law.
+    Scalar half_length_at(Scalar load) const {
+        return follows_load() ? first_half_length_ * std::sqrt(load / parameters_.nominal_load) : first_half_length_;
+    }
+
+    template <class... Inputs>
+    StepStatus check(const Inputs&... inputs) const {
         using rollbem::detail::is_finite;
-        const bool finite =
-            is_finite(slip_.value) && is_finite(slip_.rate) && is_finite(speed_.value) && is_finite(speed_.rate);
-        return !finite ? StepStatus::not_finite : speed_.value < 0 ? StepStatus::invalid_step : StepStatus::ok;
+        if (!((is_finite(inputs.value) && is_finite(inputs.rate)) && ...)) return StepStatus::not_finite;
+        return speed_.value < 0 ? StepStatus::invalid_step : StepStatus::ok;
     }
 
     // The slip of a step is even along the way: of second order in its duration where it is not.
-    StepStatus advance(const Transient::State& from, const Past& step, Transient::State& to, Scalar& force) {
+    StepStatus advance(const Transient::State& from, Past& step, Transient::State& to) {
         if (!rollbem::detail::is_finite(step.distance)) return StepStatus::not_finite;
+        const auto motion = rollbem::RigidMotion<Scalar>::shift(step.shift);
+        if (follows_load()) {
+            const auto result = model_->advance(from, step.distance, motion, step.half_length, to);
+            step.tangent_by_half_length = result.tangent_by_half_length;
+            return take(result, step);
+        }
         if (!prepared_ || step.distance != prepared_->dq()) prepared_ = model_->prepare(step.distance);
-        const Transient::Step result =
-            model_->advance(from, *prepared_, rollbem::RigidMotion<Scalar>::shift(step.shift), to);
-        force = result.force;
+        return take(model_->advance(from, *prepared_, motion, to), step);
+    }
+
+    static StepStatus take(const Transient::Step& result, Past& step) {
+        step.force = result.force;
+        step.tangent_by_shift = result.tangent;
         return result.status;
     }
 
+    // 1 - S ln(a/a_0) w_0: U_0 is a times it times y_0. Only the first weight is not zero where a may change.
+    Scalar softening() const {
+        if (half_length_ == first_half_length_) return 1;
+        return 1 - strength_ * std::log(half_length_ / first_half_length_) * weights_[0];
+    }
+
+    // y of U.
+    const Vector& unknowns() {
+        unknowns_ = displacement_ / half_length_;
+        unknowns_[0] /= softening();
+        return unknowns_;
+    }
+
     void show(const Transient::State& state) {
-        displacement_ = length_per_traction_ * state.traction;
-        force_ = force_weights_.dot(displacement_);
+        half_length_ = state.half_length;
+        displacement_ = half_length_ / unit_traction_ * state.traction;
+        displacement_[0] *= softening();
+        force_ = model_->force(state);
+    }
+
+    // Z v: the coefficients of x/a times a polynomial, but for the highest.
+    static Vector by_position(const Vector& v) {
+        Vector result = Vector::Zero(v.size());
+        for (Eigen::Index k = 0; k < v.size(); ++k) {
+            if (k + 1 < v.size()) result[k + 1] += k == 0 ? v[k] : v[k] / 2;
+            if (k > 0) result[k - 1] += v[k] / 2;
+        }
+        return result;
+    }
+
+    // da/dN [m/N] and da/dt [m/s].
+    Scalar half_length_by_load(Scalar load) const { return half_length_at(load) / (2 * load); }
+    Scalar growth_rate() const {
+        return follows_load() ? half_length_by_load(load_.value) * load_rate_.value : Scalar(0);
     }
 
     Eigen::Index coefficient(const Variable& variable) const {
@@ -220,24 +310,53 @@ private:
         return &variable.real() - first;
     }
 
-    // By the slip velocity exactly; by the rolling speed, for which the library has no tangent, by central differences
-    // of the step itself.
-    Scalar partial_of_step(const Variable& unknown, const Variable& known) {
-        if (&unknown.real() != &force_) {
-            throw std::invalid_argument("co-simulation has derivatives of the force only");
+    // Of model exchange, at what update() saw last; none for variables that are neither.
+    std::optional<Scalar> partial_now(const Variable& unknown, const Variable& known) {
+        const bool of_force = &unknown.real() == &force_, of_length = &unknown.real() == &half_length_;
+        if (!of_force && !of_length && unknown.causality != Causality::derivative) return std::nullopt;
+        if (known.causality != Causality::input && known.causality != Causality::state) return std::nullopt;
+        update();
+        const Scalar growth = growth_rate();
+        const bool by_load = follows_load() && &known.real() == &load_.value;
+        const Scalar by_half_length = by_load ? half_length_by_load(load_.value) : Scalar(0);  // of a
+        if (of_length) return by_half_length;
+
+        // what y owes to the known
+        Vector change = Vector::Zero(state_count);
+        if (known.causality == Causality::state) {
+            const Eigen::Index k = coefficient(known);
+            change[k] = 1 / (half_length_ * (k == 0 ? softening() : Scalar(1)));
+        } else if (by_load) {
+            change = -by_half_length / half_length_ * unknowns_;
+            change[0] += by_half_length / half_length_ * strength_ * weights_[0] / softening() * unknowns_[0];
         }
-        if (past_.duration == 0) return 0;
-        Scalar force = 0;
-        if (&known.real() == &slip_.value) {
-            advance(model_->at_rest(), {.duration = past_.duration, .shift = 1, .distance = past_.distance}, next_,
-                    force);
-            return force * past_.duration;
+        if (of_force) return half_length_ * force_weights_.dot(change) + by_half_length * force_weights_.dot(unknowns_);
+        Vector rates = A_ * change;
+        rates = (speed_.value * rates + growth * by_position(rates)).eval();
+        if (&known.real() == &slip_.value) rates[0] -= 1;
+        if (&known.real() == &speed_.value) rates += slope_;
+        if (by_load) rates -= growth / (2 * load_.value) * by_position(slope_);
+        if (follows_load() && &known.real() == &load_rate_.value) {
+            rates += half_length_by_load(load_.value) * by_position(slope_);
+        }
+        return rates[coefficient(unknown)];
+    }
+
+    // By slip velocity and load exactly; by the rolling speed, for which the library has no tangent, by central
+    // differences of the step itself, or one-sided ones of the same order where there is no room.
+    Scalar partial_of_step(const Variable& known) {
+        if (past_.duration == 0 || &known.real() == &load_rate_.value) return 0;
+        if (&known.real() == &slip_.value) return past_.tangent_by_shift * past_.duration;
+        if (&known.real() == &load_.value) {
+            if (!follows_load()) return 0;
+            const Scalar ratio = past_.half_length / first_half_length_;
+            return past_.tangent_by_half_length * past_.half_length / (2 * ratio * ratio * parameters_.nominal_load);
         }
         const auto force_at = [&](Scalar distance) {
             Past step = past_;
             step.distance = distance;
-            advance(from_, step, next_, force);
-            return force;
+            advance(from_, step, next_);
+            return step.force;
         };
         const Scalar distance = past_.distance, change = 1e-5 * std::max(distance, half_length_);
         if (distance >= change) {
@@ -250,16 +369,19 @@ private:
     ContactParameters parameters_;
     int direction_ = static_cast<int>(Direction::longitudinal);
     int initial_state_ = static_cast<int>(InitialState::rest);
-    Scalar half_length_ = 0;
-    Input slip_{0}, speed_{20};
-    Scalar force_ = 0;
+    int length_ = static_cast<int>(Length::fixed);
+    Input slip_{0}, speed_{20}, load_{1e5}, load_rate_{0};
+    Scalar force_ = 0, half_length_ = 0;
     int status_ = value_of(StepStatus::ok);
     Vector displacement_, rates_;
+    Vector unknowns_, slope_;  // y and A y, the slope's coefficients, at the last update()
 
     std::optional<Transient> model_;
+    Scalar first_half_length_ = 0;    // that the system was made for [m]
     rollbem::MatrixX<Scalar> A_;      // d u / d(q/a)
-    Vector force_weights_;            // [N/m]
-    Scalar length_per_traction_ = 0;  // [m/Pa]
+    Vector weights_, force_weights_;  // w [-] and 2b G w [N/m]
+    Scalar strength_ = 0;             // S, of a kernel that may breathe [-]
+    Scalar unit_traction_ = 0;        // G [Pa]
 
     Transient::State now_, from_, next_;  // from_: where the last step began
     Past past_;

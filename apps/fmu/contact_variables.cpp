@@ -14,8 +14,7 @@ const Enumeration half_length_sources{
     "HalfLengthFrom",
     {{"half_length", "as it is given"}, {"nominal_load", "Hertz's of the nominal load, combined_radius and material"}}};
 
-const Enumeration kernels{"Kernel",
-                          {{"plane", "much wider than long"}, {"strip", "of finite width, from b/a = 0.1 on"}}};
+const Enumeration kernels{"Kernel", {{"plane", "much wider than long"}, {"strip", "of finite width"}}};
 
 /// All of rollbem::StepStatus: its enumerators count from 0, and name() calls not_finite whatever lies beyond them.
 Enumeration enumerate_statuses() {

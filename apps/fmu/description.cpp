@@ -122,15 +122,24 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
 template <class Predicate>
 std::string unknowns(const char* name, const std::vector<Variable>& variables, const Predicate& belongs,
                      bool with_dependencies) {
-    std::string states;
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-        if (variables[i].causality == Causality::state) states += (states.empty() ? "" : " ") + text_of(i + 1);
-    }
+    const auto dependencies = [&](const Variable& unknown) {
+        std::string list;
+        for (std::size_t i = 0; i < variables.size(); ++i) {
+            for (const std::string& wanted : unknown.depends_on) {
+                const bool state =
+                    variables[i].causality == Causality::state && variables[i].name.starts_with(wanted + '[');
+                if (state || variables[i].name == wanted) list += (list.empty() ? "" : " ") + text_of(i + 1);
+            }
+        }
+        return list;
+    };
     std::string text;
     for (std::size_t i = 0; i < variables.size(); ++i) {
         if (!belongs(variables[i])) continue;
         text += "      <Unknown" + attribute("index", text_of(i + 1));
-        if (with_dependencies && variables[i].by_states_alone) text += attribute("dependencies", states);
+        if (with_dependencies && !variables[i].depends_on.empty()) {
+            text += attribute("dependencies", dependencies(variables[i]));
+        }
         text += "/>\n";
     }
     if (text.empty()) return text;

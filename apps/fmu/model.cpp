@@ -8,8 +8,8 @@
 namespace fmu {
 
 std::span<const Unit> known_units() {
-    static constexpr std::array<Unit, 5> units{
-        {{"m", 0, 1, 0}, {"m/s", 0, 1, -1}, {"N", 1, 1, -2}, {"Pa", 1, -1, -2}, {"J", 1, 2, -2}}};
+    static constexpr std::array<Unit, 6> units{
+        {{"m", 0, 1, 0}, {"m/s", 0, 1, -1}, {"N", 1, 1, -2}, {"N/s", 1, 1, -3}, {"Pa", 1, -1, -2}, {"J", 1, 2, -2}}};
     return units;
 }
 

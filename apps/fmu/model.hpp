@@ -39,7 +39,8 @@ struct Variable {
     double* rate = nullptr;              ///< of an input: its derivative by time during the next step
     int state = -1;                      ///< of a derivative: the place in the table of what it is the rate of
     double nominal = 1;                  ///< of a state: its usual size
-    bool by_states_alone = false;        ///< of an output: it does not depend on the inputs of the same instant
+    /// Of an output: what it depends on at the same instant, states by what their names begin with; empty: everything.
+    std::vector<std::string> depends_on = {};
 
     bool is_real() const { return std::holds_alternative<double*>(value); }
     double& real() const { return *std::get<double*>(value); }

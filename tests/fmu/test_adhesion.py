@@ -42,8 +42,9 @@ def exact_c11(z):
 
 def history(times, slip):
     """Slip velocities at V as FMPy's input."""
-    rows = [(t, s, V) for t, s in zip(times, slip)]
-    return np.array(rows, dtype=[("time", float), ("slip_velocity", float), ("rolling_speed", float)])
+    inputs = {"time": times, "slip_velocity": slip, "rolling_speed": V, "normal_load": 1e5, "normal_load_rate": 0}
+    columns = [np.broadcast_to(np.asarray(values, float), len(times)) for values in inputs.values()]
+    return np.rec.fromarrays(columns, names=",".join(inputs))
 
 
 def amplitude(q_over_a, response, z):
@@ -180,83 +181,150 @@ def test_directions_and_kernels():
 
 
 def test_derivatives_of_model_exchange():
-    instance = Instance(fmu, True).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
-    states = list(1e-6 * np.sin(1.0 + np.arange(fmu.states)))
-    instance.set_states(states)
     names = [f"displacement[{k}]" for k in range(fmu.states)]
+    for length, first in ((1, {}), (2, {"normal_load": 1.7e5, "normal_load_rate": 2e8})):
+        base = {"slip_velocity": creepage * V, "rolling_speed": V, "normal_load": 1e5, "normal_load_rate": 0.0, **first}
+        instance = Instance(fmu, True).start(**scene, contact_length=length, **base)
+        states = list(1e-6 * np.sin(1.0 + np.arange(fmu.states)))
+        instance.set_states(states)
+        unknowns = [f"der({name})" for name in names] + ["force", "contact_half_length"]
+        scales = np.array([1e-3] * fmu.states + [1e3, 1e-3])
+        largest = 0
+        for known in names + list(base):
+            def move(change):
+                if known in names:
+                    moved = list(states)
+                    moved[names.index(known)] += change
+                    instance.set_states(moved)
+                else:
+                    instance.set(**{known: base[known] + change})
+                return np.array(instance.rates() + [instance.get(name) for name in unknowns[-2:]])
 
-    def outcome():
-        return np.array(instance.rates() + [instance.get("force")])
+            # linear in each but the load
+            change = 1e-6 if known in names else {"slip_velocity": 1e-3, "rolling_speed": 1.0, "normal_load": 20.0,
+                                                  "normal_load_rate": 1e6}[known]
+            difference = (move(change) - move(-change)) / 2
+            move(0)
+            exact = change * np.array([instance.derivative(unknown, known) for unknown in unknowns])
+            scale = max(np.abs(difference / scales).max(), 1e-9)
+            largest = max(largest, np.abs((exact - difference) / scales).max() / scale)
+        print(f"    contact_length {length}: largest difference {largest:.1e}")
+        assert largest < 1e-7
+        instance.close()
 
-    unknowns = [f"der({name})" for name in names] + ["force"]
-    largest = 0
-    for known in names + ["slip_velocity", "rolling_speed"]:
-        def move(change):
-            if known in names:
-                moved = list(states)
-                moved[names.index(known)] += change
-                instance.set_states(moved)
-            else:
-                instance.set(**{known: (creepage * V if known == "slip_velocity" else V) + change})
-            return outcome()
 
-        # all is linear in each of them: any change will do
-        change = 1e-6 if known in names else 1e-3 if known == "slip_velocity" else 1.0
-        difference = (move(change) - move(-change)) / (2 * change)
-        move(0)
-        exact = np.array([instance.derivative(unknown, known) for unknown in unknowns])
-        scale = np.abs(difference).max()
-        largest = max(largest, np.abs(exact - difference).max() / scale)
-    print(f"    largest difference {largest:.1e}")
-    assert largest < 1e-9
-    instance.close()
+def load_at(q):
+    """A load that varies by half of it within 8 half-lengths, and its derivative by q/a."""
+    return 1e5 * (1 + 0.5 * math.sin(2 * math.pi * q / 8)), 1e5 * 0.5 * 2 * math.pi / 8 * math.cos(2 * math.pi * q / 8)
+
+
+def test_load_that_varies():
+    # model exchange and the library's steps in co-simulation share neither equations nor integrator
+    distances = np.arange(1, 17) / 2
+    exchange = Instance(fmu, True).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
+    exchange.calls.enterContinuousTimeMode()
+    calls = exchange.calls
+
+    def set_load(t):
+        load, by_distance = load_at(t * V / a)
+        exchange.set(normal_load=load, normal_load_rate=by_distance * V / a)
+
+    solver = CVodeSolver(nx=fmu.states, nz=0, get_x=calls.getContinuousStates, set_x=calls.setContinuousStates,
+                         get_dx=calls.getDerivatives, get_z=calls.getEventIndicators,
+                         get_nominals=calls.getNominalsOfContinuousStates, set_time=set_load, startTime=0.0,
+                         maxStep=a / V, relativeTolerance=1e-10, input=None)
+    exact, time = [], 0.0
+    for q in distances:
+        _, _, time = solver.step(time, q * a / V)
+        set_load(time)
+        exact.append(exchange.get("force"))
+    exact = np.array(exact)
+    close_to(exchange.get("contact_half_length"), a * math.sqrt(load_at(8)[0] / 1e5), 1e-12, "half-length")
+    exchange.close()
+
+    errors = []
+    for steps in (20, 40, 80):  # in half a half-length
+        instance = Instance(fmu).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
+        duration, forces = 0.5 * a / V / steps, []
+        for i in range(16 * steps):
+            instance.set(normal_load=load_at((i + 1) * 0.5 / steps)[0])
+            assert instance.step(i * duration, duration) == ok, instance.messages
+            if (i + 1) % steps == 0:
+                forces.append(instance.get("force"))
+        errors.append(np.abs(np.array(forces) / exact - 1).max())
+        instance.close()
+    fixed = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    effect = np.abs(np.array(fixed.roll(0.5 * a / V, 16)) / exact - 1).max()
+    fixed.close()
+    print(f"    errors {errors}; a fixed length differs by {effect:.1e}")
+    assert errors[0] < 1e-3 and errors[2] < errors[1] / 3.4 < errors[0] / 11 and effect > 0.05
 
 
 def test_derivatives_of_a_step():
     duration = 0.2 * a / V
+    base = {"slip_velocity": creepage * V, "rolling_speed": V, "normal_load": 1.05e5}
 
-    def force(slip, speed, change_of=None):
-        instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    def force(inputs, length, change_of=None):
+        instance = Instance(fmu).start(**scene, contact_length=length, rolling_speed=V, slip_velocity=creepage * V)
         instance.roll(duration, 5)
-        instance.set(slip_velocity=slip, rolling_speed=speed)
-        assert instance.step(5 * duration, duration) == ok
+        instance.set(**inputs)
+        assert instance.step(5 * duration, duration) == ok, instance.messages
         result = instance.derivative("force", change_of) if change_of else instance.get("force")
         instance.close()
         return result
 
-    for speed in (V, 0.0):
-        for known, change in (("slip_velocity", 1e-3), ("rolling_speed", 3e-3)):
-            def moved(by):
-                return force(creepage * V + (by if known == "slip_velocity" else 0),
-                             speed + (by if known == "rolling_speed" else 0))
+    for length, speed, known, change in ((1, V, "slip_velocity", 1e-3), (1, V, "rolling_speed", 3e-3),
+                                         (1, 0.0, "slip_velocity", 1e-3), (1, 0.0, "rolling_speed", 3e-3),
+                                         (2, V, "slip_velocity", 1e-3), (2, V, "rolling_speed", 3e-3),
+                                         (2, V, "normal_load", 1.0)):
+        def moved(by):
+            inputs = {**base, "rolling_speed": speed}
+            inputs[known] += by
+            return force(inputs, length)
 
-            one_sided = speed == 0 and known == "rolling_speed"
-            # the one-sided difference is of second order, too
-            difference = ((4 * moved(change / 2) - moved(change) - 3 * moved(0)) / change if one_sided
-                          else (moved(change) - moved(-change)) / (2 * change))
-            close_to(force(creepage * V, speed, known), difference, 1e-6, f"d force / d {known} at V = {speed}")
+        # a one-sided difference of second order where the speed cannot be less
+        difference = ((4 * moved(change / 2) - moved(change) - 3 * moved(0)) / change
+                      if speed == 0 and known == "rolling_speed" else (moved(change) - moved(-change)) / (2 * change))
+        close_to(force({**base, "rolling_speed": speed}, length, known), difference, 1e-6,
+                 f"contact_length {length}, V = {speed}: d force / d {known}")
 
 
 def test_save_step_restore_step():
     duration = 0.1 * a / V
-    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
-    instance.roll(duration, 7)
-    state = instance.calls.getFMUstate()
-    before = instance.get("force")
-    once = instance.roll(duration, 4)
-    instance.set(slip_velocity=0.3)
-    instance.roll(3 * duration, 2)
-    instance.calls.setFMUstate(state)
-    assert instance.get("force") == before
-    assert instance.roll(duration, 4) == once
+    for length in (1, 2):
+        instance = Instance(fmu).start(**scene, contact_length=length, rolling_speed=V, slip_velocity=creepage * V)
 
-    # in another instance, which has never been started
-    bytes_of_it = instance.calls.serializeFMUstate(state)
-    other = Instance(fmu)
-    copy = other.calls.deSerializeFMUstate(bytes_of_it)
-    other.calls.setFMUstate(copy)
-    assert other.get("half_width") == b and other.get("force") == before
-    assert other.roll(duration, 4) == once
+        def roll(one, first, steps):
+            forces = []
+            for i in range(first, first + steps):
+                one.set(normal_load=load_at(0.1 * (i + 1))[0])
+                assert one.step(i * duration, duration) == ok, one.messages
+                forces.append(one.get("force"))
+            return forces
+
+        roll(instance, 0, 7)
+        state = instance.calls.getFMUstate()
+        before, derivative = instance.get("force"), instance.derivative("force", "rolling_speed")
+        once = roll(instance, 7, 4)
+        instance.set(slip_velocity=0.3)
+        roll(instance, 11, 5)
+        instance.calls.setFMUstate(state)
+        assert instance.get("force") == before and instance.derivative("force", "rolling_speed") == derivative
+        assert roll(instance, 7, 4) == once
+
+        # in another instance, which has never been started
+        bytes_of_it = instance.calls.serializeFMUstate(state)
+        other = Instance(fmu)
+        copy = other.calls.deSerializeFMUstate(bytes_of_it)
+        other.calls.setFMUstate(copy)
+        assert other.get("half_width") == b and other.get("force") == before
+        assert other.derivative("force", "rolling_speed") == derivative
+        assert roll(other, 7, 4) == once
+        if length == 1:
+            instance.calls.freeFMUstate(state)
+            instance.close()
+            other.calls.freeFMUstate(copy)
+            other.close()
 
     # damaged, cut off, of the other interface
     for damaged in (bytes_of_it[:100], bytes_of_it[:200] + b"?" + bytes_of_it[201:], b""):
@@ -321,6 +389,10 @@ def test_wrong_parameters():
         ({"half_length_from": 3}, "half_length_from = 3 must lie in [1, 2]"),
         ({"kernel": 0}, "kernel = 0 must lie in [1, 2]"),
         ({"direction": 3}, "direction = 3 must lie in [1, 2]"),
+        ({"contact_length": 3}, "contact_length = 3 must lie in [1, 2]"),
+        ({"contact_length": 2, "kernel": 2}, "contact_length = 2 must be 1 (fixed) where kernel is strip"),
+        ({"contact_length": 2, "normal_load": 0.0}, "normal_load = 0 must be positive"),
+        ({"contact_length": 2, "nominal_load": 0.0}, "nominal_load = 0 must be positive"),
         ({"initial_state": 3}, "initial_state = 3 must lie in [1, 2]"),
         ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive"),
         ({"half_width": 1e-4}, "Lambda"),
@@ -352,7 +424,7 @@ def test_what_a_step_refuses():
     after = instance.get("force")
 
     state = instance.calls.getFMUstate()
-    for values in ({"slip_velocity": math.nan}, {"rolling_speed": math.inf}):
+    for values in ({"slip_velocity": math.nan}, {"rolling_speed": math.inf}, {"normal_load": math.nan}):
         instance.set(**values)
         assert instance.step(6 * duration, duration) == error
         assert "needs finite numbers" in instance.messages[-1]
@@ -366,6 +438,20 @@ def test_what_a_step_refuses():
     reference_run.close()
     instance.calls.freeFMUstate(state)
     instance.close()
+
+
+def test_what_a_step_refuses_of_a_load():
+    duration = 0.1 * a / V
+    for values, status in (({"normal_load": 2e5}, "needs_fixed_mesh"), ({"normal_load": 0.0}, "invalid_load"),
+                           ({"normal_load": -1.0}, "invalid_load"),
+                           ({"normal_load": 1.001e5, "rolling_speed": 0.0}, "needs_fixed_mesh")):
+        instance = Instance(fmu).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
+        forces = instance.roll(duration, 5)
+        instance.set(**values)
+        assert instance.step(5 * duration, duration) == discard
+        assert f"status = {status}" in instance.messages[-1], instance.messages
+        assert instance.get("force") == forces[-1]
+        instance.close()
 
 
 def test_what_model_exchange_refuses():
