@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
     study::Options options("extremes_study", "Extreme cases: right to a stated bound, or told why not.");
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
-    options.add_flag("large", "besides, n = 1000 in long double and n = 4000: ten seconds and 300 MB more");
+    options.add_flag("large",
+                     "besides, n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
     options.footer(
         "Example: all cases, as a file\n"
         "  extremes_study --large --output extremes.csv\n"
@@ -68,7 +69,8 @@ int main(int argc, char** argv) {
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
         std::vector<Case> cases = extremes::steady_cases(given.flag("large"));
-        for (const auto& more : {extremes::harmonic_cases(), extremes::time_cases()}) {
+        for (const auto& more : {extremes::harmonic_cases(), extremes::time_cases(),
+                                 extremes::chebyshev_cases(given.flag("large")), extremes::friction_cases()}) {
             cases.insert(cases.end(), more.begin(), more.end());
         }
 

@@ -49,5 +49,7 @@ std::string shown(double number);
 std::vector<Case> steady_cases(bool large);
 std::vector<Case> harmonic_cases();
 std::vector<Case> time_cases();
+std::vector<Case> chebyshev_cases(bool large);
+std::vector<Case> friction_cases();
 
 }  // namespace extremes
