@@ -291,6 +291,7 @@ int main(int argc, char** argv) {
             scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
             if (given.given("state-space")) state_space.emplace(given, scenes);
             table.rows_of_task.assign(scenes.size(), omegas.size());
+            table.label = [&](std::size_t task) { return scenes[task].label(); };
             table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
                 emit_sweep(scenes[task], omegas, range, emit);
             };

@@ -220,7 +220,7 @@ std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, c
 class Computation {
 public:
     Computation(const study::Options& options, const std::vector<Quantity>& quantities)
-        : with_times_(study::job_count(options) == 1), partial_(options.given("shard") || !with_times_) {
+        : with_times_(study::has_times(options)), partial_(options.given("shard") || !with_times_) {
         const std::vector<std::string> schemes = options.choices("schemes", precision::scheme_names());
         const precision::Scene scene = make_scene(options, schemes, quantities);
         tasks_ = make_tasks(options, scene, schemes, quantities);
@@ -484,8 +484,8 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const std::vector<Quantity> quantities = chosen_quantities(given);
-        if (given.given("shard") || study::job_count(given) > 1) {
-            given.ignored("cheapest", "with --shard or --jobs, where times lack; use --front");
+        if (given.given("shard") || !study::has_times(given)) {
+            given.ignored("cheapest", "with --shard, --jobs or --no-timing, where times lack; use --front");
         }
         study::Table table;
         table.columns = columns;

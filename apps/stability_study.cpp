@@ -55,7 +55,7 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
 
     // 4. Time what a bare count takes, unless other jobs would spoil it.
     study::Cell time_us;
-    if (study::job_count(options) == 1) {
+    if (study::has_times(options)) {
         time_us = study::median_time_us(
             [&] { return rollbem::solve_stability<double>(study::system_of(scene)).spectral_abscissa; });
     }
@@ -75,6 +75,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
     study::Table table;
     table.columns = count_columns;
     table.rows_of_task.assign(scenes.size(), 1);
+    table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         emit(count_row(options, scenes[task]));
     };
@@ -129,6 +130,7 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
     study::Table table;
     table.columns = critical_columns;
     table.rows_of_task.assign(scenes.size(), 1);
+    table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         const study::Scene& scene = scenes[task];
         emit({scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical_alpha_T(scene),
@@ -181,6 +183,7 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const study
 study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
     study::Table table;
     table.columns = spectrum_columns;
+    table.label = [&](std::size_t task) { return scenes[task].label(); };
     for (const study::Scene& scene : scenes) {
         const Eigen::Index count = scene.visit([](const auto& mesh, const auto& scheme,
                                                   const auto&) { return rollbem::unknown_count(scheme, mesh.size()); },

@@ -59,7 +59,7 @@ Steady by_states(const rollbem::Chebyshev& method, const auto& kernel, bool time
 }
 
 study::Row steady_row(const study::Options& options, const study::Scene& scene) {
-    const bool timed = study::job_count(options) == 1;
+    const bool timed = study::has_times(options);
     const Steady result =
         scene.visit([&](const auto& mesh, const auto& scheme,
                         const auto& kernel) { return by_elements(mesh, scheme, kernel, timed); },
@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
         study::Table table;
         table.columns = columns;
         table.rows_of_task.assign(scenes.size(), 1);
+        table.label = [&](std::size_t task) { return scenes[task].label(); };
         table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
             emit(steady_row(given, scenes[task]));
         };

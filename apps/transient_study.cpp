@@ -239,6 +239,7 @@ int main(int argc, char** argv) {
         table.columns = {"q_over_a", "creepage", "force",   "exact",   "relative_error", "method",    "derivative",
                          "mesh",     "n",        "alpha_L", "alpha_T", "lambda",         "integrator"};
         table.rows_of_task.assign(scenes.size(), steps.count);
+        table.label = [&](std::size_t task) { return scenes[task].label(); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             run(scenes[task], models[task], history, steps, exact ? &*exact : nullptr, range, emit);
         };

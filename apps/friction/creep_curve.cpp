@@ -6,7 +6,7 @@
 
 namespace friction {
 
-bool CreepCurve::timed() const { return study::job_count(options) == 1; }
+bool CreepCurve::timed() const { return study::has_times(options); }
 
 CreepCurve::Exact CreepCurve::exact(const study::Scene& scene, const CreepPoint& point) const {
     if (!pressure.hertz || layer > 0) return {};

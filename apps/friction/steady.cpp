@@ -59,6 +59,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     study::Table table;
     table.columns = creep_columns();
     table.rows_of_task.assign(scenes.size(), curve.points.size());
+    table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         (fits ? border_rows : both ? combined_rows : element_rows)(curve, scenes[task], task, range, emit);
     };

@@ -30,7 +30,8 @@ std::optional<std::string> utf8(std::uint32_t code) {
 
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& said) : text_(text), said_(said) {}
+    Reader(std::string_view text, const std::string& said)
+        : text_(text), said_(said), has_sections_(is_sidecar(text)) {}
 
     std::vector<Setting> read() {
         std::vector<Setting> settings;
@@ -39,6 +40,7 @@ public:
             if (at_end()) return settings;
             line_ = Line{here_, number_};
             if (peek() == '#' || peek() == ';') skip_line();
+            if (peek() == '[' && has_sections_) read_section();
             if (!at_end() && peek() != '\n') settings.push_back(setting(settings));
             if (!at_end()) advance();
         }
@@ -71,9 +73,19 @@ private:
 
     [[noreturn]] void fail(const std::string& rule) const { throw BadInput(where() + " must " + rule); }
 
+    void read_section() {
+        advance();
+        section_ = name();
+        if (peek() != ']') fail("be [NAME]");
+        advance();
+        skip_blanks();
+        if (peek() == '#') skip_line();
+        if (peek() != '\n') fail("end after its ]");
+    }
+
     Setting setting(const std::vector<Setting>& before) {
         if (peek() == '[') fail("be NAME = VALUE: there are no sections");
-        Setting result{name(), {}, where()};
+        Setting result{name(), {}, where(), section_};
         skip_blanks();
         if (peek() != '=') fail("be NAME = VALUE");
         advance();
@@ -83,7 +95,8 @@ private:
         if (peek() == '#') skip_line();
         if (peek() != '\n') fail("end after its value");
         for (const Setting& other : before) {
-            if (other.name == result.name) fail("not give " + result.name + " a second time");
+            if (other.name == result.name && other.section == section_)
+                fail("not give " + result.name + " a second time");
         }
         return result;
     }
@@ -193,12 +206,22 @@ private:
     [[noreturn]] void fail_list() const { fail("be a list [VALUE, VALUE], with its ] at the end"); }
 
     std::string_view text_;
-    std::string said_;
+    std::string said_, section_{};
+    bool has_sections_;
     std::size_t here_ = 0, number_ = 1;
     Line line_;  // of the setting
 };
 
 }  // namespace
+
+bool is_sidecar(std::string_view text) {
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (detail::trim(text.substr(begin, end - begin)) == "[given]") return true;
+        begin = end + 1;
+    }
+    return false;
+}
 
 std::vector<Setting> read_settings(std::string_view text, const std::string& said) { return Reader(text, said).read(); }
 

@@ -286,6 +286,8 @@ std::string sidecar_text(const Options& options) {
     entry("command_line", shell_quoted(options.words()));
     entry("version", build_info::version);
     entry("git_revision", build_info::git_revision);
+    text += "\n[given]\n";
+    for (const auto& [name, value] : options.given_values()) entry(name, value);
     text += "\n[options]  # with defaults; what mesh and method do not use has no effect\n";
     for (const auto& [name, value] : options.values()) entry(name, value);
     text += "\n[build]\n";

@@ -1,7 +1,9 @@
 #include "options.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +12,7 @@
 #include "config_file.hpp"
 #include "files.hpp"
 #include "mesh_names.hpp"
+#include "nearest_name.hpp"
 
 namespace study {
 
@@ -87,9 +90,11 @@ Options::Options(std::string program, const std::string& purpose)
     app_->set_version_flag("--version", version())->group("Program");
     app_->get_option("--version")->description("print version and git revision and exit");
     group("Program");
-    add_input("config",
-              "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; the command "
-              "line wins. Every input FILE may be -, standard input");
+    add_input(
+        "config",
+        "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; or from a "
+        "FILE.toml beside results, to repeat that run but for what it wrote, --jobs and --shard. The command line "
+        "wins. Every input FILE may be -, standard input");
 
     group("Discretisation");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
@@ -122,11 +127,14 @@ Options::Options(std::string program, const std::string& purpose)
     add("poisson", "NU", "Poisson's ratio, 0 to 0.5 (dimensionless)", "0.28");
 
     group("Output");
-    add_table("output", "CSV file; besides, FILE.toml says how it was made. Default, and -: standard output");
+    add_table("output",
+              "CSV file; besides, FILE.toml says how it was made, for people and for --config. Default, and -: "
+              "standard output");
     add_output("plot", "draw the result with gnuplot; FILE ends in .svg or .png");
     add("jobs", "N", "rows computed at a time, 1 to 1024; above 1 the columns of times stay empty (dimensionless)",
         "1");
     add("shard", "K/N", "only the K-th of N blocks of rows; the parts concatenate to the whole (dimensionless)");
+    add_flag("no-timing", "leave the columns of times empty, so that equal runs give equal files");
     add_flag("quiet", "no progress line");
     group("Study");
 }
@@ -209,11 +217,13 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
         return help;
     } catch (const CLI::CallForVersion&) {
         return version() + "\n";
+    } catch (const CLI::ExtrasError&) {
+        throw BadInput(unexpected() + "; see --help");
     } catch (const CLI::ParseError& error) {
         throw BadInput(std::string(error.what()) + "; see --help");
     }
     if (given("config")) {
-        check_files();  // of which none may be standard input besides
+        check_inputs();
         read_config();
     }
     for (const auto& [name, reason] : refused_) {
@@ -318,6 +328,24 @@ std::vector<std::string> Options::choices(const std::string& name, const std::ve
     return result;
 }
 
+std::vector<std::pair<std::string, std::string>> Options::given_values() const {
+    // in the order typed, and then those of the configuration file
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app_->parse_order()) names.push_back(option->get_lnames().front());
+    for (const auto& [name, entry] : entries_) {
+        if (given(name)) names.push_back(name);
+    }
+    std::vector<std::pair<std::string, std::string>> result;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& name = names[i];
+        const bool before =
+            std::find(names.begin(), names.begin() + std::ptrdiff_t(i), name) - names.begin() < std::ptrdiff_t(i);
+        if (before || name == "config") continue;
+        result.emplace_back(name, entry(name).kind == Kind::flag ? raw(name).back() : joined(name));
+    }
+    return result;
+}
+
 std::vector<std::pair<std::string, std::string>> Options::values() const {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& [name, entry] : entries_) {
@@ -333,11 +361,21 @@ std::string Options::version() const {
 }
 
 void Options::read_config() {
-    for (Setting& setting : read_settings(contents(*this, "config"), said("config"))) {
+    const std::string text = contents(*this, "config");
+    replays_ = is_sidecar(text);
+    for (Setting& setting : read_settings(text, said("config"))) {
+        if (replays_ && setting.section.empty() && setting.name == "program" && setting.values[0] != program_) {
+            throw BadInput(setting.where + " must be " + program_ + ", whose run this is to repeat");
+        }
+        if (replays_ && setting.section != "given") continue;
         const auto found = entries_.find(setting.name);
         if (found == entries_.end() || setting.name == "config") {
-            throw BadInput(setting.where + " must name an option of " + program_ + "; see --help");
+            throw BadInput(setting.where + " must name an option of " + program_ + suggestion(setting.name) +
+                           "; see --help");
         }
+        const Kind kind = found->second.kind;
+        const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
+        if (replays_ && (writes || setting.name == "jobs" || setting.name == "shard")) continue;
         const bool one_word = setting.values.size() == 1;
         if (found->second.kind == Kind::flag && !(one_word && setting.values[0] == "true") &&
             !(one_word && setting.values[0] == "false")) {
@@ -347,8 +385,47 @@ void Options::read_config() {
     }
 }
 
+std::string Options::suggestion(std::string word) const {
+    word.erase(0, std::min(word.find_first_not_of('-'), word.size()));
+    std::vector<std::string> names{"help", "version"};
+    for (const auto& [name, entry] : entries_) {
+        if (!entry.option->get_group().empty()) names.push_back(name);
+    }
+    const std::string name = nearest_name(word, names);
+    return name.empty() ? "" : "; did you mean --" + name + "?";
+}
+
+std::string Options::unexpected() const {
+    // an option that is not known leaves its value behind, too
+    const auto is_option = [](const std::string& word) {
+        return word.size() > 1 && word[0] == '-' && std::isdigit(static_cast<unsigned char>(word[1])) == 0;
+    };
+    const std::vector<std::string> words = app_->remaining();
+    std::vector<std::string> options;
+    std::copy_if(words.begin(), words.end(), std::back_inserter(options), is_option);
+    if (options.empty()) return join(words, " ") + " was not expected";
+    for (std::string& option : options) {
+        option.erase(std::min(option.find('='), option.size()));
+        option += " is not an option" + suggestion(option);
+    }
+    return join(options, "; ");
+}
+
+void Options::check_inputs() const {
+    std::string first;
+    for (const auto& [name, entry] : entries_) {
+        if (entry.kind != Kind::input || !given(name) || text(name) != "-") continue;
+        if (!first.empty()) {
+            throw BadInput(said(name) + " must be a file: standard input is read as " + first);
+        }
+        first = said(name);
+    }
+}
+
 void Options::check_files() const {
+    check_inputs();
     std::vector<Place> inputs, outputs;
+    std::vector<std::string> companions;
     if (!given("output")) outputs.push_back(Place::output("standard output", "-"));
     for (const auto& [name, entry] : entries_) {
         const bool reads = entry.kind == Kind::input, has_sidecar = entry.kind == Kind::table;
@@ -367,18 +444,17 @@ void Options::check_files() const {
         outputs.push_back(Place::output(said(name), path));
         if (has_sidecar && outputs.back().descriptor < 0 && !is_stream(path)) {
             outputs.push_back(Place::output(said(name) + ".toml, written beside it,", path + ".toml"));
+            companions.push_back(outputs.back().said);
         }
     }
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        for (std::size_t k = i + 1; k < inputs.size(); ++k) {
-            if (inputs[i].descriptor >= 0 && inputs[k].descriptor >= 0) {
-                throw BadInput(inputs[k].said + " must be a file: standard input is read as " + inputs[i].said);
-            }
-        }
-    }
+    // a run that is repeated may write the file again that tells of it: that has been read by then
+    const auto repeats = [&](const Place& output, const Place& input) {
+        const bool is_companion = std::find(companions.begin(), companions.end(), output.said) != companions.end();
+        return replays_ && is_companion && input.said == said("config");
+    };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (const Place& input : inputs) {
-            if (!same_place(outputs[i], input)) continue;
+            if (!same_place(outputs[i], input) || repeats(outputs[i], input)) continue;
             throw BadInput(outputs[i].said + " must not be a file that this run reads: " + input.said);
         }
         for (std::size_t k = i + 1; k < outputs.size(); ++k) {

@@ -135,6 +135,10 @@ public:
 
     std::vector<std::ptrdiff_t> integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
 
+    /// Every option given, but for --config, with its value as typed, flags with true: what --config reads to repeat
+    /// the run.
+    std::vector<std::pair<std::string, std::string>> given_values() const;
+
     /// Every option that takes a value with what applies in this run, for the file beside the results.
     std::vector<std::pair<std::string, std::string>> values() const;
 
@@ -152,6 +156,15 @@ private:
     void add_file(const std::string& name, const std::string& help, Kind kind);
 
     std::string version() const;
+
+    /// Throws BadInput where two inputs are standard input.
+    void check_inputs() const;
+
+    /// "; did you mean --name?" where an option is called nearly so.
+    std::string suggestion(std::string word) const;
+
+    /// What CLI11 could not place, for a message.
+    std::string unexpected() const;
 
     void read_config();
 
@@ -175,6 +188,7 @@ private:
     std::map<std::string, Entry> entries_;
     std::vector<std::pair<std::string, std::string>> refused_;
     std::vector<std::string> words_;
+    bool replays_ = false;  ///< --config is the file beside a CSV file
 };
 
 }  // namespace study

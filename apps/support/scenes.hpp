@@ -39,6 +39,9 @@ struct Scene {
     /// What n counts, for the axis of a plot.
     std::string n_label() const { return std::string("number of ") + (chebyshev ? "states" : "elements") + " n"; }
 
+    /// For the progress line.
+    std::string label() const { return "n = " + std::to_string(n()); }
+
     /// function(mesh, scheme, kernel) with their own types. Of elements only.
     template <class Function>
     decltype(auto) visit(const Function& function) const {

@@ -52,9 +52,10 @@ std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
 }  // namespace
 
 void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
-                      const std::function<void()>& task_done) {
+                      const std::function<void()>& task_done, const std::function<void(std::size_t index)>& started) {
     if (jobs == 1) {
         for (const Task& task : tasks) {
+            if (started) started(task.index);
             table.compute(task.index, task.range, emit);
             task_done();
         }
@@ -76,6 +77,7 @@ void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::s
             if (stop || next == tasks.size()) return;
             const std::size_t mine = next++;
             lock.unlock();
+            if (started) started(tasks[mine].index);
             Outcome outcome;
             try {
                 table.compute(tasks[mine].index, tasks[mine].range,
@@ -116,6 +118,13 @@ void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::s
 
 std::size_t job_count(const Options& options) { return static_cast<std::size_t>(options.integer("jobs", 1, 1024)); }
 
+bool has_times(const Options& options) { return job_count(options) == 1 && !options.flag("no-timing"); }
+
+bool shows_progress(const Options& options) {
+    const bool to_file = options.given("output") && options.text("output") != "-";
+    return !options.flag("quiet") && (to_file || isatty(STDOUT_FILENO) == 0);
+}
+
 bool has_header(const Options& options) { return shard_of(options).index == 1; }
 
 void write_table(const Options& options, const Table& table) {
@@ -123,10 +132,8 @@ void write_table(const Options& options, const Table& table) {
     const Shard shard = shard_of(options);
     const bool plots = options.given("plot");
     const bool png = plots && plot_is_png(options);
-    const bool quiet = options.flag("quiet");
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
-    const bool to_file = options.given("output") && options.text("output") != "-";
     TableFile file(options, "output");
     OutputFile& csv = file.rows();
     std::optional<OutputFile> drawing;
@@ -138,7 +145,15 @@ void write_table(const Options& options, const Table& table) {
     const RowRange wanted = shard.rows(total);
     const std::size_t count = wanted.last - wanted.first;
     if (has_header(options)) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
-    Progress progress(options.program(), count, !quiet && (to_file || isatty(STDOUT_FILENO) == 0));
+    const std::vector<Task> tasks = tasks_of(table, wanted);
+    const bool shows = shows_progress(options);
+    if (table.prepare) {
+        std::vector<std::size_t> indices;
+        for (const Task& task : tasks) indices.push_back(task.index);
+        Progress preparing(options.program(), 100, shows, "percent");
+        table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
+    }
+    Progress progress(options.program(), count, shows);
     std::vector<Row> kept;
     std::size_t written = 0;
     const auto emit = [&](Row row) {
@@ -146,15 +161,11 @@ void write_table(const Options& options, const Table& table) {
         progress.update(++written);
         if (plots) kept.push_back(std::move(row));
     };
-    progress.update(0);
-    const std::vector<Task> tasks = tasks_of(table, wanted);
-    if (table.prepare) {
-        std::vector<std::size_t> indices;
-        for (const Task& task : tasks) indices.push_back(task.index);
-        Progress preparing(options.program(), 100, progress.enabled(), "percent");
-        table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
-    }
-    compute_in_order(table, tasks, jobs, emit, [&] { csv.flush(); });
+    const auto started = [&](std::size_t task) {
+        if (table.label) progress.doing(table.label(task));
+    };
+    compute_in_order(
+        table, tasks, jobs, emit, [&] { csv.flush(); }, started);
     progress.clear();
 
     // 3. The files take their names.

@@ -31,6 +31,8 @@ struct Table {
     /// Where set, called once the rows have their name: files that belong to them take theirs.
     std::function<void()> written{};
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
+    /// Where set, what a task computes, e.g. "n = 20", for the progress line.
+    std::function<std::string(std::size_t task)> label{};
 };
 
 /// Rows of one task that are asked for.
@@ -41,10 +43,17 @@ struct Task {
 
 /// Computes tasks in `jobs` threads, a bounded number ahead of the output, and hands their rows over in order.
 void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
-                      const std::function<void()>& task_done);
+                      const std::function<void()>& task_done,
+                      const std::function<void(std::size_t index)>& started = {});
 
 /// --jobs.
 std::size_t job_count(const Options& options);
+
+/// Whether rows have times: one job, which no other disturbs, and no --no-timing.
+bool has_times(const Options& options);
+
+/// Whether a progress line is wanted: not with --quiet, nor where the rows themselves show how far the run has come.
+bool shows_progress(const Options& options);
 
 /// Whether this run's rows come with the header: the others of --shard do not repeat it.
 bool has_header(const Options& options);

@@ -48,6 +48,14 @@ bad '--quiet = 3 must be true or false' "$steady" --quiet=3
 bad '--foo' "$steady" --foo
 bad 'foo' "$steady" foo
 bad '--n' "$steady" --n
+bad '--alpha-t is not an option; did you mean --alpha-T?; see --help' "$steady" --alpha-t 0.5
+bad '--alpah-T is not an option; did you mean --alpha-T?; see' "$steady" --alpah-T=0.5
+bad '-n is not an option; did you mean --n?' "$steady" -n 20
+bad '--quad is not an option; did you mean --quadrature?' "$steady" --quad 3
+bad '--zzzzzz is not an option; see --help' "$steady" --zzzzzz -0.5
+bad '--mehs is not an option; did you mean --mesh?; --oytput is not an option; did you mean --output?' \
+    "$steady" --mehs cosine --oytput x.csv
+bad 'foo bar was not expected' "$steady" foo bar
 
 # options that would be ignored
 bad '--epsilon = 0.5 has no effect with --mesh uniform; it is for --mesh knothe and modified-knothe' "$steady" --epsilon 0.5
@@ -107,6 +115,7 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 --jobs 3 >three
 cut -d, -f1-11 three | cmp -s - one || fail "rows depend on --jobs"
 [ "$(cut -d, -f12,13 three | tail -n +2 | sort -u)" = , ] || fail "times with --jobs 3"
+"$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 --no-timing | cmp -s - three || fail "times with --no-timing"
 for shard in 1 2 3 4 5; do "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 --jobs 2 --shard $shard/5; done >parts
 cmp -s parts three || fail "shards of steady_study do not concatenate"
 "$traction" --n 7,20 >whole
@@ -189,6 +198,15 @@ interrupt TERM big.csv "$steady" --n 6000 --jobs 2 --output big.csv --plot big.s
 [ $code -eq 143 ] || fail "exit $code instead of 143 after a termination"
 for file in big.csv big.csv.toml big.svg; do [ "$(cat $file)" = old ] || fail "$file after a termination"; done
 [ "$(ls -d big*)" = "$(printf '%s\n' big.csv big.csv.toml big.svg)" ] || fail "a termination leaves $(ls -d big*)"
+
+# the clock of the progress line goes on within a long row
+if command -v script >/dev/null && command -v timeout >/dev/null; then
+    timeout 4 script -qec "'$programs/stability_study' --critical --n 800 --output long.csv" typescript >/dev/null 2>&1
+    for second in 1 2; do
+        grep -q "stability_study: 0 of 1 rows, n = 800, $second s" typescript || fail "no progress after $second s"
+    done
+    rm -f long.csv*
+fi
 
 # plots: without gnuplot the rows are written all the same
 PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err

@@ -40,7 +40,7 @@ malformed 1 'must have quotes around a value' 'n = 10 = 20\n'
 malformed 1 'must not have control characters' 'mesh = "cos\001ine"\n'
 malformed 1 'must' 'n = 10\000\n'
 malformed 3 'must not give n a second time' 'n = 10\nquiet = true\nn = 20\n'
-malformed 2 'must name an option of steady_study' 'n = 10\nbogus = 1\n'
+malformed 2 'must name an option of steady_study; see' 'n = 10\nbogus = 1\n'
 malformed 1 'must name an option of steady_study' 'config = x\n'
 malformed 1 'must be true or false' 'quiet = yes\n'
 malformed 1 'must be true or false' 'quiet = [true, false]\n'
@@ -54,6 +54,38 @@ good 5 "$steady" --config c.toml
 check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 == 20) && ($6 == 0.5 || $6 > 0.59)'
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
+
+# the file beside the rows repeats a run: the same rows, without its files, jobs and shard; the command line wins
+printf '%s\n' -1 -0.2 0.5 1 >own
+"$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv || fail run.csv
+sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
+[ "$(cut -d' ' -f1 given | tr '\n' ' ')" = '[given] quiet alpha-T alpha-L jobs no-timing edges shard output  ' ] ||
+    fail "options in the order typed: $(cat given)"
+good 3 "$steady" --config run.csv.toml
+"$steady" --alpha-T 0.5,0.6 --no-timing --edges own | cmp -s - out || fail "rows of a run that is repeated"
+good 2 "$steady" --config run.csv.toml --alpha-T 0.5
+cp run.csv before
+"$steady" --config run.csv.toml --shard 2/2 --output run.csv && cmp -s before run.csv || fail "a run over itself"
+grep -q '^edges = "own"' run.csv.toml || fail "the options of a run that is repeated are lost"
+good 3 "$steady" --config run.csv.toml
+mkdir parts
+(cd parts && "$steady" --config ../run.csv.toml --edges ../own >../out) && [ -z "$(ls -A parts)" ] ||
+    fail "a run that is repeated writes its files again"
+bad 'program = "steady_study" must be traction_study' "$programs/traction_study" --config "$scratch/run.csv.toml"
+cp run.csv.toml run.svg
+"$steady" --config run.svg --plot run.svg 2>err
+[ $? -eq 2 ] && grep -q 'must not be a file that this run reads' err || fail "a plot over the run that it repeats"
+"$programs/stability_study" --n 6 --critical --output run.csv || fail "--critical"
+good 2 "$programs/stability_study" --config run.csv.toml
+cmp -s out run.csv || fail "a flag of a run that is repeated"
+friction="$programs/friction_study --n 8 --creepage-ratio 0.5 --no-timing"
+$friction --tractions t.csv --output run.csv && $friction --config t.csv.toml --tractions t.csv --output again.csv &&
+    cmp -s run.csv again.csv || fail "the file beside --tractions"
+malformed 2 'must be [NAME]' '[given]\n[odd name]\n'
+malformed 2 'must end after its ]' '[given]\n[odd] name\n'
+malformed 3 'must not give n a second time' '[given]\nn = 10\nn = 20\n'
+malformed 2 'must name an option of steady_study; did you mean --alpha-T?' '[given]\nalpha-t = 10\n'
+rm -rf run.* t.csv* again.* parts own
 
 # - is a standard stream, and no file
 mkdir streams
