@@ -21,7 +21,8 @@ enum class Status {
 enum class StepStatus {
     ok,
     /// Friction: no solution was found to rounding, and the complementarity residual tells how far off this one is.
-    /// With finite bounds a solution always exists, so only matrices that are singular to rounding lead here.
+    /// With finite bounds a solution always exists, so only matrices that are singular to rounding lead here; with both
+    /// creepages also some for which Newton's method finds no end, none of them seen in rolling.
     no_solution,
     not_finite,     ///< the motion or the result is not a number or infinite
     invalid_step,   ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
