@@ -69,8 +69,9 @@ int main(int argc, char** argv) {
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
         std::vector<Case> cases = extremes::steady_cases(given.flag("large"));
-        for (const auto& more : {extremes::harmonic_cases(), extremes::time_cases(),
-                                 extremes::chebyshev_cases(given.flag("large")), extremes::friction_cases()}) {
+        for (const auto& more :
+             {extremes::harmonic_cases(), extremes::time_cases(), extremes::chebyshev_cases(given.flag("large")),
+              extremes::friction_cases(), extremes::rolling_cases()}) {
             cases.insert(cases.end(), more.begin(), more.end());
         }
 
