@@ -62,15 +62,16 @@ int main(int argc, char** argv) {
         "verdict is right where |relative_error| <= bound, told where a status or an exception says why there is no\n"
         "result (column told), and broken where the promise of the case is not kept: then the exit code is 1, after "
         "all\n"
-        "rows. References are closed forms, Bessel functions, the spectral solution of the strip, or the same "
-        "discretisation\n"
-        "in long double; there the bound is what the condition, in the column condition, makes of rounding.\n");
+        "rows. References are closed forms, Bessel functions, the spectral solution of the strip, other solvers\n"
+        "of the same elements, Chebyshev states, or the same discretisation in long double; there the bound is\n"
+        "what the condition, in the column condition, makes of rounding.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
         std::vector<Case> cases = extremes::steady_cases(given.flag("large"));
-        for (const auto& more : {extremes::harmonic_cases(), extremes::time_cases(),
-                                 extremes::chebyshev_cases(given.flag("large")), extremes::friction_cases()}) {
+        for (const auto& more :
+             {extremes::harmonic_cases(), extremes::time_cases(), extremes::chebyshev_cases(given.flag("large")),
+              extremes::friction_cases(), extremes::rolling_cases()}) {
             cases.insert(cases.end(), more.begin(), more.end());
         }
 

@@ -51,5 +51,6 @@ std::vector<Case> harmonic_cases();
 std::vector<Case> time_cases();
 std::vector<Case> chebyshev_cases(bool large);
 std::vector<Case> friction_cases();
+std::vector<Case> rolling_cases();
 
 }  // namespace extremes

@@ -87,7 +87,7 @@ void add_strips(std::vector<Case>& cases) {
     const auto named = [](double aspect, double ratio) {
         return "stick border, strip, b/a = " + shown(aspect) + ", delta = " + shown(ratio);
     };
-    for (const double aspect : {0.01, 0.05, 0.3, 1.0, 10.0, 1e3}) {
+    for (const double aspect : {0.05, 0.3, 1.0, 10.0, 1e3}) {
         // Hardly any slip: full adhesion but for a part that is of order delta, delta/2 on the plane and up to eight
         // times as much on narrow strips. The solution's own estimate counts, which is in units of mu N.
         for (const double ratio : {1e-9, 1e-6}) {
@@ -133,7 +133,10 @@ void add_strips(std::vector<Case>& cases) {
         cases.push_back({named(aspect, ratio), "force against elements, n = 320",
                          [=, aspect = aspect, ratio = ratio] { return against_elements(aspect, ratio); }});
     }
-    cases.push_back({named(0.01, 0.02), "force", [=] { return against_elements(0.01, 0.02); }, "elements took over"});
+    for (const double ratio : {1e-9, 0.02}) {
+        cases.push_back(
+            {named(0.01, ratio), "force", [=] { return against_elements(0.01, ratio); }, "elements took over"});
+    }
     // The strip is the plane.
     for (const double ratio : {1e-6, 0.5, 0.99, 0.999999}) {
         cases.push_back({named(1e8, ratio), "force against Carter", [=] {

@@ -22,6 +22,7 @@
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
@@ -44,9 +45,12 @@ using rollbem::Topology;
 using Complex = std::complex<double>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double peak = 1e-3;           // mu p0 / G
-constexpr double creepage_ratio = 0.5;  // delta of friction_force
-constexpr std::size_t steps = 10;       // q/a = 1 ... 10
+constexpr double peak = 1e-3;            // mu p0 / G
+constexpr double creepage_ratio = 0.5;   // delta of friction_force
+constexpr std::size_t steps = 10;        // q/a = 1 ... 10
+constexpr double load_amplitude = 0.5;   // of load_force, N = N_0 (1 + A sin(2 pi q/L))
+constexpr double load_length = 8;        // L/a_0
+constexpr std::size_t load_steps = 160;  // in a period
 using Forces = std::array<double, steps>;
 
 // --- what a scheme is: a mesh for every n, and how the equations are taken
@@ -86,22 +90,31 @@ Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
 
 // --- the problems on one mesh
 
-template <class Function>
-auto with_kernel(const Scene& scene, const Function& function) {
-    return scene.plane ? function(rollbem::PlaneKernel<double>::longitudinal(scene.contact))
-                       : function(rollbem::StripKernel<double>::longitudinal(scene.contact));
+enum class Direction { longitudinal, lateral };
+
+template <class Kernel>
+Kernel kernel_of(const Contact<double>& contact, Direction direction) {
+    return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
 }
 
-MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+template <class Function>
+auto with_kernel(const Scene& scene, const Function& function, Direction direction = Direction::longitudinal) {
+    return scene.plane ? function(kernel_of<rollbem::PlaneKernel<double>>(scene.contact, direction))
+                       : function(kernel_of<rollbem::StripKernel<double>>(scene.contact, direction));
+}
+
+MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh,
+                       Direction direction = Direction::longitudinal) {
     const auto assembled = [&](const auto& scheme) {
-        return with_kernel(scene, [&](const auto& kernel) { return rollbem::assemble_G_prime(mesh, scheme, kernel); });
+        return with_kernel(
+            scene, [&](const auto& kernel) { return rollbem::assemble_G_prime(mesh, scheme, kernel); }, direction);
     };
     return std::visit(assembled, elements.scheme);
 }
 
-RollingSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     const auto assembled = [&](const auto& scheme) {
-        return with_kernel(scene, [&](const auto& kernel) -> RollingSystem<double> {
+        return with_kernel(scene, [&](const auto& kernel) -> rollbem::ElementSystem<double> {
             return rollbem::rolling_system(mesh, scheme, kernel);
         });
     };
@@ -154,12 +167,116 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
     return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
 }
 
+double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()) * peak; }
+
+// -F/(mu N) along and across, under the creepage ratio at 45 degrees
+std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::SteadyCombinedModel<double> model(scene.contact, slopes(scene, elements, mesh),
+                                                     slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
+                                                     {1, peak * rollbem::mean_hertz_pressure(mesh)});
+    const auto rest = model.at_rest();
+    auto state = rest;
+    auto workspace = model.workspace();
+    const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
+    const auto point = model.solve(rest, {part, part}, state, workspace);
+    if (point.status != rollbem::StepStatus::ok) return {nan, nan};
+    const double full = peak * std::numbers::pi / 2;
+    return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
+}
+
+// A mesh that breathes with the contact, or that covers the largest one: uniform meshes have no use for its edges, and
+// only collocation on the plane knows other half-lengths.
+enum class Cover { breathing, largest };
+
+Cover cover_of(const Scene& scene, const Elements& elements) {
+    const bool graded = elements.topology != Topology::uniform;
+    return graded && scene.plane && std::holds_alternative<Collocation>(elements.scheme) ? Cover::breathing
+                                                                                         : Cover::largest;
+}
+
+// -F/(mu N_0) after each of `load_steps` steps, made of `parts` steps each
+std::vector<double> load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
+                                std::size_t parts = 1) {
+    const double full = peak * std::numbers::pi / 2;
+    const double half_length = cover == Cover::largest ? std::sqrt(1 + load_amplitude) : 1;
+    scene.contact = Contact<double>({.half_length = half_length,
+                                     .half_width = scene.contact.half_width(),
+                                     .shear_modulus = 1,
+                                     .poisson_ratio = scene.contact.poisson_ratio()});
+    // Hertz's contact of a_0 = 1 and p_0 = mu p_0 = peak under N_0
+    const rollbem::ElasticBody<double> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
+    const rollbem::HertzLine<double> line(
+        {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
+    const auto hertz = cover == Cover::largest ? rollbem::HertzLoad<double>::fixed(line, mesh, half_length)
+                                               : rollbem::HertzLoad<double>::breathing(line, mesh);
+    const auto load_at = [&](double q) {
+        return full * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
+    };
+    rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
+    const rollbem::CoulombFriction<double> law{1, load.normal_pressure};
+    const rollbem::FrictionModel<double> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
+                                               law);
+    auto now = model.at_rest(), next = now;
+    auto workspace = model.workspace();
+    const double creepage = unit_creepage(scene) * creepage_ratio;
+    hertz.set(load_at(0), load);
+    rollbem::StepStatus status = model.steady(now, creepage, load, next, workspace).status;
+    std::vector<double> forces;
+    const std::size_t count = load_steps * parts;
+    const double dq = load_length / static_cast<double>(count);
+    for (std::size_t k = 1; k <= count; ++k) {
+        std::swap(now, next);
+        hertz.set(load_at(static_cast<double>(k) * dq), load);
+        const auto step = model.advance(now, dq, creepage, load, next, workspace);
+        if (status == rollbem::StepStatus::ok) status = step.status;
+        if (k % parts == 0) forces.push_back(status == rollbem::StepStatus::ok ? -step.force_per_width / full : nan);
+    }
+    return forces;
+}
+
 // value(mesh), extrapolated from two meshes where the scheme says so
 template <class Value>
 auto evaluate(const Scene& scene, const Elements& elements, long n, const Value& value) {
     const auto fine = value(make_mesh(scene, elements.topology, n));
     if (elements.order == 0) return fine;
     return rollbem::richardson(value(make_mesh(scene, elements.topology, n / 2)), fine, elements.order);
+}
+
+// The same of several numbers.
+template <class Values>
+std::vector<double> evaluate_all(const Scene& scene, const Elements& elements, long n, const Values& values) {
+    std::vector<double> fine = values(make_mesh(scene, elements.topology, n));
+    if (elements.order == 0) return fine;
+    const std::vector<double> coarse = values(make_mesh(scene, elements.topology, n / 2));
+    for (std::size_t k = 0; k < fine.size(); ++k) fine[k] = rollbem::richardson(coarse[k], fine[k], elements.order);
+    return fine;
+}
+
+std::vector<double> all_combined_forces(const Scene& scene, const Elements& elements, long n) {
+    return evaluate_all(scene, elements, n,
+                        [&](const Mesh<double>& mesh) { return combined_force(scene, elements, mesh); });
+}
+
+std::vector<double> all_load_forces(const Scene& scene, const Elements& elements, long n) {
+    const Cover cover = cover_of(scene, elements);
+    return evaluate_all(scene, elements, n,
+                        [&](const Mesh<double>& mesh) { return load_forces(scene, elements, mesh, cover); });
+}
+
+// |difference| of two vectors over the second
+double vector_error(const std::vector<double>& force, const std::vector<double>& exact) {
+    return std::hypot(force[0] - exact[0], force[1] - exact[1]) / std::hypot(exact[0], exact[1]);
+}
+
+// The largest difference of two series, not of each by its own size: they are forces over mu N_0.
+double series_error(const std::vector<double>& forces, const std::vector<double>& exact) {
+    double largest = 0;
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+        const double difference = std::abs(forces[k] - exact[k]);
+        if (std::isnan(difference)) return nan;
+        largest = std::max(largest, difference);
+    }
+    return largest;
 }
 
 Forces all_step_forces(const Scene& scene, const Elements& elements, long n) {
@@ -283,6 +400,9 @@ double element_error(const Scene& scene, const Elements& elements, long n, const
             return std::abs(evaluate(scene, elements, n, c11) / exact_c11(scene, quantity) - 1.0);
         }
         case Problem::step: return largest_difference(all_step_forces(scene, elements, n), scene.step_forces);
+        case Problem::combined_friction:
+            return vector_error(all_combined_forces(scene, elements, n), scene.both_forces);
+        case Problem::varying_load: return series_error(all_load_forces(scene, elements, n), scene.load_forces);
         default: break;
     }
     const auto force = [&](const Mesh<double>& mesh) { return friction_force(scene, elements, mesh); };
@@ -321,7 +441,9 @@ const std::vector<Quantity>& quantities() {
                                            {"c11_z1", Problem::harmonic, 1},
                                            {"c11_z5", Problem::harmonic, 5},
                                            {"step_force", Problem::step},
-                                           {"friction_force", Problem::friction}};
+                                           {"friction_force", Problem::friction},
+                                           {"combined_force", Problem::combined_friction},
+                                           {"load_force", Problem::varying_load}};
     return all;
 }
 
@@ -330,6 +452,21 @@ std::vector<double> exact_step_forces(const Contact<double>& contact) {
     std::vector<double> forces;
     for (std::size_t k = 0; k < steps; ++k) forces.push_back(response.step(static_cast<double>(k + 1)));
     return forces;
+}
+
+std::vector<double> combined_reference(const Contact<double>& contact) {
+    const Scene scene{contact, true, 1, 1};
+    Elements cosine = *elements("cosine");
+    cosine.order = 1;  // of the direction of slip, which a row has half an element ahead of its traction
+    return all_combined_forces(scene, cosine, 640);
+}
+
+std::vector<double> load_reference(const Contact<double>& contact) {
+    const Scene scene{contact, true, 1, 1};
+    const Elements cosine = *elements("richardson-cosine");
+    return evaluate_all(scene, cosine, 320, [&](const Mesh<double>& mesh) {
+        return load_forces(scene, cosine, mesh, Cover::breathing, 4);
+    });
 }
 
 const std::vector<std::string>& scheme_names() {
@@ -354,8 +491,8 @@ bool Case::exists(const std::string& scheme, long n) {
 }
 
 bool Case::has(const std::string& scheme, const Quantity& quantity) {
-    const bool in_adhesion = scheme == "chebyshev-states" || scheme == "polynomial";
-    return !in_adhesion || quantity.problem != Problem::friction;
+    if (scheme == "closed-form") return !has_friction(quantity.problem) || quantity.problem == Problem::friction;
+    return elements(scheme) || !has_friction(quantity.problem);
 }
 
 std::optional<double> Case::relative_error(const Quantity& quantity) const {
@@ -398,6 +535,8 @@ double Case::run(const Quantity& quantity) const {
                                 })
                     .real();
             case Problem::step: return all_step_forces(scene_, *found, n_)[0];
+            case Problem::combined_friction: return all_combined_forces(scene_, *found, n_)[0];
+            case Problem::varying_load: return all_load_forces(scene_, *found, n_)[0];
             default: break;
         }
         return evaluate(scene_, *found, n_, [&](const auto& mesh) { return friction_force(scene_, *found, mesh); });
@@ -452,6 +591,11 @@ double model_error(const Scene& scene, const Quantity& quantity) {
             return largest_difference(step_forces(scene, system_of(scene, cosine, mesh)),
                                       step_forces(plane, system_of(plane, cosine, mesh)));
         case Problem::friction: return friction_force(scene, cosine, mesh) / friction_force(plane, cosine, mesh) - 1;
+        case Problem::combined_friction:
+            return vector_error(combined_force(scene, cosine, mesh), combined_force(plane, cosine, mesh));
+        case Problem::varying_load:
+            return series_error(load_forces(scene, cosine, mesh, Cover::largest),
+                                load_forces(plane, cosine, mesh, Cover::largest));
         default: break;
     }
     const ArrayX<double> own = steady(scene, cosine, mesh).traction, other = steady(plane, cosine, mesh).traction;

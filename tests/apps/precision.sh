@@ -15,7 +15,7 @@ bad "--schemes = '' must be a list without empty items" $p --schemes ''
 bad 'repeated items: cosine' $p --schemes cosine,knothe,cosine
 bad '--schemes = cosine, ,knothe must be a list without empty items' $p --schemes 'cosine, ,knothe'
 bad '--quantity = c11, must be a list without empty items' $p --quantity c11,
-bad '--quantity = c12 must be all, or some of c11,traction' $p --quantity c12
+bad '--quantity = c12 must be all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5,step_force,friction_force,combined_force,load_force' $p --quantity c12
 bad '--size-ratio = 2 has no effect without the scheme geometric' $p --schemes knothe --size-ratio 2
 bad '--epsilon = 0.4 has no effect without the scheme knothe' $p --schemes geometric --epsilon 0.4
 bad '--epsilon = 0 must lie in' $p --epsilon 0
@@ -71,6 +71,37 @@ good 2 "$precision" --n 160 --schemes uniform-0/0.63 --quantity friction_force -
 check '0/0.63 is unstable at n = 160' '$6 == 0 && $5 == "" && $7 == ""'
 good 3 "$precision" --n 40 --schemes cosine --quantity c11,c11_z1 --kernel strip --aspect 10
 check 'the error of the strip is that of its model' '$8 > 3e-4 && ($4 / $8 - 1) ^ 2 < 0.01'
+
+# --- both directions, and a load that varies: elements alone, in every column like other friction
+good 38 "$precision" --n 10,20,40 --schemes cosine,uniform-0.5/0.5,galerkin-cosine,richardson-cosine,chebyshev-states,polynomial,closed-form \
+    --quantity friction_force,combined_force,load_force --cheapest cheapest.csv
+grep -E '^(chebyshev|polynomial)' out && fail 'friction without elements'
+grep -E '^closed-form' out | grep -qv ',friction_force,' && fail 'a closed form of what has none'
+check 'times and stability of friction' '$5 > 0 && $6 != "" && $8 == ""'
+for quantity in combined_force load_force; do
+    grep -q ",$quantity,.*,1,1,\$" out || fail "no front of $quantity"
+    grep -q "^$quantity,1e-2,elements,[a-z]" cheapest.csv && grep -q "^$quantity,1e-2,stable-elements,[a-z]" cheapest.csv &&
+        grep -q "^$quantity,1e-12,all,,,,\$" cheapest.csv || fail "cheapest schemes for $quantity"
+done
+# a mesh that breathes, and one on the largest contact, against the series of two discretisations
+row() { awk -F, -v s="$1" -v n="$2" -v q="$3" '$1 == s && $2 == n && $3 == q { ok = '"$4"' } END { exit !ok }' out || fail "$1 $2 $3: $(grep "$1,$2,$3" out)"; }
+row cosine 20 load_force '($4 / 2.8e-3 - 1) ^ 2 < 0.03 ^ 2'
+row cosine 40 load_force '($4 / 8.07e-4 - 1) ^ 2 < 0.01 ^ 2'
+row uniform-0.5/0.5 40 load_force '($4 / 1.2e-2 - 1) ^ 2 < 0.05 ^ 2'
+row cosine 40 friction_force '($4 / 9.05e-4 - 1) ^ 2 < 0.01 ^ 2'
+# CONTACT, extrapolated, at 45 degrees: the distance of friction_study's force at n = 40 from it is the error here
+$programs/friction_study --kernel plane --n 40 --creepage-ratio 0.35355339059327373 --lateral-ratio 0.35355339059327373 >both
+awk -F, -v error="$(awk -F, '$1 == "cosine" && $2 == 40 && $3 == "combined_force" { print $4 }' out)" 'NR == 2 {
+        size = sqrt((0.54356 ^ 2) + (0.40941 ^ 2)); found = sqrt(($8 - 0.54356) ^ 2 + ($16 - 0.40941) ^ 2) / size
+        exit !((found - error) ^ 2 < 2e-5 ^ 2 && error > 1e-3) }' both || fail 'the error of the force as a vector'
+# without Poisson's ratio Carter's along the creepage is what the reference must be, to its own precision
+good 4 "$precision" --n 40,80,160 --schemes cosine --quantity combined_force --poisson 0 --jobs 2
+check 'Carter at 45 degrees' '($4 - ($2 == 40 ? 9.05e-4 : $2 == 80 ? 2.67e-4 : 7.7e-5)) ^ 2 < 1.2e-5 ^ 2'
+good 3 "$precision" --n 20 --schemes cosine --quantity combined_force,load_force --kernel strip --aspect 10 --jobs 2
+check 'the strip has another force' '$8 > 1e-4 && $4 > 0'
+good 2 "$precision" --n 20 --schemes cosine --quantity combined_force --aspect inf --jobs 2
+bad '--aspect = inf must be positive and finite' $p --quantity load_force --aspect inf
+"$precision" --help | grep -q 'load_force: creepage ratio' || fail '--help says nothing of load_force'
 
 # --- Chebyshev states: numbers of the plane known otherwise, b/a = 100 and nu = 0.25, geometric in their number; the
 # strip's distance from the plane; where they do not exist

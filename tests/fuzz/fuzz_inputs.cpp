@@ -1,5 +1,8 @@
-// apps/support: whatever is typed or stands in a file is either taken or refused by std::invalid_argument in one line.
-// The first byte of an input says what it is: c command line (a word a line), t configuration file, e edges, h history.
+// apps/support, apps/friction: whatever is typed or stands in a file is either taken or refused by std::invalid_argument
+// in one line. The first byte of an input says what it is: c command line (a word a line), t configuration file, e edges,
+// h history, p pressure, f command line of a load that varies, l and b its table on a mesh that stays or breathes.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +15,12 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <rollbem/normal/hertz_load.hpp>
+
+#include "friction/load.hpp"
+#include "friction/pressure.hpp"
 #include "support/csv.hpp"
+#include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/pairs_file.hpp"
 #include "support/scenes.hpp"
@@ -68,6 +76,43 @@ void take(const std::vector<std::string>& words) {
     require(sidecar.find('\0') == std::string::npos, "TOML has no zero bytes");
 }
 
+/// Reads the words as friction_study does in time, up to the load of every step.
+void take_friction(const std::vector<std::string>& words) {
+    study::Options options("fuzz", "purpose");
+    options.add_input("pressure", "a file");
+    options.add("lateral-ratio", "LIST", "numbers");
+    options.add("layer", "L", "a number", "0");
+    options.add("load-sine", "A,LENGTH", "two numbers");
+    options.add_input("load", "a file");
+    options.add_flag("breathing", "a flag");
+    study::add_steps(options, "");
+    std::vector<const char*> argv{"fuzz"};
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
+    if (options.given("lateral-ratio")) options.numbers("lateral-ratio", study::finite());
+    options.number("layer", study::finite());
+    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(5);
+    const friction::Pressure pressure = friction::make_pressure(options);
+    require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
+    const study::Steps steps = study::read_steps(options);
+    const double until = steps.dq * static_cast<double>(steps.count);
+    const auto history = friction::read_load(options, until);
+    if (!history) return;
+    const rollbem::HertzLoad<double> hertz = friction::hertz_load(*history, mesh);
+    rollbem::NormalLoad<double> load = hertz.at(friction::mu_N);
+    double q = 0;
+    for (int k = 0; k <= 50 && q < until; ++k) {
+        const double ratio = history->at(q);
+        require(std::isfinite(ratio) && ratio >= 0, "a load presses");
+        const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::StepStatus::ok;
+        // a load that underflows has no length
+        require(possible || (history->breathing && ratio < 1e-290), "the mesh covers every load");
+        const double end = std::min(until, q + std::max(steps.dq, until / 50)), next = history->next_stop(q, end);
+        require(next > q && next <= end, "steps go on");
+        q = next;
+    }
+}
+
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines{""};
     for (const char c : text) {
@@ -90,11 +135,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         switch (input[0]) {
             case 'c':
+            case 'f':
                 // no files but those of the other kinds, and not a hundred thousand elements a thousand times
                 if (content.find('/') != std::string_view::npos || content.find("0000") != std::string_view::npos)
                     break;
-                take(lines_of(content));
+                (input[0] == 'c' ? take : take_friction)(lines_of(content));
                 break;
+            case 'p': take_friction({"--pressure", file.path()}); break;
+            case 'l': take_friction({"--load", file.path(), "--until", "4"}); break;
+            case 'b': take_friction({"--load", file.path(), "--until", "4", "--kernel", "plane", "--breathing"}); break;
             case 't': take({"--config", file.path()}); break;
             case 'e': take({"--edges", file.path(), "--alpha", "0.5"}); break;
             case 'h': take({"--history", file.path(), "--n", "3"}); break;

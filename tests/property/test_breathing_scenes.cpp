@@ -1,0 +1,198 @@
+// rollbem/friction/transient.hpp, combined_transient.hpp: rides on a mesh that breathes, drawn at random, against the
+// equations of a step set up here and a solver that shares nothing.
+// ROLLBEM_SCENES sets how many thirtieths (default 10000), ROLLBEM_SEED the seed of the generator.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+
+#include <rollbem/compiled/friction.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Vectors = ElementVectors<double>;
+using Matrices = std::array<MatrixX<double>, 2>;
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+class Draw {
+public:
+    explicit Draw(std::uint64_t seed) : generator_(seed) {}
+    int integer(int count) { return static_cast<int>(generator_() % static_cast<unsigned>(count)); }
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
+    double decades(double low, double high) { return std::pow(10, uniform(low, high)); }
+
+private:
+    std::mt19937_64 generator_;
+};
+
+// Tractions in circles of radius `bound` that the projected fixed point p = P(p - r s) leaves alone, s = M p + c, from
+// the leading element on; nothing where it does not get there.
+std::optional<Vectors> fixed_point(const Matrices& M, const Vectors& c, const ArrayX<double>& bound) {
+    Vectors p = Vectors::Zero(bound.size(), 2);
+    for (int sweep = 0; sweep < 20000; ++sweep) {
+        double change = 0;
+        for (Eigen::Index i = bound.size() - 1; i >= 0; --i) {
+            const double reach = 0.7 / std::max(M[0](i, i), M[1](i, i));
+            Eigen::RowVector2d moved;
+            for (Eigen::Index d = 0; d < 2; ++d) {
+                const MatrixX<double>& matrix = M[static_cast<std::size_t>(d)];
+                moved[d] = p(i, d) - reach * (matrix.row(i).dot(p.col(d)) + c(i, d));
+            }
+            if (moved.norm() > bound[i]) moved *= bound[i] / moved.norm();
+            change = std::max(change, (moved - p.row(i)).norm());
+            p.row(i) = moved;
+        }
+        if (change <= 1e-15 * bound.maxCoeff()) return p;
+    }
+    return std::nullopt;
+}
+
+// Both directions of the plane at a = a_0, lengths in a_0 and G = 1, and what half-lengths make of them.
+struct Surface {
+    Matrices G, G_prime;
+    std::array<double, 2> strength;  // of the logarithm
+    ArrayX<double> points, widths;
+
+    // U = M(a) p
+    MatrixX<double> M(std::size_t d, double a) const {
+        const Eigen::Index n = widths.size();
+        const VectorX<double> ones = VectorX<double>::Ones(n);
+        return a * (G[d] - strength[d] * std::log(a) * ones * widths.matrix().transpose());
+    }
+    Vectors displacement(const Vectors& p, double a) const {
+        Vectors U(p.rows(), 2);
+        U << M(0, a) * p.col(0), M(1, a) * p.col(1);
+        return U;
+    }
+    // p at the end of a stage that takes `part` of a step dq, da: slip = xi part dq - part (dq + da zeta) G' p + M p - U
+    std::optional<Vectors> stage(double part, double dq, double da, double a, const Creepage<double>& creepage,
+                                 const Vectors& U, const ArrayX<double>& bound) const {
+        Matrices slip;
+        const ArrayX<double> way = part * (dq + da * points);
+        for (std::size_t d = 0; d < 2; ++d) slip[d] = M(d, a) - way.matrix().asDiagonal() * G_prime[d];
+        Vectors constant = -U;
+        constant.col(0).array() += part * dq * creepage.longitudinal;
+        constant.col(1).array() += part * dq * creepage.lateral;
+        return fixed_point(slip, constant, bound);
+    }
+    std::optional<Vectors> step(Integrator integrator, double dq, double a, double a_end,
+                                const Creepage<double>& creepage, const Vectors& p, const ArrayX<double>& bound,
+                                const ArrayX<double>& bound_end) const {
+        const Vectors U = displacement(p, a);
+        const double da = a_end - a;
+        if (integrator == Integrator::implicit_euler) return stage(1, dq, da, a_end, creepage, U, bound_end);
+        const double g = 1 - 1 / std::numbers::sqrt2, a_1 = a + g * da;
+        const auto p_1 = stage(g, dq, da, a_1, creepage, U, bound + g * (bound_end - bound));
+        if (!p_1) return std::nullopt;
+        const Vectors between = U + (1 - g) / g * (displacement(*p_1, a_1) - U);
+        return stage(g, dq, da, a_end, creepage, between, bound_end);
+    }
+};
+
+struct Tally {
+    int compared = 0, mixed = 0;
+};
+
+// A few steps under loads of every kind, each compared with the fixed point.
+void ride(Draw& draw, Tally& tally) {
+    const double nu = draw.integer(4) == 0 ? 0 : draw.uniform(0, 0.5);
+    const double a_0 = draw.decades(-4, 1), modulus = draw.decades(0, 11), mu = draw.uniform(0.01, 1);
+    const Contact<double> contact(
+        {.half_length = a_0, .half_width = a_0 * draw.decades(2, 4), .shear_modulus = modulus, .poisson_ratio = nu});
+    const Eigen::Index n = 1 + draw.integer(12);
+    const Mesh<double> mesh = draw.integer(2) == 0 ? uniform_mesh<double>(n) : cosine_mesh<double>(n);
+    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const auto along = PlaneKernel<double>::longitudinal(contact), across = PlaneKernel<double>::lateral(contact);
+    const Surface surface{{assemble_G(mesh, scheme, along), assemble_G(mesh, scheme, across)},
+                          {assemble_G_prime(mesh, scheme, along), assemble_G_prime(mesh, scheme, across)},
+                          {2 * (1 - nu) / std::numbers::pi, 2 / std::numbers::pi},
+                          mesh.edges_from_trailing().tail(n) - 1,  // leading edges, where alpha = 0.5 has its points
+                          mesh.widths()};
+    const bool both = draw.integer(2) == 0;
+    const Integrator integrator = draw.integer(2) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler;
+    const double peak = draw.decades(-5, -2);  // p_0/G
+    const auto pressures = [&] {
+        ArrayX<double> result = peak * draw.uniform(0.2, 1.5) * mean_hertz_pressure(mesh);
+        for (double& pressure : result) pressure *= draw.integer(6) == 0 ? 0 : draw.uniform(0.7, 1.3);
+        return result;
+    };
+    const CoulombFriction<double> law{mu, modulus * peak * mean_hertz_pressure(mesh)};
+    const ElementSystem<double> x = rolling_system(mesh, scheme, along), y = rolling_system(mesh, scheme, across);
+    const FrictionModel<double> one(contact, x, unchecked, law, integrator);
+    const CombinedFrictionModel<double> two(contact, x, y, unchecked, law, integrator);
+    FrictionState<double> one_now = one.at_rest(), one_next = one_now;
+    CombinedFrictionState<double> two_now = two.at_rest(), two_next = two_now;
+    FrictionWorkspace<double> one_workspace = one.workspace();
+    CombinedFrictionWorkspace<double> two_workspace = two.workspace();
+    NormalLoad<double> load{law.normal_pressure, a_0, {}};
+    Vectors p = Vectors::Zero(n, 2);
+    double a = 1;
+    ArrayX<double> bound = mu / modulus * law.normal_pressure;
+    for (int k = 0; k < 8; ++k) {
+        const double dq = draw.decades(-1.5, 0.7), size = mu * peak * draw.decades(-1.5, 1);
+        const double angle = draw.uniform(-3.2, 3.2);
+        const Creepage<double> creepage{size * std::cos(angle), both ? size * std::sin(angle) : 0};
+        const double a_end = std::clamp(a + draw.uniform(-0.95, 0.95) * dq, 0.5, 2.0);
+        const ArrayX<double> pressure = pressures(), bound_end = mu * pressure;
+        load = {modulus * pressure, a_0 * a_end, {}};
+        StepStatus status;
+        double residual;
+        Eigen::Index stick;
+        Vectors found = Vectors::Zero(n, 2);
+        const auto take = [&](const auto& step) {
+            status = step.status;
+            residual = step.complementarity_residual;
+            stick = step.stick_count;
+        };
+        if (both) {
+            take(two.advance(two_now, dq * a_0, creepage, load, two_next, two_workspace));
+            found = two_next.traction / modulus;
+        } else {
+            take(one.advance(one_now, dq * a_0, creepage.longitudinal, load, one_next, one_workspace));
+            found.col(0) = one_next.traction / modulus;
+        }
+        CAPTURE(k, both, name(integrator), n, nu, dq, a, a_end, size, angle);
+        REQUIRE(status == StepStatus::ok);
+        REQUIRE(residual < 1e-10);
+        if (const auto expected = surface.step(integrator, dq, a, a_end, creepage, p, bound, bound_end)) {
+            REQUIRE((*expected - found).cwiseAbs().maxCoeff() <= 1e-8 * mu * peak);
+            ++tally.compared;
+            tally.mixed += stick > 0 && stick < n ? 1 : 0;
+        }
+        p = found;
+        a = a_end;
+        bound = bound_end;
+        std::swap(one_now, one_next);
+        std::swap(two_now, two_next);
+    }
+}
+
+TEST_CASE("Steps on a mesh that breathes are those of a projected fixed point", "[property]") {
+    const std::uint64_t scenes = from_environment("ROLLBEM_SCENES", 10000) / 30 + 1;
+    const std::uint64_t seed = from_environment("ROLLBEM_SEED", 1);
+    Tally tally;
+    for (std::uint64_t scene = 0; scene < scenes; ++scene) {
+        CAPTURE(seed, scene);
+        Draw draw(seed * 1000003 + scene);
+        ride(draw, tally);
+    }
+    CAPTURE(scenes, tally.compared, tally.mixed);
+    CHECK(tally.compared > static_cast<int>(6 * scenes));
+    CHECK(tally.mixed > static_cast<int>(scenes));
+}
+
+}  // namespace
