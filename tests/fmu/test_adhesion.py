@@ -139,6 +139,22 @@ def test_input_rates():
     assert coarse < 2e-4 and 3.5 < coarse / finer < 4.5
 
 
+def test_steps_of_any_length():
+    # exact for inputs that hold, so that the way is free
+    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    forces, time = {}, 0.0
+    for length in (0.3, 0.3, 0.6, 1.2, 0.1, 0.5):
+        assert instance.step(time * a / V, length * a / V) == ok
+        time += length
+        forces[round(time, 1)] = instance.get("force")
+    instance.close()
+    for q in (0.6, 1.2, 2.4, 3.0):
+        at_once = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+        assert at_once.step(0.0, q * a / V) == ok
+        close_to(forces[q], at_once.get("force"), 1e-12, f"q/a = {q}")
+        at_once.close()
+
+
 def test_shift_without_rolling():
     shift = 2e-6
     instance = Instance(fmu).start(**scene, rolling_speed=0.0, slip_velocity=shift / 0.3)
