@@ -36,6 +36,7 @@ Outcome run(const Case& one) {
     } catch (const std::exception& error) {
         Outcome outcome;
         outcome.told = error.what();
+        outcome.refused = true;
         return outcome;
     }
 }
@@ -44,6 +45,14 @@ Outcome run(const Case& one) {
 std::string verdict(const Case& one, const Outcome& outcome) {
     if (!one.says.empty()) return outcome.told.find(one.says) != std::string::npos ? "told" : "broken";
     return outcome.told.empty() && std::abs(outcome.error) <= outcome.bound ? "right" : "broken";
+}
+
+/// ok, the library's name of what went wrong, or exception.
+std::string status(const Outcome& outcome) {
+    if (outcome.refused) return "exception";
+    const std::string prefix = "status ";
+    if (outcome.told.rfind(prefix, 0) == 0) return outcome.told.substr(prefix.size());
+    return outcome.told.empty() ? "ok" : "not_converged";
 }
 
 }  // namespace
@@ -62,9 +71,14 @@ int main(int argc, char** argv) {
         "verdict is right where |relative_error| <= bound, told where a status or an exception says why there is no\n"
         "result (column told), and broken where the promise of the case is not kept: then the exit code is 1, after "
         "all\n"
-        "rows. References are closed forms, Bessel functions, the spectral solution of the strip, other solvers\n"
-        "of the same elements, Chebyshev states, or the same discretisation in long double; there the bound is\n"
-        "what the condition, in the column condition, makes of rounding.\n");
+        "rows. status is ok, the library's name of what went wrong, or exception. References are closed forms,
+"
+        "Bessel functions, the spectral solution of the strip, other solvers of the same elements, Chebyshev states,
+"
+        "or the same discretisation in long double; there the bound is what the condition, in the column condition,
+"
+        "makes of rounding.
+");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
@@ -78,8 +92,8 @@ int main(int argc, char** argv) {
         // 3. One row each.
         std::atomic<bool> all_kept{true};
         study::Table table;
-        table.columns = {"case",     "quantity",  "value",   "reference", "relative_error",
-                         "residual", "condition", "verdict", "bound",     "told"};
+        table.columns = {"case",      "quantity", "value", "reference", "relative_error", "residual",
+                         "condition", "verdict",  "bound", "told",      "status"};
         table.rows_of_task.assign(cases.size(), 1);
         table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
             const Case& one = cases[task];
@@ -88,7 +102,7 @@ int main(int argc, char** argv) {
             if (result == "broken") all_kept = false;
             const study::Cell bound = one.says.empty() ? study::Cell(outcome.bound) : study::Cell();
             emit({one.name, one.quantity, outcome.value, outcome.reference, outcome.error, outcome.residual,
-                  outcome.condition, result, bound, outcome.told});
+                  outcome.condition, result, bound, outcome.told, status(outcome)});
         };
         study::write_table(given, table);
         return all_kept ? study::exit_ok : study::exit_failed;

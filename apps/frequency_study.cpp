@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,9 +32,13 @@ namespace {
 
 using Complex = std::complex<double>;
 
-const std::vector<std::string> columns{"n",        "omega",          "c11_re",        "c11_im",  "exact_re",
-                                       "exact_im", "relative_error", "alpha_L",       "alpha_T", "lambda",
-                                       "order",    "rcond",          "error_estimate"};
+const std::vector<std::string> columns =
+    study::joined(study::joined({"n", "omega", "c11_re", "c11_im", "exact_re", "exact_im", "relative_error", "alpha_L",
+                                 "alpha_T", "lambda", "order", "rcond", "error_estimate", "status"},
+                                study::all_setting_columns()),
+                  {"basis"});
+
+constexpr Complex unknown{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// The frequencies, in units of V/a.
 std::vector<double> make_omegas(const study::Options& options) {
@@ -64,26 +70,29 @@ study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& 
     const bool has_exact = study::plane_model_decays(contact);
     const Complex exact =
         has_exact ? rollbem::reference::laplace_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect())
-                  : Complex(std::nan(""), std::nan(""));
+                  : unknown;
     return {n, omega, c11.real(), c11.imag(), exact.real(), exact.imag(), std::abs(c11 / exact - 1.0)};
 }
 
 // --- elements and Chebyshev states ---------------------------------------------------------------------------------
 
-void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, study::RowRange range,
+void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Emit& emit) {
     // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
     const rollbem::RollingSystem<double> system = study::system_of(scene);
-    const bool enough = !scene.chebyshev || study::flaw_in_steady_rolling(scene, system).empty();
+    const std::string steady = study::status_of(rollbem::Status::ok, scene, system);
     const rollbem::FrequencySweep<double> sweep(system);
 
-    // 4. Solve for each. A c11 that cannot be trusted is left out; elements the sweep judges itself.
+    // 4. Solve for each. A c11 that cannot be trusted is left out, unless --unchecked is given.
     for (std::size_t i = range.first; i < range.last; ++i) {
         const rollbem::SweepPoint<double> point = sweep(omegas[i]);
-        const bool trusted = enough && point.status == rollbem::Status::ok;
-        const Complex c11 = trusted ? point.c11 : Complex(std::nan(""), std::nan(""));
+        const std::string status = point.status == rollbem::Status::ok ? steady : name(point.status);
+        const Complex c11 = status == study::ok || !checked ? point.c11 : unknown;
         study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
-        row.insert(row.end(), {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell(), point.rcond, study::Cell()});
+        row.insert(row.end(),
+                   {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell(), point.rcond, study::Cell(), status});
+        row = study::joined(row, study::all_setting_cells(scene));
+        row.emplace_back();
         emit(std::move(row));
     }
 }
@@ -93,10 +102,11 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, st
 struct PolynomialResult {
     Complex c11;
     double error_estimate;
+    rollbem::Status status;
 };
 
-/// Throws BadInput where monomials have broken down.
-PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
+/// Throws BadInput where monomials have broken down and that is `checked`.
+PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order, bool checked) {
     constexpr Eigen::Index highest = 1000;
     const std::string name = "--order = " + std::to_string(order);
     if (order > highest) {
@@ -105,20 +115,22 @@ PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double om
     }
     const rollbem::PolynomialSolution<double> solution =
         rollbem::solve_monomial<double>(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
-    if (solution.status != rollbem::Status::ok) {
+    if (checked && solution.status != rollbem::Status::ok) {
         throw study::BadInput(name + " with --basis monomial must give a result that can be trusted; at omega = " +
                               study::Cell(omega).text(6) + " it does not: " + rollbem::advice(solution.status) +
-                              " (--basis chebyshev)");
+                              " (--basis chebyshev, or --unchecked)");
     }
-    return {solution.c11, solution.error_estimate};
+    return {solution.c11, solution.error_estimate, solution.status};
 }
 
-/// Chebyshev polynomials do not break down, but an order can be too low: then c11 is not a number, the estimate stays.
-PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order) {
+/// Chebyshev polynomials do not break down, but an order can be too low: then a c11 that is `checked` is not a number,
+/// and the estimate stays.
+PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order,
+                               bool checked) {
     const rollbem::PolynomialC11<double> result =
         rollbem::polynomial_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
     const bool trusted = result.status == rollbem::Status::ok;
-    return {trusted ? result.c11 : Complex(std::nan(""), std::nan("")), result.error_estimate};
+    return {trusted || !checked ? result.c11 : unknown, result.error_estimate, result.status};
 }
 
 /// All rows, one for each order and frequency: what must be refused shows before anything is written.
@@ -128,9 +140,11 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
     if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
         throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
     }
-    const rollbem::Contact<double> contact = study::make_contact(options, study::Problem::non_steady);
-    study::require_plane_model(options, contact);
-    const bool monomial = options.choice("basis", {"monomial", "chebyshev"}) == "monomial";
+    const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
+    for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
+    const std::string basis = options.choice("basis", {"monomial", "chebyshev"});
+    const auto solve = basis == "monomial" ? monomial_c11 : chebyshev_c11;
+    const bool checked = !options.flag("unchecked");
     std::vector<std::optional<Eigen::Index>> orders{std::nullopt};  // the default order of each frequency
     if (options.given("order")) {
         orders.clear();
@@ -138,20 +152,22 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
     }
 
     std::vector<study::Row> rows;
+    const auto add_row = [&](const rollbem::Contact<double>& contact, std::optional<Eigen::Index> given, double omega) {
+        const Complex s(0, omega);
+        if (!given && omega > 1e8) {
+            throw study::BadInput("--omega = " + study::Cell(omega).text(6) + " must be at most 1e8 without --order");
+        }
+        const Eigen::Index order = given ? *given : rollbem::default_polynomial_order(s);
+        const PolynomialResult result = solve(contact, omega, order, checked);
+        study::Row row = response_cells({}, contact, omega, result.c11);
+        const study::Cell none;  // no alphas, no lambda, no mesh
+        rows.push_back(study::joined(
+            row, {none, none, none, order, none, result.error_estimate, name(result.status), "polynomial", none, none,
+                  "plane", study::aspect_cell(contact), contact.poisson_ratio(), none, none, none, basis}));
+    };
     for (const std::optional<Eigen::Index>& given : orders) {
-        for (const double omega : omegas) {
-            const Complex s(0, omega);
-            if (!given && omega > 1e8) {
-                throw study::BadInput("--omega = " + study::Cell(omega).text(6) +
-                                      " must be at most 1e8 without --order");
-            }
-            const Eigen::Index order = given ? *given : rollbem::default_polynomial_order(s);
-            const PolynomialResult result =
-                monomial ? monomial_c11(contact, omega, order) : chebyshev_c11(contact, omega, order);
-            study::Row row = response_cells({}, contact, omega, result.c11);
-            row.resize(columns.size() - 3);  // no alphas, no lambda
-            row.insert(row.end(), {order, study::Cell(), result.error_estimate});
-            rows.push_back(std::move(row));
+        for (const rollbem::Contact<double>& contact : contacts) {
+            for (const double omega : omegas) add_row(contact, given, omega);
         }
     }
     return rows;
@@ -166,32 +182,45 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
     constexpr std::size_t black = 6;
 
     study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
-    study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im"});
+    const std::vector<std::string> apart = study::all_setting_columns();
+    study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
     const std::size_t cases = argand.series.size();
     if (cases == 1) argand.series[0].label = "computed";
-    std::map<double, Complex> exact;
+    std::map<std::string, std::map<double, Complex>> exact;  // of every contact
+    const auto aspect = std::find(columns.begin(), columns.end(), "aspect") - columns.begin();
     for (const study::Row& row : rows) {
         const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
-        if (omega && re && im) exact[*omega] = {*re, *im};
+        const auto cell = row.begin() + aspect;
+        const std::string contact = "aspect = " + cell->text(6) + ", poisson = " + std::next(cell)->text(6);
+        if (omega && re && im) exact[contact][*omega] = {*re, *im};
     }
-    study::Series exact_curve{.label = "exact", .points = {}, .markers = false, .style = black};
-    for (const auto& [omega, c11] : exact) exact_curve.points.emplace_back(c11.real(), c11.imag());
-    argand.series.push_back(exact_curve);
+    const auto exact_label = [&](const std::string& contact) {
+        return exact.size() > 1 ? "exact, " + contact : std::string("exact");
+    };
+    for (const auto& [contact, response] : exact) {
+        study::Series curve{.label = exact_label(contact), .points = {}, .markers = false, .style = black};
+        for (const auto& [omega, c11] : response) curve.points.emplace_back(c11.real(), c11.imag());
+        argand.series.push_back(std::move(curve));
+    }
 
     study::Plot parts{.title = "", .x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .series = {}};
     for (const bool real : {true, false}) {
         const std::string name = real ? "Re" : "Im";
         study::Plot part;
-        study::add_series(part, columns, rows, {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im"});
+        study::add_series(part, columns, rows,
+                          {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im", .apart = apart});
         for (std::size_t k = 0; k < cases; ++k) {
             study::Series& series = part.series[k];
             series.label = name + ", " + argand.series[k].label;
             series.style = k;
             parts.series.push_back(std::move(series));
         }
-        study::Series curve{.label = name + ", exact", .points = {}, .markers = false, .style = black};
-        for (const auto& [omega, c11] : exact) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
-        parts.series.push_back(std::move(curve));
+        for (const auto& [contact, response] : exact) {
+            study::Series curve{
+                .label = name + ", " + exact_label(contact), .points = {}, .markers = false, .style = black};
+            for (const auto& [omega, c11] : response) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
+            parts.series.push_back(std::move(curve));
+        }
     }
 
     // markers where there are few points, a logarithmic axis where frequencies of several orders ask for it
@@ -218,14 +247,17 @@ int main(int argc, char** argv) {
                            "Complex creep coefficient c11 under harmonic creepage over its frequency, and its error.");
     options.add("omega", "LIST", "frequencies omega a/V, at least 0 (dimensionless)");
     options.add("omega-min", "Z", "or: the lowest frequency omega a/V, above 0 (dimensionless)", "0.01");
-    options.add("omega-max", "Z", "the highest (dimensionless)", "10");
-    options.add("points", "N", "number of frequencies, both included, evenly spaced in the logarithm (dimensionless)",
-                "61");
+    options.add("omega-max", "Z", "the highest, above --omega-min (dimensionless)", "10");
+    options.add(
+        "points", "N",
+        "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
+        "61");
     options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
     options.add(
         "order", "LIST",
         "with --method polynomial: its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis "
         "needs for machine precision at each frequency");
+    options.add_flag("unchecked", "print c11 whatever its status says, also where --basis monomial has broken down");
     options.add_folder(
         "state-space",
         "besides, write the one scheme given as linear differential equations: A.csv, B.csv, C.csv, D.csv "
@@ -246,11 +278,15 @@ int main(int argc, char** argv) {
         "--method polynomial takes no elements: n is empty and the column order has the order. --basis monomial is "
         "the\n"
         "paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is "
-        "refused.\n"
-        "c11 is empty where the equations are singular to working precision, where the scheme does not converge to "
-        "full\n"
-        "adhesion (alpha at or below 0, or beyond 1), and where --order is too low for eight digits; exact and error "
-        "for\n"
+        "refused\n"
+        "without --unchecked. Where status is not ok, c11 is empty, or untrue with --unchecked: ill_conditioned where "
+        "the\n"
+        "equations are singular to working precision; inconsistent where the scheme does not converge to full "
+        "adhesion\n"
+        "(alpha at or below 0, or beyond 1); coarse where fewer than 10 elements give a steady c11 that is more than "
+        "half\n"
+        "off; not_converged where --order is too low for eight digits, or states are too few. exact and error are "
+        "empty for\n"
         "contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal "
         "condition;\n"
         "rounding enters c11 by 2e-16/rcond. error_estimate: relative, of c11 by polynomials, truncation and "
@@ -293,7 +329,7 @@ int main(int argc, char** argv) {
             table.rows_of_task.assign(scenes.size(), omegas.size());
             table.label = [&](std::size_t task) { return scenes[task].label(); };
             table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-                emit_sweep(scenes[task], omegas, range, emit);
+                emit_sweep(scenes[task], omegas, !given.flag("unchecked"), range, emit);
             };
         }
 

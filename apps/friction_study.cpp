@@ -17,29 +17,35 @@ int main(int argc, char** argv) {
     options.set_default("mesh", "cosine");
     options.set_default("alpha-L", "0.5");
     options.set_default("alpha-T", "0.5");
-    options.add("creepage-ratio", "LIST",
-                "creepage as delta = xi G/(2 (1-nu) mu p0): Carter's contact slides as a whole from 1 on; with "
-                "--transient a single value (dimensionless)",
-                "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
+    options.add(
+        "creepage-ratio", "LIST",
+        "creepage as delta = xi G/(2 (1-nu) mu p0), any finite: Carter's contact slides as a whole from 1 on; with "
+        "--transient a single value (dimensionless)",
+        "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
     options.add_input(
         "pressure",
         "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
         "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
     options.add("lateral-ratio", "LIST",
-                "lateral creepage by the same 2 (1-nu) mu p0/G: friction in both directions; with --transient a single "
+                "lateral creepage by the same 2 (1-nu) mu p0/G, any finite: friction in both directions; with "
+                "--transient a single "
                 "value, constant (dimensionless)");
-    options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G (dimensionless)", "0");
+    options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G, 0 or more (dimensionless)",
+                "0");
     options.add_table("tractions",
                       "besides, a CSV file with one row per element of every scheme and creepage, and FILE.toml");
     options.add_flag(
         "fit-border",
         "solve for the border between slip and stick exactly, by series; n elements take over where that fails");
     options.add_flag("transient", "roll in time from rest, one row per step");
-    options.add("sine", "AMP,OMEGA",
-                "with --transient: creepage ratio AMP sin(OMEGA q/a), OMEGA in V/a (dimensionless)");
-    options.add("shift", "W", "with --transient: rigid shift in mu p0 a/G first, without rolling (dimensionless)");
+    options.add(
+        "sine", "AMP,OMEGA",
+        "with --transient: creepage ratio AMP sin(OMEGA q/a), AMP finite, OMEGA in V/a above 0 (dimensionless)");
+    options.add("shift", "W",
+                "with --transient: rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)");
     options.add("load-sine", "A,LENGTH",
-                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), LENGTH in a_0 (dimensionless)");
+                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
+                "(dimensionless)");
     options.add_input("load",
                       "with --transient: CSV file with the columns q_over_a,load_ratio, N/N_0 over the distance rolled "
                       "in a_0, linear between its rows, which cover the run (dimensionless)");
@@ -91,7 +97,8 @@ int main(int argc, char** argv) {
         "--lateral-ratio: both directions, coupled by friction alone; the inner loop of a list. force_ratio and\n"
         "lateral_force_ratio are -F_x/(mu N) and -F_y/(mu N), tangent_ratio and lateral_tangent_ratio their\n"
         "derivatives by the creepage ratio of the same direction. exact and lateral_exact: Carter's, along the\n"
-        "creepage for a Poisson ratio of 0, and for a single direction (across, by the ratio times 1 - nu); else empty.\n"
+        "creepage for a Poisson ratio of 0, and for a single direction (across, by the ratio times 1 - nu); else "
+        "empty.\n"
         "--layer adds L p to the displacement, L = h_3/G_3 for a layer of thickness h_3; there is no exact force.\n"
         "\n"
         "--fit-border is for pressures that leave one slip zone at the trailing edge, as Hertz's does. Where that\n"
@@ -106,7 +113,8 @@ int main(int argc, char** argv) {
         "half_length_ratio is a/a_0, Hertz's. --breathing: the mesh follows the contact, of second order in 1/n;\n"
         "status is needs_fixed_mesh where the contact grows or shrinks by as much as it rolls. Else the mesh covers\n"
         "the largest contact, of first order, and the load may vanish. Steps are divided where a table has a row.\n"
-        "creep_work = -int F.xi dq from the forces at both ends of a step (at its end with implicit-euler), cumulative,\n"
+        "creep_work = -int F.xi dq from the forces at both ends of a step (at its end with implicit-euler), "
+        "cumulative,\n"
         "in the unit of slip_work; what the two differ by is elastic energy. exact is empty.\n"
         "\n"
         "--transient: one row per step, from q = dq on; with --shift, a row at q = 0 before. shift: imposed in\n"
@@ -114,7 +122,9 @@ int main(int argc, char** argv) {
         "end value with implicit-euler). rounds: of all solutions of a step, two with sdirk2.\n"
         "A scheme that is not certainly stable, or that steady rolling shows as inconsistent, is refused unless\n"
         "--unchecked is given: friction bounds its tractions, but they are wrong, and status does not tell. The\n"
-        "check finds eigenvalues, in time of order n^3.\n");
+        "check finds eigenvalues, in time of order n^3. With --unchecked status is unchecked where it would be ok. It "
+        "is\n"
+        "unresolved, and the forces empty, where OMEGA --dq > 1: fewer than six steps in a period of --sine.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The pressure.

@@ -31,8 +31,10 @@ using precision::Point;
 using precision::Problem;
 using precision::Quantity;
 
-const std::vector<std::string> columns{"scheme",  "n",      "quantity", "relative_error",
-                                       "time_us", "stable", "on_front", "model_error"};
+const std::vector<std::string> columns{"scheme", "n",        "quantity",    "relative_error", "time_us",
+                                       "stable", "on_front", "model_error", "status",         "kernel",
+                                       "aspect", "poisson",  "size_ratio",  "epsilon"};
+constexpr std::size_t first_setting = 9;  // of the columns
 
 // --- the command line
 
@@ -113,7 +115,7 @@ precision::Scene make_scene(const study::Options& options, const std::vector<std
     });
     const rollbem::Contact<double> contact =
         study::make_contact(options, steady ? study::Problem::steady : study::Problem::non_steady);
-    if (!steady) study::require_plane_model(options, contact);
+    if (!steady) study::require_plane_model(contact);
     // the strip of infinite width is the plane
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
     if (!plane && used("chebyshev-states") && contact.aspect() < 0.001) {
@@ -133,8 +135,10 @@ precision::Scene make_scene(const study::Options& options, const std::vector<std
 
 study::Row row(const Point& point) {
     const auto flag = [](const std::optional<bool>& value) { return value ? study::Cell(int(*value)) : study::Cell(); };
-    return {point.scheme,  study::Cell(point.n), point.quantity,       point.relative_error,
-            point.time_us, flag(point.stable),   flag(point.on_front), point.model_error};
+    study::Row cells{point.scheme,       study::Cell(point.n), point.quantity,    point.relative_error, point.time_us,
+                     flag(point.stable), flag(point.on_front), point.model_error, point.status};
+    cells.insert(cells.end(), point.setting.begin(), point.setting.end());
+    return cells;
 }
 
 /// The rows of one task, but for on_front.
@@ -153,6 +157,8 @@ std::vector<Point> points_of(const Task& task, const std::map<std::string, doubl
         if (time != times.end()) point.time_us = time->second;
         const auto model = model_errors.find(quantity.name);
         if (model != model_errors.end()) point.model_error = model->second;
+        if (!point.relative_error) point.status = task.scheme.status(quantity);
+        point.setting = task.scheme.setting();
         points.push_back(std::move(point));
     }
     return points;
@@ -292,16 +298,12 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
         const std::string where = lines.where();
         const std::string& text = lines.text();
         if (lines.number() == 1) {
-            if (text != header) throw study::BadInput(where + " must be " + header);
+            if (study::join(study::cells_of(text, ','), ",") != header) {
+                throw study::BadInput(where + " must be " + header);
+            }
             continue;
         }
-        std::vector<std::string> cells(1);
-        for (const char c : text) {
-            if (c == ',')
-                cells.emplace_back();
-            else
-                cells.back() += c;
-        }
+        const std::vector<std::string> cells = study::cells_of(text, ',');
         const auto known = [](const auto& list, const auto& name, const auto& name_of) {
             return std::any_of(list.begin(), list.end(), [&](const auto& item) { return name_of(item) == name; });
         };
@@ -332,7 +334,19 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
                           .time_us = in_range(4, 0, 1e15),
                           .stable = stable ? std::optional(*stable != 0) : std::nullopt,
                           .on_front = std::nullopt,
-                          .model_error = read_cell(cells[7], where)});
+                          .model_error = read_cell(cells[7], where),
+                          .status = cells[8],
+                          .setting = {cells.begin() + first_setting, cells.end()}});
+        // rows are compared, and what they are compared by must be the same
+        const auto other = std::find_if(points.begin(), points.end(), [&](const Point& point) {
+            const auto first = point.setting.begin();
+            return point.scheme == points.back().scheme ? point.setting != points.back().setting
+                                                        : !std::equal(first, first + 3, points.back().setting.begin());
+        });
+        if (other != points.end()) {
+            throw study::BadInput(where +
+                                  " must have the kernel, aspect, poisson, size_ratio and epsilon of the rows above");
+        }
     }
     if (points.empty()) throw study::BadInput(options.said("front") + " must have rows of the quantities asked for");
     return points;
@@ -344,7 +358,8 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
                     const std::vector<Quantity>& quantities) {
     using precision::Among;
     const std::vector<double> sustained = precision::sustained_errors(points);
-    file.write(study::csv_line({"quantity", "tolerance", "among", "scheme", "n", "relative_error", "time_us"}));
+    file.write(
+        study::csv_line({"quantity", "tolerance", "among", "scheme", "n", "relative_error", "time_us", "status"}));
     for (const Quantity& quantity : quantities) {
         for (int exponent = 2; exponent <= 12; ++exponent) {
             for (const auto& [among, name] : {std::pair{Among::elements, "elements"},
@@ -354,11 +369,11 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
                 const double tolerance = std::pow(10.0, -exponent);
                 const auto best = precision::cheapest(points, sustained, quantity.name, tolerance, among);
                 const std::string text = "1e-" + std::to_string(exponent);
-                study::Row cells{quantity.name, text, name, {}, {}, {}, {}};
+                study::Row cells{quantity.name, text, name, {}, {}, {}, {}, "none"};
                 if (best) {
                     const Point& point = points[*best];
-                    cells = {quantity.name,        text,         name, point.scheme, study::Cell(point.n),
-                             point.relative_error, point.time_us};
+                    cells = {quantity.name,        text,          name, point.scheme, study::Cell(point.n),
+                             point.relative_error, point.time_us, "ok"};
                 }
                 file.write(study::csv_line(cells));
             }
@@ -456,6 +471,13 @@ int main(int argc, char** argv) {
     options.set_default("kernel", "plane");
     options.set_default("size-ratio", "1.89");
     options.set_default("epsilon", "0.37");
+    options.set_help("size-ratio",
+                     "scheme geometric: dx_trailing / dx_leading, one value, 1e-12 to 1e12 (dimensionless)");
+    options.set_help("epsilon",
+                     "scheme knothe: size of the end element over that of an inner one, one value, 1e-12 to 1e12 "
+                     "(dimensionless)");
+    options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
+    options.set_help("poisson", "Poisson's ratio, one value, 0 to 0.5 (dimensionless)");
     options.add("schemes", "LIST", "all, or some of " + study::join(precision::scheme_names(), ","), "all");
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force,"
@@ -493,7 +515,12 @@ int main(int argc, char** argv) {
         "largest of its scheme at this and every larger n, so that no change of sign passes for precision. It is\n"
         "empty for polynomial and closed-form, and with --shard or --jobs above 1, where times lack: put the shards\n"
         "together and use --front. With the strip kernel model_error is what the model alone makes of the error.\n"
-        "Without --n, c11_z* stop at n = 320, step_force and those of friction at 160: two to three minutes in all.\n");
+        "status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
+"
+        "scheme reaches the tolerance. size_ratio and epsilon are empty but for geometric and knothe.
+"
+        "Without --n, c11_z* stop at n = 320, step_force and those of friction at 160: two to three minutes in all.
+");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const std::vector<Quantity> quantities = chosen_quantities(given);

@@ -32,26 +32,16 @@ using Complex = std::complex<double>;
 
 // --- how many modes grow -------------------------------------------------------------------------------------------
 
-const std::vector<std::string> count_columns{"method",
-                                             "derivative",
-                                             "mesh",
-                                             "n",
-                                             "alpha_L",
-                                             "alpha_T",
-                                             "lambda",
-                                             "unstable_count",
-                                             "uncertain_count",
-                                             "unstable_fraction",
-                                             "spectral_abscissa",
-                                             "cond_G",
-                                             "time_us",
-                                             "spectral_radius",
-                                             "stiffness_ratio"};
+const std::vector<std::string> count_columns = study::joined(
+    {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda", "unstable_count", "uncertain_count",
+     "unstable_fraction", "spectral_abscissa", "cond_G", "time_us", "spectral_radius", "stiffness_ratio", "status"},
+    study::setting_columns());
 
 study::Row count_row(const study::Options& options, const study::Scene& scene) {
     // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
+    const rollbem::RollingSystem<double> system = study::system_of(scene);
     const rollbem::StabilityResult<double> result =
-        rollbem::solve_stability<double>(study::system_of(scene), {.settle_signs = true, .condition = true});
+        rollbem::solve_stability<double>(system, {.settle_signs = true, .condition = true});
 
     // 4. Time what a bare count takes, unless other jobs would spoil it.
     study::Cell time_us;
@@ -67,8 +57,9 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
                    {result.unstable_count, result.uncertain_count, result.unstable_fraction(), result.spectral_abscissa,
                     result.cond_G, time_us, result.spectral_radius, result.stiffness_ratio});
     }
-    row.resize(count_columns.size());
-    return row;
+    row.resize(count_columns.size() - study::setting_columns().size() - 1);
+    row.emplace_back(study::status_of(result.status, scene, system));
+    return study::joined(row, study::setting_cells(scene));
 }
 
 study::Table count_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
@@ -95,7 +86,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                                                             : x,
                          .y_label = "share of unstable eigenvalues",
                          .series = {}};
-        study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction"};
+        study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
         for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {
             const bool follows = equal && x == "alpha_T" && name == std::string("alpha_L");
             if (name != x && !follows) selection.by.emplace_back(name);
@@ -108,8 +99,8 @@ study::Table count_table(const study::Options& options, const std::vector<study:
 
 // --- the smallest unstable alpha_T ---------------------------------------------------------------------------------
 
-const std::vector<std::string> critical_columns{"method",  "derivative",       "mesh",  "n",
-                                                "alpha_L", "critical_alpha_T", "lambda"};
+const std::vector<std::string> critical_columns = study::joined(
+    {"method", "derivative", "mesh", "n", "alpha_L", "critical_alpha_T", "lambda", "status"}, study::setting_columns());
 
 std::optional<double> critical_alpha_T(const study::Scene& scene) {
     return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) -> std::optional<double> {
@@ -133,8 +124,10 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         const study::Scene& scene = scenes[task];
-        emit({scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical_alpha_T(scene),
-              scene.lambda});
+        const std::optional<double> critical = critical_alpha_T(scene);
+        emit(study::joined({scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical,
+                            scene.lambda, critical ? study::ok : "all_stable"},
+                           study::setting_cells(scene)));
     };
     table.plot = [](const std::vector<study::Row>& rows) {
         study::Plot plot{.title = "Smallest unstable alpha_T",
@@ -142,9 +135,11 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
                          .y_label = "critical alpha_T",
                          .log_x = true,
                          .series = {}};
-        study::add_series(
-            plot, critical_columns, rows,
-            {.by = {"method", "derivative", "mesh", "alpha_L", "lambda"}, .x = "n", .y = "critical_alpha_T"});
+        study::add_series(plot, critical_columns, rows,
+                          {.by = {"method", "derivative", "mesh", "alpha_L", "lambda"},
+                           .x = "n",
+                           .y = "critical_alpha_T",
+                           .apart = study::setting_columns()});
         return plot;
     };
     return table;
@@ -152,12 +147,14 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
 
 // --- the eigenvalues -----------------------------------------------------------------------------------------------
 
-const std::vector<std::string> spectrum_columns{"n",        "re",      "im",      "exact_re",
-                                                "exact_im", "alpha_L", "alpha_T", "lambda"};
+const std::vector<std::string> spectrum_columns = study::joined(
+    {"n", "re", "im", "exact_re", "exact_im", "alpha_L", "alpha_T", "lambda", "status"}, study::all_setting_columns());
 
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
     // 3. The eigenvalues by ascending modulus; infinite ones come last.
-    const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(study::system_of(scene));
+    const rollbem::RollingSystem<double> system = study::system_of(scene);
+    const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(system);
+    const std::string status = study::status_of(result.status, scene, system);
     std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
     if (result.status == rollbem::Status::ok) {
         const Eigen::VectorXcd computed = result.eigenvalues();
@@ -176,7 +173,10 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const study
         if (finite) im = nu.imag();
         if (near) exact_re = near->real();
         if (near) exact_im = near->imag();
-        emit({scene.n(), nu.real(), im, exact_re, exact_im, scene.alpha_L, scene.alpha_T, scene.lambda});
+        const bool infinite = result.status == rollbem::Status::ok && !finite;
+        emit(study::joined({scene.n(), nu.real(), im, exact_re, exact_im, scene.alpha_L, scene.alpha_T, scene.lambda,
+                            infinite ? name(rollbem::Status::not_finite) : status},
+                           study::all_setting_cells(scene)));
     }
 }
 
@@ -204,8 +204,9 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
                          .x_label = "Re(ν a)",
                          .y_label = "Im(ν a)",
                          .series = {}};
-        study::add_series(plot, spectrum_columns, rows,
-                          {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im"});
+        study::add_series(
+            plot, spectrum_columns, rows,
+            {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
         double left = -1, right = 0;
         for (study::Series& series : plot.series) {
             series.line = false;
@@ -217,11 +218,13 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
             }
         }
         study::Series exact{.label = "exact", .points = {}, .line = false, .style = 6};  // open markers
-        const stability::ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
-        for (const Complex& nu : known.upper_half()) {
-            exact.points.emplace_back(nu.real(), nu.imag());
-            if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
-            left = std::min(left, nu.real());
+        for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
+            const stability::ExactSpectrum known(contact, {Complex(0, height)});
+            for (const Complex& nu : known.upper_half()) {
+                exact.points.emplace_back(nu.real(), nu.imag());
+                if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
+                left = std::min(left, nu.real());
+            }
         }
         plot.series.push_back(exact);
         const double margin = (right - left) / 20;
@@ -257,9 +260,16 @@ int main(int argc, char** argv) {
         "steps of an explicit integrator must stay below 2/spectral_radius; stiffness_ratio: the largest |Re(nu a)| "
         "over "
         "the\n"
-        "smallest. Both are empty where an eigenvalue is infinite.\n"
+        "smallest. Both are empty where an eigenvalue is infinite. status: ok; inconsistent where steady rolling shows "
+        "that\n"
+        "the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;\n"
+        "coarse where fewer than 10 elements give a steady c11 that is more than half off; not_converged where more\n"
+        "Chebyshev states would change it; ill_conditioned or not_finite, and empty cells, where the eigenvalues were "
+        "not\n"
+        "found.\n"
         "--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled\n"
-        "eigenvalue, empty where there is none. Above it the scheme can be stable again. n = 320 takes half a minute.\n"
+        "eigenvalue, empty, with the status all_stable, where there is none. Above it the scheme can be stable again. "
+        "n = 320 takes half a minute.\n"
         "--spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in "
         "closed\n"
         "form, also with the strip kernel, whose model differs from it by order (a/b)^2. Infinite eigenvalues, which "

@@ -14,6 +14,7 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
+#include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
@@ -22,13 +23,15 @@
 
 namespace {
 
-const std::vector<std::string> columns{
-    "method",    "derivative", "mesh",           "n",        "alpha_L",     "alpha_T",  "c11",
-    "c11_exact", "c11_ratio",  "relative_error", "residual", "assembly_us", "solve_us", "error_estimate"};
+const std::vector<std::string> columns =
+    study::joined({"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "c11", "c11_exact", "c11_ratio",
+                   "relative_error", "residual", "assembly_us", "solve_us", "error_estimate", "status"},
+                  study::setting_columns());
 
-/// What elements and Chebyshev states tell. A c11 that cannot be trusted is not a number.
+/// What elements and Chebyshev states tell.
 struct Steady {
-    double c11 = std::nan("");
+    double c11;
+    rollbem::Status status;
     study::Cell residual{}, assembly_us{}, solve_us{}, error_estimate{};
 };
 
@@ -37,8 +40,7 @@ Steady by_elements(const auto& mesh, const auto& scheme, const auto& kernel, boo
     const Eigen::MatrixXd G_prime = rollbem::assemble_G_prime(mesh, scheme, kernel);
     const Eigen::ArrayXd widths = rollbem::unknown_widths(mesh, scheme);
     const rollbem::UnitSteadySolution<double> solution = rollbem::solve_steady<double>(G_prime, widths);
-    Steady result{.residual = solution.residual};
-    if (solution.status == rollbem::Status::ok) result.c11 = solution.c11;
+    Steady result{.c11 = solution.c11, .status = solution.status, .residual = solution.residual};
 
     // 4. Time both steps, unless other jobs would spoil it.
     if (timed) {
@@ -52,8 +54,7 @@ Steady by_elements(const auto& mesh, const auto& scheme, const auto& kernel, boo
 /// The same with the solution by Chebyshev states, which is assembled and solved in one.
 Steady by_states(const rollbem::Chebyshev& method, const auto& kernel, bool timed) {
     const rollbem::ChebyshevSteadySolution<double> solution = solve_steady(method, kernel);
-    Steady result{.error_estimate = solution.error_estimate};
-    if (solution.status == rollbem::Status::ok) result.c11 = solution.c11;
+    Steady result{.c11 = solution.c11, .status = solution.status, .error_estimate = solution.error_estimate};
     if (timed) result.solve_us = study::median_time_us([&] { return solve_steady(method, kernel).c11; });
     return result;
 }
@@ -65,15 +66,14 @@ study::Row steady_row(const study::Options& options, const study::Scene& scene) 
                         const auto& kernel) { return by_elements(mesh, scheme, kernel, timed); },
                     [&](const auto& method, const auto& kernel) { return by_states(method, kernel, timed); });
 
-    // 5. Compare with the closed form.
-    const double exact = rollbem::steady_c11(scene.contact.poisson_ratio()), ratio = result.c11 / exact;
-    return {scene.method,    scene.derivative,
-            scene.mesh_name, scene.n(),
-            scene.alpha_L,   scene.alpha_T,
-            result.c11,      exact,
-            ratio,           ratio - 1,
-            result.residual, result.assembly_us,
-            result.solve_us, result.error_estimate};
+    // 5. Compare with the closed form. A c11 that cannot be trusted is left out.
+    const std::string status = study::steady_status(scene, result.status, result.c11);
+    const double c11 = status == study::ok ? result.c11 : std::nan("");
+    const double exact = rollbem::steady_c11(scene.contact.poisson_ratio()), ratio = c11 / exact;
+    return study::joined(
+        {scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, scene.alpha_T, c11, exact, ratio,
+         ratio - 1, result.residual, result.assembly_us, result.solve_us, result.error_estimate, status},
+        study::setting_cells(scene));
 }
 
 }  // namespace
@@ -93,14 +93,18 @@ int main(int argc, char** argv) {
         "One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, whatever the kernel: with the\n"
         "strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at "
         "1000);\n"
-        "--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. c11 and what "
-        "follows\n"
-        "from it are empty where G' is singular to working precision, and where tractions push with the creepage, so "
-        "that\n"
-        "the scheme does not converge to full adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1.\n"
+        "--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. Where status "
+        "is\n"
+        "not ok, c11 and what follows from it are empty: ill_conditioned or not_finite where G' is singular to "
+        "working\n"
+        "precision; inconsistent where tractions push with the creepage, so that the scheme does not converge to full\n"
+        "adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1; coarse where fewer than 10 elements "
+        "give\n"
+        "a c11 that is more than half off (plane kernel, or strip from b/a = 10 on). kernel to quadrature tell rows\n"
+        "apart; they are empty where mesh or method have none.\n"
         "--method chebyshev: cells of what elements have are empty; solve_us is for everything, residual is empty.\n"
         "error_estimate (relative, of c11) tells what more states would change. Where it is above 1e-2, as with few\n"
-        "states in narrow strips (4 at b/a = 0.3), c11 is empty.\n");
+        "states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene.
@@ -126,7 +130,8 @@ int main(int argc, char** argv) {
                               {.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
                                .x = "n",
                                .y = "relative_error",
-                               .absolute = true});
+                               .absolute = true,
+                               .apart = study::setting_columns()});
             for (study::Series& series : plot.series) {  // a logarithm shows no zero: states can be exact
                 for (auto& [n, error] : series.points) {
                     error = std::max(error, std::numeric_limits<double>::epsilon() / 4);

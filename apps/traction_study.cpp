@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,6 +17,7 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
+#include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
@@ -23,8 +25,9 @@
 
 namespace {
 
-const std::vector<std::string> columns{"n",           "x_over_a",       "traction", "carter",
-                                       "carter_mean", "relative_error", "alpha_L",  "alpha_T"};
+const std::vector<std::string> columns = study::joined(
+    {"n", "x_over_a", "traction", "carter", "carter_mean", "relative_error", "alpha_L", "alpha_T", "status"},
+    study::all_setting_columns());
 
 void emit_elements(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
     // 3. Solve for unit creepage. Where the result cannot be trusted, the cells stay empty; the leading element of
@@ -35,7 +38,8 @@ void emit_elements(const study::Scene& scene, study::RowRange elements, const st
     const rollbem::UnitSteadySolution<double> solution = scene.visit(solve);
     Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
     traction.head(solution.traction.size()) = solution.traction;
-    if (solution.status != rollbem::Status::ok) traction.setConstant(std::nan(""));
+    const std::string status = study::steady_status(scene, solution.status, solution.c11);
+    if (status != study::ok) traction.setConstant(std::nan(""));
 
     // 4. Compare with Carter: his traction at the element's centre, and its mean, which a constant element stands for.
     const rollbem::Mesh<double>& mesh = *scene.mesh;
@@ -43,8 +47,9 @@ void emit_elements(const study::Scene& scene, study::RowRange elements, const st
     const Eigen::ArrayXd means = rollbem::carter_mean_tractions(mesh, nu);
     for (Eigen::Index i = Eigen::Index(elements.first); i < Eigen::Index(elements.last); ++i) {
         const rollbem::EdgeDistances<double> centre{mesh.from_trailing()[i], mesh.from_leading()[i]};
-        emit({scene.n(), mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), means[i],
-              traction[i] / means[i] - 1, scene.alpha_L, scene.alpha_T});
+        emit(study::joined({scene.n(), mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), means[i],
+                            traction[i] / means[i] - 1, scene.alpha_L, scene.alpha_T, status},
+                           study::all_setting_cells(scene)));
     }
 }
 
@@ -64,13 +69,16 @@ void emit_states(const study::Scene& scene, study::RowRange points, const study:
         const double traction = trusted ? solution.traction(point) : std::nan("");
         const double carter = rollbem::carter_traction(point, scene.contact.poisson_ratio());
         const double x = std::sin(double(2 * i + 1 - scene.n()) * std::numbers::pi / double(2 * scene.n()));
-        emit({scene.n(), x, traction, carter, study::Cell(), traction / carter - 1, scene.alpha_L, scene.alpha_T});
+        emit(study::joined({scene.n(), x, traction, carter, study::Cell(), traction / carter - 1, scene.alpha_L,
+                            scene.alpha_T, name(solution.status)},
+                           study::all_setting_cells(scene)));
     }
 }
 
 /// Carter's traction where it is no larger than `largest` in size.
-study::Series carter_line(double nu, double largest) {
-    study::Series line{.label = "Carter", .points = {}, .markers = false};
+study::Series carter_line(double nu, bool several, double largest) {
+    study::Series line{
+        .label = several ? "Carter, poisson = " + study::Cell(nu).text(6) : "Carter", .points = {}, .markers = false};
     constexpr int points = 400;
     for (int i = 1; i <= points; ++i) {  // dense near the trailing edge
         const double x = 2 * std::pow(double(i) / points, 3) - 1;
@@ -94,12 +102,12 @@ int main(int argc, char** argv) {
         "One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit\n"
         "creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean\n"
         "over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.\n"
-        "Where G' is singular to working precision, and where tractions push with the creepage (alpha at or below 0, "
-        "or\n"
-        "beyond 1), traction and relative_error are empty.\n"
+        "Where status is not ok, traction and relative_error are empty: ill_conditioned or not_finite where G' is\n"
+        "singular to working precision; inconsistent where tractions push with the creepage (alpha at or below 0, or\n"
+        "beyond 1); coarse where fewer than 10 elements give a c11 that is more than half off the exact one.\n"
         "--method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and\n"
         "relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states\n"
-        "would change c11 by more than 1e-2, as in narrow strips, traction and relative_error are empty.\n");
+        "would change c11 by more than 1e-2, as in narrow strips, status is not_converged.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each element, or state, of each scene.
@@ -120,13 +128,20 @@ int main(int argc, char** argv) {
                              .x_range = study::PlotRange{-1, 1},
                              .series = {}};
             study::add_series(plot, columns, rows,
-                              {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction"});
+                              {.by = {"n", "alpha_L", "alpha_T"},
+                               .x = "x_over_a",
+                               .y = "traction",
+                               .apart = study::all_setting_columns()});
             double largest = 0;
             for (study::Series& series : plot.series) {
                 series.line = false;
                 for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
             }
-            plot.series.push_back(carter_line(scenes.front().contact.poisson_ratio(), 1.2 * largest));
+            std::set<double> poisson_ratios;
+            for (const study::Scene& scene : scenes) poisson_ratios.insert(scene.contact.poisson_ratio());
+            for (const double nu : poisson_ratios) {
+                plot.series.push_back(carter_line(nu, poisson_ratios.size() > 1, 1.2 * largest));
+            }
             return plot;
         };
         study::write_table(given, table);

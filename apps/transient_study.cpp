@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "support/options.hpp"
 #include "support/pairs_file.hpp"
 #include "support/program.hpp"
+#include "support/progress.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"
 
@@ -31,6 +33,7 @@ using Model = rollbem::TransientModel<double>;
 struct History {
     enum class Kind { step, ramp, sine, points } kind = Kind::step;
     double amplitude = 0, omega = 0;         // of step and sine, or the rate of the ramp; omega in V/a
+    bool resolved = true;                    // steps follow a sine
     std::vector<double> knots, knot_values;  // of Kind::points, ascending; equal knots make a jump
 
     /// Creepage just before (or at) q and just after it differ at a jump only.
@@ -107,7 +110,9 @@ double largest_creepage(const History& history, const study::Steps& steps) {
 
 /// One run: emits the rows of `range`, but steps from the start, as the state requires.
 void run(const study::Scene& scene, const Model& model, const History& history, const study::Steps& steps,
-         const rollbem::reference::StepResponse* exact, study::RowRange range, const study::Emit& emit) {
+         const rollbem::reference::StepResponse* exact, bool checked, study::RowRange range, const study::Emit& emit) {
+    const std::string status = !history.resolved ? study::unresolved : checked ? study::ok : study::unchecked;
+
     // 4. What the force is divided by.
     const double reference = largest_creepage(history, steps);
 
@@ -141,16 +146,34 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
         if (k <= range.first) continue;
 
         // 6. Compare with the exact response of the plane model.
-        const double force = -step.force_per_width / reference;  // a = G = 1
+        const double force = history.resolved ? -step.force_per_width / reference : std::nan("");  // a = G = 1
         study::Cell exact_force, error;
         if (exact) {
             const double value = history.exact(*exact, to) / reference;
             exact_force = value;
             if (value != 0) error = force / value - 1;
         }
-        emit({to, history.before(to), force, exact_force, error, scene.method, scene.derivative, scene.mesh_name,
-              scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda, study::word(model.integrator())});
+        emit(study::joined(
+            {to, history.before(to), force, exact_force, error, scene.method, scene.derivative, scene.mesh_name,
+             scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda, study::word(model.integrator()), status},
+            study::setting_cells(scene)));
     }
+}
+
+/// The rows that come first with their contact and distance.
+std::vector<study::Row> first_of_contacts(const std::vector<std::string>& columns,
+                                          const std::vector<study::Row>& rows) {
+    const auto column = [&](const char* name) {
+        return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+    };
+    std::set<std::vector<std::string>> seen;
+    std::vector<study::Row> first;
+    for (const study::Row& row : rows) {
+        const bool is_new =
+            seen.insert({row[column("aspect")].text(), row[column("poisson")].text(), row[0].text()}).second;
+        if (is_new) first.push_back(row);
+    }
+    return first;
 }
 
 /// The force over the distance, and the exact one where there is one.
@@ -160,14 +183,18 @@ study::Plot draw_force(const std::vector<std::string>& columns, const std::vecto
                      .y_label = "-F / (a G {/Symbol x}_{ref})",
                      .series = {}};
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
-    study::add_series(plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
+    study::add_series(plot, columns, rows,
+                      {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});
     if (rows.empty()) return plot;  // of a shard
     if (plot.series.size() == 1) plot.series.front().label = "computed";
-    study::Plot exact_plot = plot;
-    study::add_series(exact_plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "exact"});
-    plot.series.push_back(exact_plot.series[plot.series.size()]);  // the same for all schemes
-    plot.series.back().label = "exact";
-    plot.series.back().style = 6;  // black and dashed
+    study::Plot exact;  // the same for all schemes
+    study::add_series(exact, columns, first_of_contacts(columns, rows),
+                      {.by = {}, .x = "q_over_a", .y = "exact", .apart = {"aspect", "poisson"}});
+    for (study::Series& series : exact.series) {
+        series.label = exact.series.size() > 1 ? "exact, " + series.label : "exact";
+        series.style = 6;  // black and dashed
+        plot.series.push_back(std::move(series));
+    }
     for (study::Series& series : plot.series) series.markers = false;
     return plot;
 }
@@ -180,12 +207,12 @@ int main(int argc, char** argv) {
         "transient_study",
         "Force of a contact that rolls from rest under a given creepage, step by step, and its error.");
     options.set_default("n", "40");
-    options.add("step", "X", "creepage X from q = 0 on (dimensionless)");
-    options.add("ramp", "RATE", "creepage RATE q/a (dimensionless)");
+    options.add("step", "X", "creepage X from q = 0 on, not 0 (dimensionless)");
+    options.add("ramp", "RATE", "creepage RATE q/a, not 0 (dimensionless)");
     options.add(
         "sine", "AMP,OMEGA",
-        "creepage AMP sin(OMEGA q/a), OMEGA in V/a; steps take its chords, which are low by a part (OMEGA D)^2/12 "
-        "(dimensionless)");
+        "creepage AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are low by a part "
+        "(OMEGA D)^2/12 (dimensionless)");
     options.add_input(
         "history",
         "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
@@ -208,14 +235,17 @@ int main(int argc, char** argv) {
         "is\n"
         "empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly\n"
         "stable, or whose steady tractions push with the creepage (alpha near or below 0, or above 1), is refused\n"
-        "unless --unchecked is given.\n"
+        "unless --unchecked is given; then status is unchecked where it would be ok. It is unresolved, and force "
+        "empty,\n"
+        "where OMEGA --dq > 1: fewer than six steps in a period of --sine.\n"
         "--method chebyshev: cells of what elements have are empty. Smooth motion needs few states, a jump more of "
         "them:\n"
         "12 are good to 4e-5 one half-length behind it, 8 to 2e-7 five behind it.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const History history = make_history(given);
+        History history = make_history(given);
         const study::Steps steps = study::read_steps(given);
+        if (history.kind == History::Kind::sine) history.resolved = study::resolves(history.omega, steps.dq);
         using rollbem::Integrator;
         const Integrator integrator = study::read_integrator(
             given, {Integrator::sdirk2, Integrator::implicit_euler, Integrator::matrix_exponential});
@@ -224,24 +254,37 @@ int main(int argc, char** argv) {
         const std::vector<study::Scene> scenes =
             study::make_non_steady_scenes(given, study::Methods::elements_and_states);
         std::vector<Model> models;
+        study::Progress checking(given.program(), scenes.size(), study::shows_progress(given), "schemes checked");
         for (const study::Scene& scene : scenes) {
+            checking.doing(scene.label());
             rollbem::RollingSystem<double> system = study::system_of(scene);
             study::require_steppable(given, scene, system);
             models.emplace_back(scene.contact, std::move(system), rollbem::unchecked, integrator);
+            checking.update(models.size());
+        }
+        checking.clear();
+
+        // 3. The exact response of every contact, which is the same for all schemes.
+        using Response = rollbem::reference::StepResponse;
+        std::map<std::pair<double, double>, Response> responses;
+        for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
+            if (!study::plane_model_decays(contact)) continue;
+            const double nu = contact.poisson_ratio();
+            responses.emplace(std::pair(nu, contact.aspect()), Response(nu, contact.aspect()));
         }
 
-        // 3. The exact response, which is the same for all of them.
-        const rollbem::Contact<double>& contact = scenes.front().contact;
-        std::optional<rollbem::reference::StepResponse> exact;
-        if (study::plane_model_decays(contact)) exact.emplace(contact.poisson_ratio(), contact.aspect());
-
         study::Table table;
-        table.columns = {"q_over_a", "creepage", "force",   "exact",   "relative_error", "method",    "derivative",
-                         "mesh",     "n",        "alpha_L", "alpha_T", "lambda",         "integrator"};
+        table.columns =
+            study::joined({"q_over_a", "creepage", "force", "exact", "relative_error", "method", "derivative", "mesh",
+                           "n", "alpha_L", "alpha_T", "lambda", "integrator", "status"},
+                          study::setting_columns());
         table.rows_of_task.assign(scenes.size(), steps.count);
         table.label = [&](std::size_t task) { return scenes[task].label(); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            run(scenes[task], models[task], history, steps, exact ? &*exact : nullptr, range, emit);
+            const rollbem::Contact<double>& contact = scenes[task].contact;
+            const auto exact = responses.find({contact.poisson_ratio(), contact.aspect()});
+            run(scenes[task], models[task], history, steps, exact == responses.end() ? nullptr : &exact->second,
+                !given.flag("unchecked"), range, emit);
         };
 
         // 7. --plot.

@@ -27,7 +27,8 @@ struct Outcome {
     double residual = nothing;   ///< of the equations solved
     double condition = nothing;  ///< estimate of theirs
     double bound = 0;            ///< promised for |error|; 0 promises that the case is told
-    std::string told{};          ///< a status other than ok
+    std::string told{};          ///< a status other than ok, or why not
+    bool refused = false;        ///< by an exception
 };
 
 /// One row. An exception counts as told. `says` has to be part of what is told.

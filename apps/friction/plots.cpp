@@ -70,9 +70,11 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                      .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)",
                      .y_label = "-F / (μ N)",
                      .series = {}};
-    study::add_series(
-        plot, columns, rows,
-        {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"}, .x = "creepage_ratio", .y = "force_ratio"});
+    study::add_series(plot, columns, rows,
+                      {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"},
+                       .x = "creepage_ratio",
+                       .y = "force_ratio",
+                       .apart = study::setting_columns()});
     for (study::Series& series : plot.series) series.line = false;
     const bool carter = curve.pressure.hertz && curve.layer == 0;
     std::vector<double> ratios;
@@ -112,7 +114,8 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
                           const TimePicture& shown) {
     study::Selection selection{.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"},
                                .x = "q_over_a",
-                               .y = "force_ratio"};
+                               .y = "force_ratio",
+                               .apart = study::setting_columns()};
     // further columns over the same axis, named by what stands before the label of their scheme
     const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
         const std::size_t first = plot.series.size();

@@ -8,9 +8,11 @@ namespace friction {
 
 void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file) {
     if (with_header) {
-        file.rows().write(study::csv_line({"n", "creepage_ratio", "x_over_a", "traction", "bound", "stick", "slip",
-                                           "exact", "mesh", "method", "derivative", "alpha_L", "alpha_T", "status",
-                                           "lateral_ratio", "lateral_traction", "lateral_slip", "layer"}));
+        file.rows().write(study::csv_line(
+            study::joined<study::Cell>({"n", "creepage_ratio", "x_over_a", "traction", "bound", "stick", "slip",
+                                        "exact", "mesh", "method", "derivative", "alpha_L", "alpha_T", "status",
+                                        "lateral_ratio", "lateral_traction", "lateral_slip", "layer"},
+                                       {study::setting_columns().begin(), study::setting_columns().end()})));
     }
     for (const auto& [key, profile] : profiles.all()) {
         const bool carter = curve.pressure.hertz && curve.layer == 0 && profile.point.lateral.value_or(0) == 0;
@@ -26,10 +28,11 @@ void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with
                 if (both) lateral_slip = profile.lateral_slip[i];
             }
             if (carter) exact = rollbem::carter_friction_traction(x, profile.point.longitudinal);
-            file.rows().write(study::csv_line(
+            file.rows().write(study::csv_line(study::joined(
                 {profile.mesh.size(), profile.point.longitudinal, x, traction, profile.bound[i], stick, slip, exact,
                  profile.mesh_name, profile.scene->method, profile.scene->derivative, profile.alpha_L, profile.alpha_T,
-                 profile.status, profile.point.lateral, lateral_traction, lateral_slip, curve.layer}));
+                 profile.status, profile.point.lateral, lateral_traction, lateral_slip, curve.layer},
+                study::setting_cells(*profile.scene))));
         }
     }
     file.commit();

@@ -15,6 +15,7 @@
 #include "rolling.hpp"
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
+#include "support/progress.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"
 #include "surface.hpp"
@@ -23,32 +24,33 @@ namespace friction {
 
 namespace {
 
-const std::vector<std::string> columns{"q_over_a",
-                                       "creepage_ratio",
-                                       "shift",
-                                       "force_ratio",
-                                       "stick_count",
-                                       "rounds",
-                                       "slip_work",
-                                       "exact",
-                                       "relative_error",
-                                       "complementarity_residual",
-                                       "pivots",
-                                       "status",
-                                       "method",
-                                       "derivative",
-                                       "mesh",
-                                       "n",
-                                       "alpha_L",
-                                       "alpha_T",
-                                       "lambda",
-                                       "integrator",
-                                       "lateral_ratio",
-                                       "load_ratio",
-                                       "half_length_ratio",
-                                       "lateral_force_ratio",
-                                       "creep_work",
-                                       "layer"};
+const std::vector<std::string> columns = study::joined({"q_over_a",
+                                                        "creepage_ratio",
+                                                        "shift",
+                                                        "force_ratio",
+                                                        "stick_count",
+                                                        "rounds",
+                                                        "slip_work",
+                                                        "exact",
+                                                        "relative_error",
+                                                        "complementarity_residual",
+                                                        "pivots",
+                                                        "status",
+                                                        "method",
+                                                        "derivative",
+                                                        "mesh",
+                                                        "n",
+                                                        "alpha_L",
+                                                        "alpha_T",
+                                                        "lambda",
+                                                        "integrator",
+                                                        "lateral_ratio",
+                                                        "load_ratio",
+                                                        "half_length_ratio",
+                                                        "lateral_force_ratio",
+                                                        "creep_work",
+                                                        "layer"},
+                                                       study::setting_columns());
 
 /// Creepage ratios and load over q/a, and what comes before.
 struct History {
@@ -95,6 +97,13 @@ struct Run {
     double dq, layer;
     rollbem::Integrator integrator;
     bool hertz;  ///< the closed forms hold
+    bool checked;
+
+    std::string status(const Moment& moment) const {
+        if (moment.status != rollbem::StepStatus::ok) return name(moment.status);
+        return !resolved() ? study::unresolved : checked ? study::ok : study::unchecked;
+    }
+    bool resolved() const { return !history.omega || study::resolves(*history.omega, dq); }
 
     std::optional<double> exact_shift() const {
         if (!hertz || layer > 0 || history.load || !study::plane_model_decays(scene.contact)) return std::nullopt;
@@ -127,32 +136,35 @@ void Run::rows(study::RowRange range, const study::Emit& emit) const {
     const auto record = [&](double q, const Ratios& ratios, double shift, const Moment& moment,
                             std::optional<double> exact) {
         if (row++ < range.first) return;
-        emit({q,
-              ratios.longitudinal,
-              shift,
-              moment.force_ratio,
-              moment.stick_count,
-              moment.rounds,
-              slip_work,
-              exact,
-              relative_error(moment.force_ratio, exact),
-              moment.complementarity_residual,
-              moment.pivots,
-              name(moment.status),
-              scene.method,
-              scene.derivative,
-              scene.mesh_name,
-              scene.n(),
-              scene.alpha_L,
-              scene.alpha_T,
-              scene.lambda,
-              study::word(integrator),
-              ratios.lateral,
-              history.load_at(q),
-              std::sqrt(history.load_at(q)),
-              moment.lateral_force_ratio,
-              work,
-              layer});
+        // a force that steps did not follow is left out
+        const double force_ratio = resolved() ? moment.force_ratio : std::nan("");
+        emit(study::joined({q,
+                            ratios.longitudinal,
+                            shift,
+                            force_ratio,
+                            moment.stick_count,
+                            moment.rounds,
+                            slip_work,
+                            exact,
+                            relative_error(force_ratio, exact),
+                            moment.complementarity_residual,
+                            moment.pivots,
+                            status(moment),
+                            scene.method,
+                            scene.derivative,
+                            scene.mesh_name,
+                            scene.n(),
+                            scene.alpha_L,
+                            scene.alpha_T,
+                            scene.lambda,
+                            study::word(integrator),
+                            ratios.lateral,
+                            history.load_at(q),
+                            std::sqrt(history.load_at(q)),
+                            resolved() ? moment.lateral_force_ratio : std::nullopt,
+                            work,
+                            layer},
+                           study::setting_cells(scene)));
     };
     Moment now{.force_ratio = 0, .lateral_force_ratio = 0};
     const auto keep = [&](const Moment& next, double done) {
@@ -198,14 +210,21 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
 
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
     std::vector<std::unique_ptr<RollingMaker>> makers;
+    study::Progress checking(options.program(), scenes.size(), study::shows_progress(options), "schemes checked");
     for (const study::Scene& scene : scenes) {
+        checking.doing(scene.label());
         makers.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), integrator));
+        checking.update(makers.size());
     }
+    checking.clear();
     study::Table table;
     table.columns = columns;
     table.rows_of_task.assign(scenes.size(), steps.count + (history.shift ? 1 : 0));
+    table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        Run{scenes[task], *makers[task], history, steps.dq, layer, integrator, pressure.hertz}.rows(range, emit);
+        Run{scenes[task], *makers[task], history,        steps.dq,
+            layer,        integrator,    pressure.hertz, !options.flag("unchecked")}
+            .rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return force_in_time(columns, rows,

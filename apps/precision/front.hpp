@@ -24,6 +24,8 @@ struct Point {
     std::optional<bool> stable;
     std::optional<bool> on_front{};
     std::optional<double> model_error{};
+    std::string status = "ok";           ///< why there is no error
+    std::vector<std::string> setting{};  ///< kernel, aspect, poisson, size_ratio, epsilon
 };
 
 /// Elements and Chebyshev states solve any kernel's problems in steady rolling, frequency and time; the others know the

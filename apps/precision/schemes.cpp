@@ -27,7 +27,9 @@
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
+#include "support/csv.hpp"
 #include "support/non_steady.hpp"
+#include "support/scenes.hpp"
 
 namespace precision {
 
@@ -518,6 +520,34 @@ std::optional<double> Case::relative_error(const Quantity& quantity) const {
     const Complex c11 = rollbem::polynomial_c11(s, nu, aspect, n_).c11;
     if (quantity.problem == Problem::steady) return if_finite(c11.real() / rollbem::steady_c11(nu) - 1);
     return if_finite(std::abs(c11 / exact_c11(scene_, quantity) - 1.0));
+}
+
+std::string Case::status(const Quantity& quantity) const {
+    using rollbem::Status;
+    if (relative_error(quantity)) return name(Status::ok);
+    Status status = Status::not_finite;
+    if (const auto found = elements(scheme_)) {
+        for (const long n : found->order > 0 ? std::vector{n_ / 2, n_} : std::vector{n_}) {
+            const Status at_n = steady(scene_, *found, make_mesh(scene_, found->topology, n)).status;
+            if (at_n != Status::ok) status = at_n;
+        }
+    } else if (scheme_ == "chebyshev-states") {
+        const Status of_states = steady(scene_, Chebyshev{n_}).status;
+        if (of_states != Status::ok) status = of_states;
+    }
+    return name(status);
+}
+
+std::vector<std::string> Case::setting() const {
+    const bool strip = !scene_.plane && scheme_ != "polynomial" && scheme_ != "closed-form";
+    const study::Cell aspect = study::aspect_cell(scene_.contact), none;
+    const auto found = elements(scheme_);
+    const auto grading = [&](rollbem::Grading kind, double value) {
+        return found && rollbem::info(found->topology).grading == kind ? study::Cell(value) : none;
+    };
+    return {strip ? "strip" : "plane", aspect.text(), study::Cell(scene_.contact.poisson_ratio()).text(),
+            grading(rollbem::Grading::size_ratio, scene_.size_ratio).text(),
+            grading(rollbem::Grading::epsilon, scene_.epsilon).text()};
 }
 
 double Case::run(const Quantity& quantity) const {

@@ -70,6 +70,10 @@ public:
 
     /// relative_error as the study defines it; empty where there is no trustworthy result.
     std::optional<double> relative_error(const Quantity& quantity) const;
+    /// Why there is no trustworthy result, by the library's names.
+    std::string status(const Quantity& quantity) const;
+    /// kernel, aspect, poisson, and size_ratio and epsilon where the scheme's mesh has them.
+    std::vector<std::string> setting() const;
     /// Everything from the mesh to the result; the value depends on what was computed.
     double run(const Quantity& quantity) const;
     /// Whether no eigenvalue of G' p = nu G p grows, as computed; empty where the eigenvalues are not to be had.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "errors.hpp"
+#include "files.hpp"
 #include "options.hpp"
 
 namespace study {
@@ -66,8 +67,7 @@ private:
     /// "--config = file: line 3 = text"; of a list, the line where it begins.
     std::string where() const {
         const std::size_t end = std::min(text_.find('\n', line_.begin), text_.size());
-        std::string line(detail::trim(text_.substr(line_.begin, end - line_.begin)));
-        std::replace(line.begin(), line.end(), '\0', ' ');  // would end the message
+        const std::string line = printable(detail::trim(text_.substr(line_.begin, end - line_.begin)));
         return said_ + ": line " + std::to_string(line_.number) + " = " + line;
     }
 

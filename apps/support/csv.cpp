@@ -51,16 +51,8 @@ std::string toml_string(std::string_view text) {
     std::string result = "\"";
     for (std::size_t i = 0; i < text.size();) {
         const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t length = byte < 0x80                   ? 1
-                                   : byte >= 0xC2 && byte < 0xE0 ? 2
-                                   : (byte & 0xF0) == 0xE0       ? 3
-                                   : byte >= 0xF0 && byte < 0xF5 ? 4
-                                                                 : 0;
-        bool valid = length > 0 && i + length <= text.size();
-        for (std::size_t k = 1; valid && k < length; ++k) {
-            valid = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-        }
-        if (!valid) {
+        const std::size_t length = character_length(text.substr(i));
+        if (length == 0) {
             result += "\\uFFFD";
             ++i;
             continue;

@@ -49,7 +49,76 @@ std::string contents(const Options& options, const std::string& name) {
     const int error = errno;
     if (descriptor > STDERR_FILENO) ::close(descriptor);
     if (count < 0) throw BadInput(options.said(name) + " must be a file that can be read: " + std::strerror(error));
+    const std::string_view start = std::string_view(text).substr(0, 2);
+    if (start == "\xFF\xFE" || start == "\xFE\xFF") throw BadInput(options.said(name) + " must be UTF-8, not UTF-16");
+    if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
     return text;
+}
+
+std::size_t character_length(std::string_view text) {
+    const auto byte = static_cast<unsigned char>(text[0]);
+    const std::size_t length = byte < 0x80                   ? 1
+                               : byte >= 0xC2 && byte < 0xE0 ? 2
+                               : (byte & 0xF0) == 0xE0       ? 3
+                               : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                             : 0;
+    if (length > text.size()) return 0;
+    for (std::size_t k = 1; k < length; ++k) {
+        if ((static_cast<unsigned char>(text[k]) & 0xC0) != 0x80) return 0;
+    }
+    return length;
+}
+
+std::string printable(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = character_length(text.substr(i));
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (length == 0 || byte < 0x20 || byte == 0x7F) {
+            constexpr std::string_view digits = "0123456789ABCDEF";
+            result += byte == '\t' ? " " : std::string("\\x") + digits[byte / 16] + digits[byte % 16];
+            ++i;
+            continue;
+        }
+        result += text.substr(i, length);
+        i += length;
+    }
+    return result;
+}
+
+char separator_of(std::string_view line) {
+    bool quoted = false;
+    char found = ',';
+    for (const char c : line) {
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == ',') return c;
+        if ((c == ';' || c == '\t') && found == ',') found = c;
+    }
+    return found;
+}
+
+std::vector<std::string> cells_of(std::string_view line, char separator) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+            cells.back() += line[i++];  // two stand for one
+        } else if (line[i] == '"') {
+            quoted = !quoted;
+        } else if (line[i] == separator && !quoted) {
+            cells.emplace_back();
+        } else {
+            cells.back() += line[i];
+        }
+    }
+    for (std::string& cell : cells) cell = detail::trim(std::string(cell));
+    return cells;
+}
+
+std::optional<double> number_of(std::string cell, char separator) {
+    if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
+    return detail::parse_number<double>(cell);
 }
 
 Lines::Lines(const Options& options, const std::string& name)
@@ -61,7 +130,13 @@ bool Lines::next() {
     text_ = detail::trim(std::string_view(contents_).substr(next_, end - next_));
     next_ = end + 1;
     ++number_;
-    return !text_.empty() || next_ < contents_.size();
+    if (text_.empty() && contents_.find_first_not_of(" \t\r\n", end) == std::string::npos) return false;
+    const auto is_tab = [](char c) { return c == '\t'; };
+    std::string plain = text_;
+    std::replace_if(plain.begin(), plain.end(), is_tab, ' ');
+    const std::string shown = printable(plain);
+    if (shown != plain) throw BadInput(where() + " = " + shown.substr(0, 80) + " must be text");
+    return true;
 }
 
 const std::string& Lines::text() const { return text_; }

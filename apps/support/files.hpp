@@ -3,17 +3,35 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace study {
 
 class Options;
 
-/// All of the file that --name gives. Throws BadInput.
+/// All of the file that --name gives, without the byte order mark that some programs put before UTF-8. Throws BadInput.
 std::string contents(const Options& options, const std::string& name);
 
-/// The lines of the file that --name gives, without blanks at their ends. An empty last line is none.
+/// Bytes of the first character of a text in UTF-8, which must not be empty; 0 where there is none.
+std::size_t character_length(std::string_view text);
+
+/// The bytes that are no text, control characters and what is not UTF-8, as \xNN, for messages.
+std::string printable(std::string_view text);
+
+/// What stands between the cells of a line: a comma, or a semicolon or tab where there is no comma outside quotes.
+char separator_of(std::string_view line);
+
+/// The cells of a line of CSV, without quotes and the blanks around them.
+std::vector<std::string> cells_of(std::string_view line, char separator);
+
+/// A cell as a number, or nothing. Where no comma stands between cells, it may stand for the decimal point.
+std::optional<double> number_of(std::string cell, char separator);
+
+/// The lines of the file that --name gives, without blanks at their ends. Empty lines at the end are none. Throws
+/// BadInput for a line that is no text.
 class Lines {
 public:
     /// Throws BadInput when the file cannot be read.

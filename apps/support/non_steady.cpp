@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/plane_lambda.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
@@ -22,10 +23,10 @@ bool plane_model_decays(const rollbem::Contact<double>& contact) {
     return rollbem::plane_lambda(contact.poisson_ratio(), contact.aspect()) > 0;
 }
 
-void require_plane_model(const Options& options, const rollbem::Contact<double>& contact) {
+void require_plane_model(const rollbem::Contact<double>& contact) {
     if (plane_model_decays(contact)) return;
     const double nu = contact.poisson_ratio();
-    throw BadInput(options.said("aspect") +
+    throw BadInput("--aspect = " + Cell(contact.aspect()).text(6) +
                    " must be larger than exp(-nu/(1-nu))/4 = " + Cell(std::exp(-nu / (1 - nu)) / 4).text(4) +
                    " for the plane model: below, Lambda = ln(4b/a) + nu/(1-nu) is not positive and the model itself, "
                    "before any discretisation, is unstable in time; --kernel strip has no such limit");
@@ -33,8 +34,9 @@ void require_plane_model(const Options& options, const rollbem::Contact<double>&
 
 std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods) {
     std::vector<Scene> scenes = make_scenes(options, Problem::non_steady, methods);
-    const Scene& any = scenes.front();  // all have the same contact and kernel
-    if (std::holds_alternative<rollbem::PlaneKernel<double>>(any.kernel)) require_plane_model(options, any.contact);
+    for (const Scene& scene : scenes) {
+        if (std::holds_alternative<rollbem::PlaneKernel<double>>(scene.kernel)) require_plane_model(scene.contact);
+    }
     return scenes;
 }
 
@@ -50,15 +52,20 @@ Sine read_sine(const Options& options, const Rule& rule) {
 }
 
 void add_steps(Options& options, const std::string& when) {
-    options.add("dq", "D", when + "distance rolled in a step, in units of a (dimensionless)", "0.05");
-    options.add("until", "Q", when + "distance rolled in all, in units of a (dimensionless)", "10");
+    options.add("dq", "D", when + "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
+    options.add("until", "Q",
+                when + "distance rolled in all, in units of a: a multiple of --dq, up to 1e7 times (dimensionless)",
+                "10");
 }
 
 Steps read_steps(const Options& options) {
     const double dq = options.number("dq", positive()), until = options.number("until", positive());
-    const double count = std::floor(until / dq * (1 + 1e-12));  // rounding of 0.3/0.1 costs no step
-    if (count < 1) throw BadInput(options.said("until") + " must be at least --dq");
+    const double count = std::round(until / dq);
+    if (until < dq * (1 - 1e-12)) throw BadInput(options.said("until") + " must be at least --dq");
     if (count > 1e7) throw BadInput(options.said("until") + " must be at most 1e7 times --dq");
+    if (std::abs(until / dq - count) > 1e-9 * count) {  // 0.3/0.1 is rounded
+        throw BadInput(options.said("until") + " must be a multiple of --dq = " + options.text("dq"));
+    }
     return {dq, static_cast<std::size_t>(count)};
 }
 
@@ -85,14 +92,39 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
                        [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
 }
 
+std::string steady_status(const Scene& scene, rollbem::Status status, double c11) {
+    if (status != rollbem::Status::ok) return name(status);
+    constexpr double wide = 10;  // b/a; from there on the plane's c11 is within 1 % of the strip's
+    const bool plane = std::holds_alternative<rollbem::PlaneKernel<double>>(scene.kernel);
+    if (scene.chebyshev || scene.n() >= 10 || !(plane || scene.contact.aspect() >= wide)) return name(status);
+    const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
+    return std::abs(c11 / exact - 1) > 0.5 ? coarse : name(status);
+}
+
+std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {
+    if (!scene.chebyshev) {
+        const rollbem::UnitSteadySolution<double> solution = rollbem::solve_steady(system);
+        return steady_status(scene, solution.status, solution.c11);
+    }
+    const auto status = [&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel).status; };
+    return name(std::visit(status, scene.kernel));
+}
+
+std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system) {
+    if (status != rollbem::Status::ok) return name(status);
+    const std::string steady = steady_status(scene, system);
+    // a G' that is singular shows elsewhere, as an eigenvalue 0 or at the frequency 0
+    const bool speaks = scene.chebyshev || steady == coarse || steady == name(rollbem::Status::inconsistent);
+    return speaks ? steady : ok;
+}
+
 std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system) {
-    using rollbem::Status;
-    if (scene.chebyshev) {
-        const auto status = [&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel).status; };
-        if (std::visit(status, scene.kernel) == Status::ok) return "";
+    const std::string status = steady_status(scene, system);
+    if (scene.chebyshev && status != ok) {
         return "has too few states for so narrow a strip: their error in steady rolling must be at most 1e-2";
     }
-    if (rollbem::solve_steady(system).status != Status::inconsistent) return "";
+    if (status == coarse) return "has too few elements: the force of steady rolling is off by more than half";
+    if (status != name(rollbem::Status::inconsistent)) return "";
     return "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions must oppose "
            "the creepage";
 }

@@ -9,6 +9,7 @@
 #include <rollbem/adhesion/integrator.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/scene/contact.hpp>
+#include <rollbem/status.hpp>
 
 #include "options.hpp"
 #include "scenes.hpp"
@@ -19,7 +20,7 @@ namespace study {
 bool plane_model_decays(const rollbem::Contact<double>& contact);
 
 /// Throws BadInput unless plane_model_decays.
-void require_plane_model(const Options& options, const rollbem::Contact<double>& contact);
+void require_plane_model(const rollbem::Contact<double>& contact);
 
 /// All cases of a problem in time. Throws BadInput as make_scenes and require_plane_model do.
 std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods = Methods::elements);
@@ -28,6 +29,9 @@ std::vector<Scene> make_non_steady_scenes(const Options& options, Methods method
 struct Sine {
     double amplitude, omega;
 };
+
+/// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
+inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
 /// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP fulfils the rule, whose text follows
 /// "must be AMP,OMEGA with AMP".
@@ -50,6 +54,23 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 
 /// Of elements or Chebyshev states.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
+
+/// What columns called status say beside the library's names.
+inline constexpr const char* ok = "ok";
+inline constexpr const char* coarse = "coarse";          ///< few elements, and c11 off by more than half
+inline constexpr const char* unresolved = "unresolved";  ///< a sine with less than six steps a period
+inline constexpr const char* unchecked = "unchecked";    ///< ok but for what --unchecked has left out
+
+/// The status of a solution in steady rolling: coarse where fewer than 10 elements give a c11 that is more than 50 % off
+/// the plane's exact one with a wide kernel (plane, or strip from b/a = 10 on).
+std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
+
+/// The same of a scene's `system`.
+std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system);
+
+/// `status`, or what steady rolling holds against the scene's `system` where that is ok: inconsistent, coarse, or
+/// not_converged for Chebyshev states.
+std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system);
 
 /// What steady rolling holds against the scene's discretisation in full adhesion, to follow "the scheme"; empty where
 /// that is nothing.

@@ -100,11 +100,13 @@ Options::Options(std::string program, const std::string& purpose)
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
     add("mesh", "NAME", listed(mesh_names(), "or"), "uniform");
     add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
-    add("size-ratio", "R",
-        join(mesh_names(rollbem::Grading::size_ratio), ", ") + " mesh: dx_trailing / dx_leading (dimensionless)", "2");
-    add("epsilon", "E",
+    add("size-ratio", "LIST",
+        join(mesh_names(rollbem::Grading::size_ratio), ", ") +
+            " mesh: dx_trailing / dx_leading, 1e-12 to 1e12 (dimensionless)",
+        "2");
+    add("epsilon", "LIST",
         join(mesh_names(rollbem::Grading::epsilon), ", ") +
-            " mesh: size of the end element over that of an inner one (dimensionless)",
+            " mesh: size of the end element over that of an inner one, 1e-12 to 1e12 (dimensionless)",
         "0.4");
     add("method", "NAME", "collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary conditions)",
         "collocation");
@@ -113,18 +115,17 @@ Options::Options(std::string program, const std::string& purpose)
         "position of the leading element's point ahead of its centre, in widths of the element, -2 to 2 "
         "(dimensionless)",
         "0");
-    add("alpha-T", "LIST", "the same at the trailing element; linear in between (dimensionless)", "0.63");
-    add("alpha", "LIST", "sets alpha-L and alpha-T to the same values (dimensionless)");
+    add("alpha-T", "LIST", "the same at the trailing element, -2 to 2; linear in between (dimensionless)", "0.63");
+    add("alpha", "LIST", "sets alpha-L and alpha-T to the same values, -2 to 2 (dimensionless)");
     add("lambda", "LIST", "G is taken at lambda times these alphas, 0 to 1 (dimensionless)", "1");
     add("derivative", "NAME", "fd or analytic; default: fd, but analytic for galerkin with exact quadrature");
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
-    add("aspect", "B",
-        "b/a; inf in steady problems (dimensionless). With the plane kernel no steady result "
-        "depends on it",
+    add("aspect", "LIST",
+        "b/a, above 0; inf in steady problems (dimensionless). With the plane kernel no steady result depends on it",
         "1000");
-    add("poisson", "NU", "Poisson's ratio, 0 to 0.5 (dimensionless)", "0.28");
+    add("poisson", "LIST", "Poisson's ratio, 0 to 0.5 (dimensionless)", "0.28");
 
     group("Output");
     add_table("output",
@@ -133,7 +134,9 @@ Options::Options(std::string program, const std::string& purpose)
     add_output("plot", "draw the result with gnuplot; FILE ends in .svg or .png");
     add("jobs", "N", "rows computed at a time, 1 to 1024; above 1 the columns of times stay empty (dimensionless)",
         "1");
-    add("shard", "K/N", "only the K-th of N blocks of rows; the parts concatenate to the whole (dimensionless)");
+    add("shard", "K/N",
+        "only the K-th of N blocks of rows, 1 <= K <= N <= 1000000; the parts concatenate to the whole "
+        "(dimensionless)");
     add_flag("no-timing", "leave the columns of times empty, so that equal runs give equal files");
     add_flag("quiet", "no progress line");
     group("Study");

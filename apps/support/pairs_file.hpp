@@ -20,25 +20,40 @@ struct Pairs {
     std::vector<double> places, values;
 };
 
-/// Reads the file that --name gives. `header` is its first line, e.g. "q_over_a,creepage". `place` says what the first
-/// column must fulfil. Throws BadInput.
+/// Reads the file that --name gives. `header` are the two columns that its first line must name, e.g.
+/// "q_over_a,creepage"; others beside them are not read, and a semicolon or tab may stand in place of the comma. `place`
+/// says what the first column must fulfil. Throws BadInput.
 inline Pairs read_pairs(const Options& options, const std::string& name, const std::string& header, const Rule& place) {
     Lines lines(options, name);
+    const std::vector<std::string> names = cells_of(header, ',');
     Pairs pairs;
+    char separator = ',';
+    std::vector<std::string> columns;
+    const auto column = [&](std::size_t k) {
+        return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), names[k]) - columns.begin());
+    };
     while (lines.next()) {
         const std::string& text = lines.text();
         const std::string where = lines.where() + " = " + text;
         if (lines.number() == 1) {
-            if (text != header) throw BadInput(where + " must be " + header);
+            separator = separator_of(text);
+            columns = cells_of(text, separator);
+            const bool has_both = column(0) < columns.size() && column(1) < columns.size();
+            if (!has_both) throw BadInput(where + " must be " + header);
             continue;
         }
-        const std::size_t comma = std::min(text.find(','), text.size());
-        const auto x = detail::parse_number<double>(detail::trim(text.substr(0, comma)));
-        const auto y = detail::parse_number<double>(detail::trim(text.substr(std::min(comma + 1, text.size()))));
+        const std::vector<std::string> cells = cells_of(text, separator);
+        const bool fits = cells.size() == columns.size();
+        const auto x = fits ? number_of(cells[column(0)], separator) : std::nullopt;
+        const auto y = fits ? number_of(cells[column(1)], separator) : std::nullopt;
         if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) {
-            throw BadInput(where + " must be two finite numbers with a comma between them");
+            const std::string between = separator == ',' ? "a comma" : separator == ';' ? "a semicolon" : "a tab";
+            throw BadInput(where + (columns.size() == 2
+                                        ? " must be two finite numbers with " + between + " between them"
+                                        : " must have " + std::to_string(columns.size()) + " cells with " + between +
+                                              " between them, finite numbers under " + header));
         }
-        if (!place.holds(*x)) throw BadInput(where + ": " + header.substr(0, header.find(',')) + " must " + place.text);
+        if (!place.holds(*x)) throw BadInput(where + ": " + names[0] + " must " + place.text);
         if (!pairs.places.empty() && *x < pairs.places.back()) {
             throw BadInput(where + " must not lie before the line above it");
         }

@@ -168,12 +168,14 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     const auto column = [&](const std::string& name) {
         return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
     };
+    std::vector<std::string> names = selection.by;
+    names.insert(names.end(), selection.apart.begin(), selection.apart.end());
     std::map<std::vector<std::string>, std::size_t> found;
     std::vector<std::vector<std::string>> keys;
     std::vector<Series> series;
     for (const Row& row : rows) {
         std::vector<std::string> key;
-        for (const std::string& name : selection.by) key.push_back(row[column(name)].text(6));
+        for (const std::string& name : names) key.push_back(row[column(name)].text(6));
         const auto [position, is_new] = found.try_emplace(key, series.size());
         if (is_new) {
             keys.push_back(key);
@@ -187,11 +189,11 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
         const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos;
         text += (text.empty() ? "" : ", ") + (speaks ? value : name + " = " + value);
     };
-    for (std::size_t i = 0; i < selection.by.size(); ++i) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
         const bool shared =
             std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key[i] == keys[0][i]; });
-        if (shared && !keys.empty()) append(plot.title, selection.by[i], keys[0][i]);
-        for (std::size_t k = 0; k < keys.size() && !shared; ++k) append(series[k].label, selection.by[i], keys[k][i]);
+        if (shared && !keys.empty() && i < selection.by.size()) append(plot.title, names[i], keys[0][i]);
+        for (std::size_t k = 0; k < keys.size() && !shared; ++k) append(series[k].label, names[i], keys[k][i]);
     }
     if (series.size() == 1) series[0].label = plot.y_label;
     plot.series.insert(plot.series.end(), series.begin(), series.end());

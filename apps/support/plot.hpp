@@ -40,7 +40,8 @@ struct Plot {
 struct Selection {
     std::vector<std::string> by;
     std::string x, y;
-    bool absolute = false;  ///< |y|
+    bool absolute = false;             ///< |y|
+    std::vector<std::string> apart{};  ///< as `by`, but where all rows have the same the title does not say so
 };
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,

@@ -1,5 +1,6 @@
 #include "scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,6 +14,12 @@ namespace {
 
 using MeshPointer = std::shared_ptr<const rollbem::Mesh<double>>;
 
+/// A mesh and what graded it.
+struct GradedMesh {
+    MeshPointer mesh;
+    std::optional<double> size_ratio{}, epsilon{};
+};
+
 using Kernel = std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>>;
 
 constexpr std::ptrdiff_t largest_n = 100000, most_states = 10000;
@@ -24,7 +31,8 @@ MeshPointer mesh_from_file(const Options& options) {
     while (lines.next()) {
         const std::string& text = lines.text();
         const std::string where = lines.where() + " = " + text;
-        const std::optional<double> edge = detail::parse_number<double>(text);
+        const std::vector<std::string> cells = cells_of(text, separator_of(text));
+        const std::optional<double> edge = cells.size() == 1 ? detail::parse_number<double>(cells[0]) : std::nullopt;
         if (!edge || !(*edge >= -1 && *edge <= 1)) throw BadInput(where + " must be a number in [-1, 1]");
         if (edges.empty() && *edge != -1) throw BadInput(where + " must be -1, the trailing edge");
         if (!edges.empty() && !(*edge > edges.back())) throw BadInput(where + " must be larger than the line before");
@@ -40,8 +48,8 @@ MeshPointer mesh_from_file(const Options& options) {
     return std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values));
 }
 
-/// The mesh of every n, and its name in the columns.
-std::pair<std::string, std::vector<MeshPointer>> make_meshes(const Options& options) {
+/// The name in the columns of the mesh of every n, and its gradings.
+std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const Options& options) {
     const bool from_file = options.given("edges");
     if (from_file) {
         options.ignored("mesh", "with --edges");
@@ -50,27 +58,32 @@ std::pair<std::string, std::vector<MeshPointer>> make_meshes(const Options& opti
     const std::string name = from_file ? "edges" : options.choice("mesh", mesh_names());
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
     const auto topology = rollbem::topology_named(name);  // none with --edges
-    rollbem::MeshSpecification specification;
+    std::vector<double> gradings{0};                      // of no effect where the mesh has none
     for (const auto& [option, grading] :
          {std::pair{"size-ratio", rollbem::Grading::size_ratio}, {"epsilon", rollbem::Grading::epsilon}}) {
-        const double value = options.number(option, between(1e-12, 1e12));
+        const std::vector<double> values = options.numbers(option, between(1e-12, 1e12));
         if (topology && rollbem::info(*topology).grading == grading) {
-            specification.grading = value;
+            gradings = values;
         } else {
             options.ignored(option, used + "; it is for --mesh " + listed(mesh_names(grading), "and"));
         }
     }
-    if (!topology) return {name, {mesh_from_file(options)}};
+    if (!topology) return {name, {{{.mesh = mesh_from_file(options)}}}};
 
-    specification.topology = *topology;
-    const Eigen::Index least = rollbem::info(*topology).least_n;
-    std::vector<MeshPointer> meshes;
+    const rollbem::TopologyInfo& info = rollbem::info(*topology);
+    const Eigen::Index least = info.least_n;
+    std::vector<std::vector<GradedMesh>> meshes;
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {
         if (n < least) {
             throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(least) + " " + used);
         }
-        specification.n = n;
-        meshes.push_back(std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(specification)));
+        std::vector<GradedMesh>& graded = meshes.emplace_back();
+        for (const double grading : gradings) {
+            graded.push_back(
+                {.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh({*topology, n, grading}))});
+            if (info.grading == rollbem::Grading::size_ratio) graded.back().size_ratio = grading;
+            if (info.grading == rollbem::Grading::epsilon) graded.back().epsilon = grading;
+        }
     }
     return {name, meshes};
 }
@@ -100,23 +113,78 @@ Kernel make_kernel(const Options& options, const rollbem::Contact<double>& conta
     return rollbem::PlaneKernel<double>::longitudinal(contact);
 }
 
-std::vector<Scene> make_chebyshev_scenes(const Options& options, const rollbem::Contact<double>& contact) {
+std::vector<Scene> make_chebyshev_scenes(const Options& options,
+                                         const std::vector<rollbem::Contact<double>>& contacts) {
     options.ignored_group("Discretisation", "with --method chebyshev, which has no elements", {"method", "n"});
-    const Kernel kernel = make_kernel(options, contact);
-    if (std::holds_alternative<rollbem::StripKernel<double>>(kernel) && contact.aspect() < narrowest_for_states) {
-        throw BadInput(options.said("aspect") +
-                       " must be at least 0.001 with --method chebyshev: so narrow a strip "
-                       "needs elements");
-    }
     std::vector<Scene> scenes;
     for (const Eigen::Index n : options.integers("n", 1, most_states)) {
-        scenes.push_back(
-            {.method = "chebyshev", .contact = contact, .chebyshev = rollbem::Chebyshev{n}, .kernel = kernel});
+        for (const rollbem::Contact<double>& contact : contacts) {
+            const Kernel kernel = make_kernel(options, contact);
+            const bool strip = std::holds_alternative<rollbem::StripKernel<double>>(kernel);
+            if (strip && contact.aspect() < narrowest_for_states) {
+                throw BadInput(options.said("aspect") +
+                               " must be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
+            }
+            scenes.push_back(
+                {.method = "chebyshev", .contact = contact, .chebyshev = rollbem::Chebyshev{n}, .kernel = kernel});
+        }
     }
     return scenes;
 }
 
 }  // namespace
+
+const std::vector<std::string>& setting_columns() {
+    static const std::vector<std::string> columns{"kernel", "aspect", "poisson", "size_ratio", "epsilon", "quadrature"};
+    return columns;
+}
+
+const std::vector<std::string>& all_setting_columns() {
+    static const std::vector<std::string> columns = joined({"method", "derivative", "mesh"}, setting_columns());
+    return columns;
+}
+
+Row setting_cells(const Scene& scene) {
+    const bool strip = std::holds_alternative<rollbem::StripKernel<double>>(scene.kernel);
+    return {strip ? "strip" : "plane",
+            aspect_cell(scene.contact),
+            scene.contact.poisson_ratio(),
+            scene.size_ratio,
+            scene.epsilon,
+            scene.quadrature};
+}
+
+Row all_setting_cells(const Scene& scene) {
+    return joined({scene.method, scene.derivative, scene.mesh_name}, setting_cells(scene));
+}
+
+Cell aspect_cell(const rollbem::Contact<double>& contact) {
+    return std::isfinite(contact.aspect()) ? Cell(contact.aspect()) : Cell("inf");
+}
+
+std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem) {
+    const Rule rule = problem == Problem::steady ? positive_or_infinite() : positive();
+    const std::vector<double> aspects = options.numbers("aspect", rule);
+    const std::vector<double> poisson_ratios = options.numbers("poisson", between(0, 0.5));
+    std::vector<rollbem::Contact<double>> contacts;
+    for (const double aspect : aspects) {
+        for (const double poisson_ratio : poisson_ratios) {
+            contacts.push_back(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
+        }
+    }
+    return contacts;
+}
+
+std::vector<rollbem::Contact<double>> contacts_of(const std::vector<Scene>& scenes) {
+    std::vector<rollbem::Contact<double>> contacts;
+    for (const Scene& scene : scenes) {
+        const auto same = [&](const rollbem::Contact<double>& other) {
+            return other.aspect() == scene.contact.aspect() && other.poisson_ratio() == scene.contact.poisson_ratio();
+        };
+        if (std::none_of(contacts.begin(), contacts.end(), same)) contacts.push_back(scene.contact);
+    }
+    return contacts;
+}
 
 rollbem::Contact<double> make_contact(const Options& options, Problem problem) {
     const Rule aspect = problem == Problem::steady ? positive_or_infinite() : positive();
@@ -142,7 +210,7 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
                        ": friction bounds the traction of elements, which chebyshev does not have");
     }
     const std::string method = options.choice("method", names);
-    if (method == "chebyshev") return make_chebyshev_scenes(options, make_contact(options, problem));
+    if (method == "chebyshev") return make_chebyshev_scenes(options, make_contacts(options, problem));
     const bool has_alphas = method != "knothe-bc";
     if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
     if (!has_alphas) {
@@ -157,24 +225,24 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
         options.given("derivative") ? options.choice("derivative", {"fd", "analytic"}) : usual;
     const Derivative derivative = derivative_name == "fd" ? Derivative::finite_difference : Derivative::analytic;
 
-    const rollbem::Contact<double> contact = make_contact(options, problem);
-    const Kernel kernel = make_kernel(options, contact);
+    const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
     const auto [mesh_name, meshes] = make_meshes(options);
 
     std::vector<Scene> scenes;
-    for (const MeshPointer& mesh : meshes) {
+    for (const std::vector<GradedMesh>& graded : meshes) {
         for (const double lambda : lambdas) {
             for (const auto& [alpha_L, alpha_T] : alphas) {
+                const MeshPointer& mesh = graded.front().mesh;
                 Scene scene{.method = method,
                             .derivative = derivative_name,
                             .mesh_name = mesh_name,
-                            .contact = contact,
+                            .contact = contacts.front(),
                             .mesh = mesh,
                             .scheme = rollbem::KnotheBoundary{derivative},
-                            .kernel = kernel};
+                            .kernel = make_kernel(options, contacts.front())};
                 const std::string n = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
                                       std::to_string(mesh->size()) + " must be at least 2 ";
                 if (!has_alphas && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
@@ -187,8 +255,18 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
                 if (method == "collocation") scene.scheme = rollbem::Collocation{alpha_L, alpha_T, derivative, lambda};
                 if (method == "galerkin") {
                     scene.scheme = rollbem::Galerkin{alpha_L, alpha_T, derivative, lambda, quadrature};
+                    scene.quadrature = options.text("quadrature");
                 }
-                scenes.push_back(std::move(scene));
+                for (const GradedMesh& one : graded) {
+                    scene.mesh = one.mesh;
+                    scene.size_ratio = one.size_ratio;
+                    scene.epsilon = one.epsilon;
+                    for (const rollbem::Contact<double>& contact : contacts) {
+                        scene.contact = contact;
+                        scene.kernel = make_kernel(options, contact);
+                        scenes.push_back(scene);
+                    }
+                }
             }
         }
     }

@@ -1,5 +1,6 @@
 // Scenes: what the common options ask for, as a list of contact, mesh and scheme or Chebyshev states, and kernel to
-// compute with. n is the outermost loop, then lambda, alpha_L and alpha_T.
+// compute with. n is the outermost loop, then lambda, alpha_L, alpha_T, the mesh's grading, the aspect and Poisson's
+// ratio.
 #pragma once
 
 #include <memory>
@@ -14,6 +15,7 @@
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
+#include "csv.hpp"
 #include "options.hpp"
 
 namespace study {
@@ -28,6 +30,8 @@ enum class Methods { elements, elements_and_states };
 struct Scene {
     std::string method, derivative{}, mesh_name{};         ///< the latter two empty for Chebyshev states
     std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
+    std::optional<double> size_ratio{}, epsilon{};         ///< [-]; empty where the mesh has none
+    std::string quadrature{};                              ///< a number of points or exact; empty but for galerkin
     rollbem::Contact<double> contact;                      ///< a = G = 1
     std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
@@ -57,8 +61,33 @@ struct Scene {
     }
 };
 
-/// The contact of --aspect and --poisson, with a = G = 1.
+/// Columns that tell scenes apart after those of method, n, alphas and lambda: kernel, aspect, poisson, size_ratio,
+/// epsilon, quadrature. And the same after method, derivative and mesh.
+const std::vector<std::string>& setting_columns();
+const std::vector<std::string>& all_setting_columns();
+
+/// Their cells.
+Row setting_cells(const Scene& scene);
+Row all_setting_cells(const Scene& scene);
+
+/// "inf" where b/a has no end.
+Cell aspect_cell(const rollbem::Contact<double>& contact);
+
+/// One list after the other.
+template <class Item>
+std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+/// The contacts of --aspect and --poisson, with a = G = 1; the latter is the inner loop.
+std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem);
+
+/// The same where there can be one only.
 rollbem::Contact<double> make_contact(const Options& options, Problem problem);
+
+/// Those of the scenes, each once.
+std::vector<rollbem::Contact<double>> contacts_of(const std::vector<Scene>& scenes);
 
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");

@@ -99,6 +99,44 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
 "$steady" --help | grep -q 'Example' || fail "--help has no example"
 "$steady" --version | grep -q '^steady_study [0-9]' || fail "--version"
 
+# what is varied has a column, and what a cell lacks has a reason
+good 9 "$steady" --n 12 --mesh knothe --epsilon 0.3,0.4 --aspect 10,inf --poisson 0.1,0.2 --alpha 0.5
+[ "$(head -n 1 out | cut -d, -f15-)" = status,kernel,aspect,poisson,size_ratio,epsilon,quadrature ] || fail "settings"
+check 'settings of a steady row' '$15 == "ok" && $16 == ($17 == "inf" ? "plane" : "strip") && $19 == "" && $21 == ""'
+[ "$(tail -n +2 out | cut -d, -f17,18,20 | tr '\n' ' ')" = "10,0.10000000000000001,0.29999999999999999 \
+10,0.20000000000000001,0.29999999999999999 inf,0.10000000000000001,0.29999999999999999 \
+inf,0.20000000000000001,0.29999999999999999 10,0.10000000000000001,0.40000000000000002 \
+10,0.20000000000000001,0.40000000000000002 inf,0.10000000000000001,0.40000000000000002 \
+inf,0.20000000000000001,0.40000000000000002 " ] || fail "order of settings"
+check 'each Poisson ratio has its own exact value' '($8 * (1 - $18) - 1.5707963267948966) ^ 2 < 1e-28'
+[ "$(cut -d, -f7 out | sort -u | wc -l)" -eq 9 ] || fail "settings that make no difference"
+good 3 "$steady" --n 12 --mesh geometric --size-ratio 2,3
+check 'size ratio' '$19 == NR && $20 == ""'
+good 2 "$steady" --n 12 --method galerkin --quadrature 7
+check 'quadrature' '$21 == 7'
+good 3 "$steady" --n 4,8 --method chebyshev --aspect 1
+check 'settings of states' '$15 == ($4 == 4 ? "not_converged" : "ok") && $16 == "strip" && $17 == 1 && $19 $20 $21 == ""'
+good 2 "$steady" --n 3 --alpha-T 0.1
+check 'far off with few elements' '$15 == "coarse" && $7 $10 == ""'
+good 2 "$steady" --n 3 --alpha-T 0.1 --aspect 1
+check 'the plane limit says nothing about a narrow strip' '$15 != "coarse"'
+for case in '40 0 inconsistent' '41 0 ill_conditioned' '40 1.5 inconsistent'; do
+    set -- $case
+    good 2 "$steady" --n $1 --alpha $2
+    check "status of alpha = $2" '$15 == "'$3'" && $7 == ""'
+    good $(($1 + 1)) "$traction" --n $1 --alpha $2
+    check "status of tractions at alpha = $2" '$9 == "'$3'" && $3 == "" && $6 == ""'
+done
+good 21 "$traction" --n 20 --method galerkin
+check 'settings of tractions' '$9 == "ok" && $10 == "galerkin" && $11 == "analytic" && $12 == "uniform" && $18 == "exact"'
+bad '--epsilon = 0.4 has no effect' "$steady" --epsilon 0.4
+bad 'repeated items: 100' "$steady" --aspect 100,100
+bad '--aspect = -1 must be positive' "$steady" --aspect 1,-1
+bad '--aspect = 1,0.0001 must be at least 0.001' "$steady" --method chebyshev --aspect 1,0.0001
+"$steady" --n 8,9 --aspect 1,10 --poisson 0,0.5 --no-timing >whole
+for shard in 1 2 3; do "$steady" --n 8,9 --aspect 1,10 --poisson 0,0.5 --no-timing --shard $shard/3; done | cmp -s - whole ||
+    fail "shards of settings"
+
 # order of rows: n, then alpha_L, then alpha_T
 "$steady" --n 20,10 --alpha-L 0,0.1 --alpha-T 0.6,0.5 >out
 [ "$(cut -d, -f4-6 out | tail -n +2 | tr '\n' ' ')" = "20,0,0.59999999999999998 20,0,0.5 \
@@ -201,8 +239,16 @@ for file in big.csv big.csv.toml big.svg; do [ "$(cat $file)" = old ] || fail "$
 
 # the clock of the progress line goes on within a long row
 if command -v script >/dev/null && command -v timeout >/dev/null; then
-    timeout 4 script -qec "'$programs/stability_study' --critical --n 800 --output long.csv" typescript >/dev/null 2>&1
-    for second in 1 2; do
+    timeout 40 script -qefc "'$programs/stability_study' --critical --n 800 --output long.csv" typescript >/dev/null 2>&1 &
+    pid=$!
+    tries=0
+    while ! grep -q 'stability_study: 0 of 1 rows, n = 800, 3 s' typescript 2>/dev/null && [ $tries -lt 300 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    kill $pid
+    wait $pid 2>/dev/null
+    for second in 1 2 3; do
         grep -q "stability_study: 0 of 1 rows, n = 800, $second s" typescript || fail "no progress after $second s"
     done
     rm -f long.csv*

@@ -53,6 +53,20 @@ check 'no exact eigenvalues where the plane model does not decay' '$2 != "" && $
 good 11 $s --n 10 --spectrum --alpha 1
 # one element, uniform, alpha = 0: G' is zero, and so is the eigenvalue
 good 2 $s --n 1 --spectrum --alpha 0
+# what steady rolling holds against a scheme whose eigenvalues are stable
+good 3 $s --n 20 --alpha 0.5,1.5
+check 'status' '$8 == 0 && $16 == ($6 == 0.5 ? "ok" : "inconsistent") && $17 == "strip" && $18 == 1000 && $19 == 0.25'
+good 2 $s --n 3 --alpha-L 0 --alpha-T 0.1
+check 'status of few elements' '$16 == "coarse"'
+good 2 $s --n 4 --method chebyshev --aspect 0.3
+good 3 $s --n 6 --critical --lambda 0.4,1
+check 'status without a critical alpha_T' '$8 == ($7 < 0.5 ? "all_stable" : "ok") && $9 == "strip"'
+good 21 $s --n 20 --spectrum --alpha 1.5
+check 'status of eigenvalues' '$9 == "inconsistent" && $10 == "collocation" && $12 == "uniform" && $13 == "strip"'
+good 5 $s --n 4 --spectrum --alpha 0.5 --lambda 0
+awk -F, 'NR > 1 && ($2 == "") != ($9 == "not_finite") { bad = 1 } END { exit bad }' out || fail 'infinite eigenvalues'
+good 5 $s --n 8 --aspect 10,100 --poisson 0
+[ "$(cut -d, -f11 out | sort -u | wc -l)" -eq 5 ] || fail 'contacts that make no difference'
 shards $s --n 6,9 --alpha-T 0.5,0.63,0.8
 shards $s --n 5,8 --spectrum
 shards $s --n 4,6,8 --critical
@@ -119,6 +133,21 @@ check 'condition' '$12 > 0 && $12 < 1 && $13 == ""'
 awk -F, 'NR == 2 { near = $12 } END { exit !($12 < near / 1e3) }' out || fail 'the condition at high frequencies'
 good 3 $f --n 40,41 --alpha 1.5 --omega 1
 check 'a scheme that does not converge' '$3 $4 $7 == "" && $5 != ""'
+check 'its status' '$14 == "inconsistent"'
+good 3 $f --n 40,41 --alpha 1.5 --omega 1 --unchecked
+check 'unchecked' '$3 != "" && $7 > 0.05 && $14 == "inconsistent"'
+good 2 $f --n 3 --alpha-T 0.1 --omega 0
+check 'few elements' '$3 == "" && $14 == "coarse"'
+good 2 "$frequency" --method polynomial --order 5 --omega 1
+check 'status of a low order' '$3 == "" && $14 == "not_converged" && $15 == "polynomial" && $18 == "plane" && $24 == "chebyshev"'
+good 3 "$frequency" --method polynomial --order 5,60 --basis monomial --omega 50 --unchecked
+check 'orders that the paper prints' '$3 != "" && $7 != "" && $14 == "not_converged" && $24 == "monomial"'
+good 5 $f --n 20 --aspect 10,100 --poisson 0 --omega 1
+check 'each contact has its own exact value' '$7 < 1e-3 && $18 == "plane"'
+[ "$(cut -d, -f5 out | sort -u | wc -l)" -eq 5 ] || fail 'exact values of contacts'
+good 5 "$frequency" --method polynomial --aspect 10,100 --poisson 0,0.3 --omega 1
+check 'the same by polynomials' '$7 < 1e-12'
+bad '--aspect = 0.1 must be larger than' $f --n 20 --aspect 100,0.1 --omega 1
 shards $f --n 7,9 --omega 0.1,1,3
 shards "$frequency" --method polynomial --order 10,20 --omega 0.1,1,3
 
@@ -130,6 +159,8 @@ if command -v gnuplot >/dev/null; then
     done
     good 7 "$frequency" --n 5,10 --omega 0.1,1,5 --plot f.svg
     [ "$(grep -c '</svg>' f.svg)" -eq 1 ] && grep -q 'Im, exact' f.svg && grep -q 'Re c' f.svg || fail 'both panels'
+    good 9 "$frequency" --n 5,10 --omega 1,5 --aspect 10,100 --plot f.svg
+    grep -q 'Im, exact, aspect = 10, ' f.svg || fail 'exact curves of two contacts'
     good 62 "$frequency" --method polynomial --plot p.svg
     grep -q 'Im, computed' p.svg || fail 'default orders make one curve'
 fi

@@ -22,6 +22,8 @@ bad '--sine = 0,1 must be AMP,OMEGA' $study --sine 0,1
 bad '--sine = 1,-1 must be AMP,OMEGA' $study --sine 1,-1
 bad '--dq = 0 must be positive and finite' $study --step 1 --dq 0 --output x.csv
 bad '--until = 0.01 must be at least --dq' $study --step 1 --until 0.01
+bad '--until = 10 must be a multiple of --dq = 3' $study --step 1 --dq 3
+bad '--until = 0.35 must be a multiple of --dq = 0.1' $study --step 1 --dq 0.1 --until 0.35
 bad '--until = 1e9 must be at most 1e7 times --dq' $study --step 1 --until 1e9
 bad '--integrator = rk4 must be one of sdirk2, implicit-euler, exponential' $study --step 1 --integrator rk4
 bad '--aspect = inf must be positive and finite' $study --step 1 --aspect inf
@@ -56,6 +58,46 @@ orders 3 $second --n 20 --sine 1,1 --until 1
 good 201 $study --step 1 --aspect 0.1
 check 'no closed form where the plane model is unstable' '$3 > 0 && $4 == "" && $5 == ""'
 good 201 $study --step 1 --alpha 0.6 --unchecked
+check 'unchecked rows say so' '$14 == "unchecked" && $3 != "" && $15 == "strip" && $16 == 1000'
+good 4 $study --step 1 --dq 0.1 --until 0.3
+check 'checked rows are ok' '$14 == "ok"'
+good 3 $study --sine 1,30 --until 0.1
+check 'a sine that steps do not follow' '$14 == "unresolved" && $3 == "" && $4 != "" && $5 == ""'
+good 3 $study --sine 1,20 --until 0.1
+check 'a sine that they just follow' '$14 == "ok" && $3 != ""'
+good 9 $second --aspect 10 --poisson 0 --step 1 --integrator exponential --dq 0.5 --until 1
+check 'each contact has its own exact response' '$5 ^ 2 < 1.5e-3 ^ 2'
+[ "$(tail -n +2 out | cut -d, -f4 | sort -u | wc -l)" -eq 8 ] || fail 'exact responses of contacts'
+# as other programs write it
+history="$study --n 10 --until 0.2 --dq 0.1 --history"
+printf 'q_over_a,creepage\n0,0.5\n1,1.5\n' >"$scratch/plain"
+$history "$scratch/plain" >expected
+table() {
+    printf "$1" >"$scratch/table"
+    $history "$scratch/table" >out 2>err && cmp -s out expected || fail "a table like $1: $(cat err)"
+}
+table '\357\273\277q_over_a,creepage\r\n0,0.5\r\n1,1.5\r\n'
+table '"q_over_a","creepage"\n0,0.5\n1,1.5\n'
+table '"","q_over_a","creepage"\n"1",0,0.5\n"2",1,1.5\n'
+table 'creepage,q_over_a\n0.5,0\n1.5,1\n'
+table 'q_over_a;creepage\n0;0,5\n1;1,5\n'
+table 'q_over_a;creepage\n0;0.5\n1;1.5\n'
+table 'q_over_a\tcreepage\n0\t0.5\n1\t1.5\n'
+table 'q_over_a,creepage\n0,0.5\n1,1.5\n\n \n\n'
+table 'q_over_a,creepage\n"0","0.5"\n 1 , 1.5'
+# told TEXT CONTENT: refused, with the reason
+told() {
+    printf "$2" >"$scratch/table"
+    bad "$1" $study --history "$scratch/table"
+}
+told 'line 2 = 0\x001,1 must be text' 'q_over_a,creepage\n0\0001,1\n'
+told 'line 1 = \x7FELF\x02\xFF must be text' '\177ELF\002\377\n'
+told 'must be UTF-8, not UTF-16' '\377\376q\000_\000'
+told 'line 3 =  must be two finite numbers' 'q_over_a,creepage\n0,0.5\n\n1,1.5\n'
+told 'line 2 = 0;1 must be two finite numbers with a comma between them' 'q_over_a,creepage\n0;1\n'
+told 'line 2 = 0,1 must be two finite numbers with a semicolon between them' 'q_over_a;creepage\n0,1\n'
+told 'line 2 = 0,1 must have 3 cells' 'x,q_over_a,creepage\n0,1\n'
+told 'line 1 = q,creepage must be q_over_a,creepage' 'q,creepage\n0,1\n'
 shards $second --n 5,6 --step 1 --until 1
 good 0 $study --step 1 --output x.csv
 grep -q '^step = ' x.csv.toml || fail 'companion file'
