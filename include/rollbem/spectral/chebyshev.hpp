@@ -244,10 +244,12 @@ ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& 
 /// Steady rolling at unit creepage. There u = x + a constant that only sum a_k = 0 sets, so that K_00 is not needed and
 /// an infinite half-width has a solution. For the plane kernel it is exact from one state on. The kernel has to be a
 /// SmoothSplitKernel. Throws std::invalid_argument for no states and b/a < 0.001.
-template <class Kernel>
+template <SmoothSplitKernel Kernel>
 ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
 }
+template <class Kernel>
+void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a SmoothSplitKernel
 
 /// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
 /// Throws as the dimensionless one; a creepage, or a result, that is not finite gives Status::not_finite.
