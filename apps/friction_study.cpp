@@ -25,6 +25,10 @@ int main(int argc, char** argv) {
         "pressure",
         "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear between its "
         "rows, zero before the first and after the last; two rows at one x_over_a make a jump (dimensionless)");
+    options.add("lateral-ratio", "LIST",
+                "lateral creepage by the same 2 (1-nu) mu p0/G: friction in both directions; with --transient a single "
+                "value, constant (dimensionless)");
+    options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G (dimensionless)", "0");
     options.add_table("tractions",
                       "besides, a CSV file with one row per element of every scheme and creepage, and FILE.toml");
     options.add_flag(
@@ -34,6 +38,16 @@ int main(int argc, char** argv) {
     options.add("sine", "AMP,OMEGA",
                 "with --transient: creepage ratio AMP sin(OMEGA q/a), OMEGA in V/a (dimensionless)");
     options.add("shift", "W", "with --transient: rigid shift in mu p0 a/G first, without rolling (dimensionless)");
+    options.add("load-sine", "A,LENGTH",
+                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), LENGTH in a_0 (dimensionless)");
+    options.add_input("load",
+                      "with --transient: CSV file with the columns q_over_a,load_ratio, N/N_0 over the distance rolled "
+                      "in a_0, linear between its rows, which cover the run (dimensionless)");
+    options.add_flag(
+        "breathing",
+        "with --load-sine or --load: the mesh follows the half-length of the contact, with --kernel plane; "
+        "else it covers the largest contact");
+    options.add("from", "rest|steady", "with --transient: what the run starts from", "rest");
     study::add_steps(options, "with --transient: ");
     options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
     options.add_flag("unchecked",
@@ -52,6 +66,11 @@ int main(int argc, char** argv) {
         "    friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --aspect 100 --kernel plane\n"
         "  a hysteresis loop\n"
         "    friction_study --transient --n 40 --sine 1.5,0.5 --until 40 --plot loop.svg\n"
+        "  longitudinal and lateral creepage together\n"
+        "    friction_study --n 40 --creepage-ratio 0,0.2,0.4,0.6,0.8,1 --lateral-ratio 0,0.3,0.6 --plot both.svg\n"
+        "  under a load that varies by half, on a mesh that breathes with the contact\n"
+        "    friction_study --transient --n 40 --creepage-ratio 0.5 --load-sine 0.5,8 --breathing --kernel plane \\\n"
+        "        --from steady --until 24 --plot load.svg\n"
         "\n"
         "force_ratio is -F/(mu N). exact is Carter's (plane model b >> a, whatever the kernel) for steady rolling\n"
         "and Cattaneo's for a shift from rest (plane model of this b/a). With --pressure, p0 = 2 N/(pi a) is the\n"
@@ -64,9 +83,16 @@ int main(int argc, char** argv) {
         "G' before it; tangent_ratio: d force_ratio/d creepage_ratio; slip_work: per distance a rolled, in mu N\n"
         "mu p0 a/G, summed over the elements (of second order in 1/n). Where status is not ok, these two and\n"
         "force_ratio are empty; it is inconsistent where in full adhesion tractions of the same scheme push with the\n"
-        "creepage, so that the scheme does not converge: alpha at or below 0 (near 0 on coarse meshes), or above 1.\n"
+        "creepage, so that the scheme does not converge there: alpha at or below 0 (near 0 on coarse meshes), or\n"
+        "above 1. (With friction alpha = 0 does, of first order, where several elements slip.)\n"
         "--tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0; traction, stick and slip are\n"
-        "empty where status is not ok.\n"
+        "empty where status is not ok. lateral_traction and lateral_slip: the same across the rolling direction.\n"
+        "\n"
+        "--lateral-ratio: both directions, coupled by friction alone; the inner loop of a list. force_ratio and\n"
+        "lateral_force_ratio are -F_x/(mu N) and -F_y/(mu N), tangent_ratio and lateral_tangent_ratio their\n"
+        "derivatives by the creepage ratio of the same direction. exact and lateral_exact: Carter's, along the\n"
+        "creepage for a Poisson ratio of 0, and for a single direction (across, by the ratio times 1 - nu); else empty.\n"
+        "--layer adds L p to the displacement, L = h_3/G_3 for a layer of thickness h_3; there is no exact force.\n"
         "\n"
         "--fit-border is for pressures that leave one slip zone at the trailing edge, as Hertz's does. Where that\n"
         "holds, mesh = fitted: the force is exact to rounding, or to 1e-6 mu N under a --pressure without jumps, and\n"
@@ -75,6 +101,13 @@ int main(int argc, char** argv) {
         "borders tried, and complementarity_residual is the largest violation at points of its own. Where it does not\n"
         "hold (several zones, stick that ends before the leading edge) or the pressure jumps, mesh = cosine and n\n"
         "elements with alpha = 0.5 take over. slip_work = -F xi in either case.\n"
+        "\n"
+        "--load-sine, --load: force_ratio by mu N_0, distances by a_0, where N_0 and a_0 are those of load_ratio 1;\n"
+        "half_length_ratio is a/a_0, Hertz's. --breathing: the mesh follows the contact, of second order in 1/n;\n"
+        "status is needs_fixed_mesh where the contact grows or shrinks by as much as it rolls. Else the mesh covers\n"
+        "the largest contact, of first order, and the load may vanish. Steps are divided where a table has a row.\n"
+        "creep_work = -int F.xi dq from the forces at both ends of a step (at its end with implicit-euler), cumulative,\n"
+        "in the unit of slip_work; what the two differ by is elastic energy. exact is empty.\n"
         "\n"
         "--transient: one row per step, from q = dq on; with --shift, a row at q = 0 before. shift: imposed in\n"
         "this row, in mu p0 a/G. slip_work: cumulative, in mu N mu p0 a/G. creepage is linear over a step (its\n"

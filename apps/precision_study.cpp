@@ -48,9 +48,20 @@ std::vector<Quantity> chosen_quantities(const study::Options& options) {
 }
 
 constexpr std::ptrdiff_t largest = 100000;  // n
+const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";
+const std::vector<std::ptrdiff_t> states_by_default{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
 
 /// Without --n, what is costly stops at smaller n.
 long largest_n(Problem problem) { return problem == Problem::steady ? 640 : problem == Problem::harmonic ? 320 : 160; }
+
+/// Whether a scheme is asked for with n: by --n, or without it by the defaults, fewer for Chebyshev states.
+bool wanted(const study::Options& options, const std::string& scheme, std::ptrdiff_t n) {
+    if (options.given("n")) return true;
+    const std::vector<std::ptrdiff_t>& states = states_by_default;
+    if (scheme == "chebyshev-states") return std::find(states.begin(), states.end(), n) != states.end();
+    const std::vector<std::ptrdiff_t> elements = options.integers("n", 1, largest);
+    return std::find(elements.begin(), elements.end(), n) != elements.end();
+}
 
 // --- rows
 
@@ -67,13 +78,21 @@ std::vector<Task> make_tasks(const study::Options& options, const precision::Sce
         if (!Case::exists(scheme, n)) return;
         Task task{Case(scene, scheme, n), {}};
         for (const Quantity& quantity : quantities) {
-            const bool wanted = options.given("n") || n <= largest_n(quantity.problem);
-            if (wanted && Case::has(scheme, quantity)) task.quantities.push_back(quantity);
+            const bool affordable = options.given("n") || n <= largest_n(quantity.problem);
+            if (affordable && Case::has(scheme, quantity)) task.quantities.push_back(quantity);
         }
         if (!task.quantities.empty()) tasks.push_back(std::move(task));
     };
-    for (const std::ptrdiff_t n : options.integers("n", 1, largest)) {
-        for (const std::string& scheme : schemes) add(scheme, n);
+    std::vector<std::ptrdiff_t> sizes = options.integers("n", 1, largest);
+    if (!options.given("n")) {
+        sizes.insert(sizes.end(), states_by_default.begin(), states_by_default.end());
+        std::sort(sizes.begin(), sizes.end());
+        sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    }
+    for (const std::ptrdiff_t n : sizes) {
+        for (const std::string& scheme : schemes) {
+            if (wanted(options, scheme, n)) add(scheme, n);
+        }
     }
     for (const std::string& scheme : schemes) add(scheme, 0);
     if (tasks.empty())
@@ -96,6 +115,9 @@ precision::Scene make_scene(const study::Options& options, const std::vector<std
     if (!steady) study::require_plane_model(options, contact);
     // the strip of infinite width is the plane
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
+    if (!plane && used("chebyshev-states") && contact.aspect() < 0.001) {
+        throw study::BadInput(options.said("aspect") + " must be at least 0.001 for the scheme chebyshev-states");
+    }
     precision::Scene scene{contact, plane, options.number("size-ratio", study::between(1e-12, 1e12)),
                            options.number("epsilon", study::between(1e-12, 1e12))};
     const bool steps = std::any_of(quantities.begin(), quantities.end(),
@@ -322,6 +344,7 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
         for (int exponent = 2; exponent <= 12; ++exponent) {
             for (const auto& [among, name] : {std::pair{Among::elements, "elements"},
                                               {Among::stable_elements, "stable-elements"},
+                                              {Among::stable, "stable"},
                                               {Among::all, "all"}}) {
                 const double tolerance = std::pow(10.0, -exponent);
                 const auto best = precision::cheapest(points, sustained, quantity.name, tolerance, among);
@@ -339,32 +362,62 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
     file.commit();
 }
 
+constexpr std::size_t black = 6;  // of the styles, and every seventh from there
+constexpr double floor = 1e-14;   // smaller errors are rounding, or none, which logarithmic axes have no place for
+
+/// The style of a scheme, the same in all panels; none is black.
+std::size_t style_of(const std::string& scheme) {
+    const std::vector<std::string>& names = precision::scheme_names();
+    const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), scheme) - names.begin());
+    return place + place / black;
+}
+
 /// A panel for one quantity: the error of every scheme over its time, and the front with the errors that put it there.
+/// What lies below the floor stands on it.
 study::Plot panel(const std::string& quantity, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
-    constexpr double smallest = 1e-17;  // for results without error, which logarithmic axes have no place for
-    std::string title = quantity;       // gnuplot takes a bare underscore for a subscript
-    if (const std::size_t at = title.find('_'); at != std::string::npos) title.insert(at, "\\");
+    std::string title;
+    for (const char c : quantity) {
+        if (c == '_') title += '\\';  // a bare one is gnuplot's mark of a subscript
+        title += c;
+    }
     study::Plot plot{.title = title,
                      .x_label = "time [microseconds]",
-                     .y_label = "|relative error|, 1e-17 where none",
+                     .y_label = "|relative error|",
                      .log_x = true,
                      .log_y = true,
                      .series = {}};
-    std::vector<study::Row> own;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
-                 [&](const study::Row& cells) { return cells[2].text() == quantity; });
-    study::add_series(plot, columns, own, {.by = {"scheme"}, .x = "time_us", .y = "relative_error", .absolute = true});
-    for (study::Series& series : plot.series) {
-        for (auto& [time, error] : series.points) error = std::max(error, smallest);
-    }
-    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .style = 6};
+    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .style = black};
     const std::vector<double> sustained = precision::sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;
-        front.points.emplace_back(*points[i].time_us, sustained[i]);
+        front.points.emplace_back(*points[i].time_us, std::max(sustained[i], floor));
     }
     std::sort(front.points.begin(), front.points.end());
+    bool below = false;
+    double largest_error = floor;
+    std::vector<double> times;
+    for (const std::string& scheme : precision::scheme_names()) {
+        study::Series series{.label = scheme, .points = {}, .style = style_of(scheme)};
+        for (const study::Row& cells : rows) {
+            if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
+            const std::optional<double> error = cells[3].number(), time = cells[4].number();
+            if (!error || !time) continue;
+            below = below || std::abs(*error) < floor;
+            largest_error = std::max(largest_error, std::abs(*error));
+            times.push_back(*time);
+            series.points.emplace_back(*time, std::max(std::abs(*error), floor));
+        }
+        if (!series.points.empty()) plot.series.push_back(std::move(series));
+    }
     if (!front.points.empty()) plot.series.push_back(std::move(front));
+    if (below) {
+        const auto [first, last] = std::minmax_element(times.begin(), times.end());
+        plot.y_range = study::PlotRange{floor / 3, 3 * largest_error};
+        plot.series.push_back({.label = "1e-14 or less",
+                               .points = {{*first, floor}, {*last, floor}},
+                               .markers = false,
+                               .style = 2 * (black + 1) + black});
+    }
     return plot;
 }
 
@@ -377,7 +430,7 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
             return cells[2].text() == quantity.name && cells[4].number().has_value();
         });
         if (!drawn) continue;
-        const bool chosen = quantity.name == "c11" || quantity.name == "c11_z1" || quantity.name == "friction_force";
+        const bool chosen = quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
         if (quantities.size() <= 3 || chosen) shown.push_back(quantity.name);
     }
     if (shown.empty()) shown.push_back(quantities.front().name);
@@ -394,7 +447,7 @@ int main(int argc, char** argv) {
                            "Error against run time: which scheme gives a required precision at the least cost?");
     const std::string fixed = "the schemes of this study say where and how the equations are taken; see --schemes";
     options.refuse_group("Discretisation", fixed, {"n", "size-ratio", "epsilon"});
-    options.set_default("n", "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640");
+    options.set_default("n", elements_by_default);
     options.set_default("kernel", "plane");
     options.set_default("size-ratio", "1.89");
     options.set_default("epsilon", "0.37");
@@ -408,23 +461,24 @@ int main(int argc, char** argv) {
     options.add_output(
         "cheapest",
         "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "
-        "stable one, and the fastest of all");
+        "stable one, the fastest stable one of elements and Chebyshev states, and the fastest of all");
     options.footer(
         "Example: everything, with the cheapest schemes and a picture\n"
         "  precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg\n"
         "\n"
         "One row per scheme, n and quantity. n counts elements, of the finer mesh where two (n/2 and n) are\n"
-        "extrapolated; for chebyshev it is the order; the closed form has none. relative_error is against the closed\n"
-        "forms of the plane model. traction: the norm of the differences to Carter's mean traction of each element\n"
+        "extrapolated; for chebyshev-states it is the number of states (without --n from 1 to 48), for polynomial,\n"
+        "the paper's approach, the order; the closed form has none. relative_error is against the closed forms of the\n"
+        "plane model. traction: the norm of the differences to Carter's mean traction of each element\n"
         "over that of the mean tractions, both with the weight sqrt(1 - x^2/a^2) - without it Carter's traction,\n"
         "which is singular at the trailing edge, has no such norm, and with it the norm bounds the error of the "
         "force.\n"
         "step_force: the largest relative error at q/a = 1, 2, ... 10 after a step of creepage, exact in time.\n"
         "friction_force: creepage ratio 0.5. closed-form: the difference of two closed forms where there are two.\n"
         "time_us: from the mesh to the result, the median of at least 5 runs; all schemes take turns. stable: no\n"
-        "eigenvalue grows, as computed. on_front: no other element scheme is as fast and as precise; an error counts\n"
-        "as the largest of its scheme at this and every larger n, so that no change of sign passes for precision. It\n"
-        "is empty for chebyshev and closed-form, and with --shard or --jobs above 1, where times lack: put the shards\n"
+        "eigenvalue grows, as computed. on_front: no other scheme is as fast and as precise; an error counts as the\n"
+        "largest of its scheme at this and every larger n, so that no change of sign passes for precision. It is\n"
+        "empty for polynomial and closed-form, and with --shard or --jobs above 1, where times lack: put the shards\n"
         "together and use --front. With the strip kernel model_error is what the model alone makes of the error.\n"
         "Without --n, c11_z* stop at n = 320 and step_force and friction_force at 160: one to two minutes in all.\n");
 

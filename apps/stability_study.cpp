@@ -5,6 +5,7 @@
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
 //     ./stability_study --critical --n 20,40,80,160
 //     ./stability_study --spectrum --n 60 --mesh cosine --alpha 0.5 --plot spectrum.svg
+//     ./stability_study --spectrum --method chebyshev --n 16 --kernel plane --aspect 100
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -16,8 +17,8 @@
 
 #include <rollbem/adhesion/critical_alpha.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/bessel.hpp>
 
+#include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
@@ -89,7 +90,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                                                            : "n";
         study::Plot plot{.title = "Stability",
                          .x_label = equal && x == "alpha_T" ? "alpha = alpha_L = alpha_T"
-                                    : x == "n"              ? "number of elements n"
+                                    : x == "n"              ? scenes.front().n_label()
                                                             : x,
                          .y_label = "share of unstable eigenvalues",
                          .series = {}};
@@ -152,38 +153,6 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
 const std::vector<std::string> spectrum_columns{"n",        "re",      "im",      "exact_re",
                                                 "exact_im", "alpha_L", "alpha_T", "lambda"};
 
-/// Closed-form eigenvalues, of which there are infinitely many, about pi apart: those that matter to given ones.
-class ExactSpectrum {
-public:
-    ExactSpectrum(const rollbem::Contact<double>& contact, const std::vector<Complex>& computed) {
-        double largest = 0;
-        for (const Complex& nu : computed) {
-            if (reaches(nu)) largest = std::max(largest, std::abs(nu));
-        }
-        if (!study::plane_model_decays(contact)) return;
-        values_ = rollbem::reference::eigenvalues(static_cast<std::size_t>(largest / std::numbers::pi) + 8,
-                                                  contact.poisson_ratio(), contact.aspect());
-    }
-
-    std::optional<Complex> nearest(Complex nu) const {
-        if (values_.empty() || !reaches(nu)) return std::nullopt;
-        const Complex above(nu.real(), std::abs(nu.imag()));
-        const auto nearer = [&](Complex left, Complex right) {
-            return std::abs(left - above) < std::abs(right - above);
-        };
-        const Complex found = *std::min_element(values_.begin(), values_.end(), nearer);
-        return nu.imag() < 0 ? std::conj(found) : found;
-    }
-
-    const std::vector<Complex>& upper_half() const { return values_; }  ///< Im >= 0, by ascending modulus
-
-private:
-    // far beyond what any mesh resolves, and the list stays short
-    static bool reaches(const Complex& nu) { return std::abs(nu) <= 3e4; }
-
-    std::vector<Complex> values_;
-};
-
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
     // 3. The eigenvalues by ascending modulus; infinite ones come last.
     const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(study::system_of(scene));
@@ -196,7 +165,7 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const study
     }
 
     // 4. Each beside the nearest exact one.
-    const ExactSpectrum exact(scene.contact, eigenvalues);
+    const stability::ExactSpectrum exact(scene.contact, eigenvalues);
     for (std::size_t k = range.first; k < range.last; ++k) {
         const Complex nu = eigenvalues[k];
         const bool finite = std::isfinite(nu.real());
@@ -213,10 +182,10 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
     study::Table table;
     table.columns = spectrum_columns;
     for (const study::Scene& scene : scenes) {
-        const auto count = [](const auto& mesh, const auto& scheme, const auto&) {
-            return rollbem::unknown_count(scheme, mesh.size());
-        };
-        table.rows_of_task.push_back(static_cast<std::size_t>(scene.visit(count)));
+        const Eigen::Index count = scene.visit([](const auto& mesh, const auto& scheme,
+                                                  const auto&) { return rollbem::unknown_count(scheme, mesh.size()); },
+                                               [](const auto& method, const auto&) { return method.states; });
+        table.rows_of_task.push_back(static_cast<std::size_t>(count));
     }
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         emit_spectrum(scenes[task], range, emit);
@@ -227,7 +196,8 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
         Eigen::Index n = 0;
         for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
         const double height = std::numbers::pi / 2 * static_cast<double>(n);
-        study::Plot plot{.title = scenes.front().method + ", " + scenes.front().mesh_name + ", eigenvalues",
+        const std::string mesh = scenes.front().mesh_name;
+        study::Plot plot{.title = scenes.front().method + (mesh.empty() ? "" : ", " + mesh) + ", eigenvalues",
                          .x_label = "Re(ν a)",
                          .y_label = "Im(ν a)",
                          .series = {}};
@@ -244,7 +214,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
             }
         }
         study::Series exact{.label = "exact", .points = {}, .line = false, .style = 6};  // open markers
-        const ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
+        const stability::ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
         for (const Complex& nu : known.upper_half()) {
             exact.points.emplace_back(nu.real(), nu.imag());
             if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
@@ -269,6 +239,7 @@ int main(int argc, char** argv) {
     options.add_flag("critical",
                      "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5");
     options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
+    study::offer_chebyshev(options);
     options.footer(
         "Example: the scheme that is best in steady state, on refined meshes, with a plot\n"
         "  stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg\n"
@@ -292,7 +263,9 @@ int main(int argc, char** argv) {
         "a\n"
         "singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no "
         "mesh\n"
-        "resolves, and for contacts so narrow that the plane model does not decay.\n");
+        "resolves, and for contacts so narrow that the plane model does not decay.\n"
+        "--method chebyshev: cells of what elements have are empty. Few states give the first eigenvalues to\n"
+        "rounding; the fastest, of some n^2/10, are the method's own. There is no alpha_T, and so no --critical.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row, or one for each eigenvalue, of each scene.
@@ -301,13 +274,14 @@ int main(int argc, char** argv) {
         if (critical) {
             given.ignored("alpha-T", "with --critical, which searches for it");
             given.ignored("alpha", "with --critical, which takes --alpha-L and searches for alpha_T");
-            if (given.text("method") == "knothe-bc") {
-                throw study::BadInput(
-                    "--method = knothe-bc must be collocation or galerkin with --critical: it has no "
-                    "alpha_T");
+            const std::string method = given.text("method");
+            if (method == "knothe-bc" || method == "chebyshev") {
+                throw study::BadInput(given.said("method") +
+                                      " must be collocation or galerkin with --critical: it has no alpha_T");
             }
         }
-        const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given);
+        const std::vector<study::Scene> scenes =
+            study::make_non_steady_scenes(given, study::Methods::elements_and_states);
         for (const study::Scene& scene : scenes) {
             if (critical && scene.n() < 2) {
                 throw study::BadInput(

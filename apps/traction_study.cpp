@@ -1,14 +1,20 @@
 // Traction in steady rolling: what each element carries against Carter's exact solution, which is singular at the
-// trailing edge. Beside the edges it converges; the element at the trailing edge keeps its relative error:
+// trailing edge. Beside the edges it converges; the element at the trailing edge keeps its relative error. Chebyshev
+// states have the singularity in them:
 //
 //     ./traction_study --n 20
 //     ./traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg
+//     ./traction_study --method chebyshev --n 12 --kernel plane
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/options.hpp"
 #include "support/program.hpp"
@@ -20,7 +26,7 @@ namespace {
 const std::vector<std::string> columns{"n",           "x_over_a",       "traction", "carter",
                                        "carter_mean", "relative_error", "alpha_L",  "alpha_T"};
 
-void emit_tractions(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
+void emit_elements(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
     // 3. Solve for unit creepage. Where the result cannot be trusted, the cells stay empty; the leading element of
     //    Knothe and Gross-Thebing's boundary conditions carries nothing.
     const auto solve = [](const auto& mesh, const auto& scheme, const auto& kernel) {
@@ -42,6 +48,26 @@ void emit_tractions(const study::Scene& scene, study::RowRange elements, const s
     }
 }
 
+/// Where a row of Chebyshev states stands: at the points x/a = cos((2k - 1) pi/(2n)), trailing to leading.
+rollbem::EdgeDistances<double> chebyshev_point(Eigen::Index n, Eigen::Index row) {
+    const double half_angle = double(2 * (n - row) - 1) * std::numbers::pi / double(4 * n);
+    return {2 * std::pow(std::cos(half_angle), 2), 2 * std::pow(std::sin(half_angle), 2)};
+}
+
+void emit_states(const study::Scene& scene, study::RowRange points, const study::Emit& emit) {
+    // 3., 4. The same by Chebyshev states, at points: no element that a mean would be of.
+    const auto solution =
+        std::visit([&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel); }, scene.kernel);
+    for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {
+        const rollbem::EdgeDistances<double> point = chebyshev_point(scene.n(), i);
+        const bool trusted = solution.status == rollbem::Status::ok;
+        const double traction = trusted ? solution.traction(point) : std::nan("");
+        const double carter = rollbem::carter_traction(point, scene.contact.poisson_ratio());
+        const double x = std::sin(double(2 * i + 1 - scene.n()) * std::numbers::pi / double(2 * scene.n()));
+        emit({scene.n(), x, traction, carter, study::Cell(), traction / carter - 1, scene.alpha_L, scene.alpha_T});
+    }
+}
+
 /// Carter's traction where it is no larger than `largest` in size.
 study::Series carter_line(double nu, double largest) {
     study::Series line{.label = "Carter", .points = {}, .markers = false};
@@ -60,6 +86,7 @@ int main(int argc, char** argv) {
     // 1. The command line.
     study::Options options("traction_study", "Traction of every element in steady rolling against Carter's solution.");
     options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
+    study::offer_chebyshev(options);
     options.footer(
         "Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact\n"
         "  traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg\n"
@@ -69,16 +96,20 @@ int main(int argc, char** argv) {
         "over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.\n"
         "Where G' is singular to working precision, and where tractions push with the creepage (alpha at or below 0, "
         "or\n"
-        "beyond 1), traction and relative_error are empty.\n");
+        "beyond 1), traction and relative_error are empty.\n"
+        "--method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and\n"
+        "relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states\n"
+        "would change c11 by more than 1e-2, as in narrow strips, traction and relative_error are empty.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. One row for each element of each scene.
-        const std::vector<study::Scene> scenes = study::make_scenes(given, study::Problem::steady);
+        // 2. One row for each element, or state, of each scene.
+        const std::vector<study::Scene> scenes =
+            study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
         study::Table table;
         table.columns = columns;
         for (const study::Scene& scene : scenes) table.rows_of_task.push_back(std::size_t(scene.n()));
-        table.compute = [&](std::size_t task, study::RowRange elements, const study::Emit& emit) {
-            emit_tractions(scenes[task], elements, emit);
+        table.compute = [&](std::size_t task, study::RowRange rows, const study::Emit& emit) {
+            (scenes[task].chebyshev ? emit_states : emit_elements)(scenes[task], rows, emit);
         };
 
         // 5. --plot: traction along the contact with Carter's line.

@@ -60,7 +60,7 @@ void BM_LuSolve(benchmark::State& state) {
     }
     state.counters["n"] = static_cast<double>(state.range(0));
 }
-BENCHMARK(BM_LuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+BENCHMARK(BM_LuSolve)->Arg(20)->Arg(30)->Arg(40)->Arg(80)->Arg(160);
 
 // One point of the creep curve without elements, everything included. Argument: 100 times the creepage ratio.
 template <class Kernel>
@@ -138,6 +138,77 @@ void BM_FrictionStepChanging(benchmark::State& state) { steps_changing(state, In
 BENCHMARK(BM_FrictionStepChanging)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepChangingSdirk2(benchmark::State& state) { steps_changing(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// The same with another distance rolled in every step: what an integrator in time does that seeks the length of its
+// steps. Argument: n. To be held against BM_LuSolve.
+void steps_of_new_length(benchmark::State& state, Integrator integrator) {
+    const Scene scene(state.range(0));
+    const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
+                                      scene.friction, integrator);
+    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<double> now = model.at_rest(), next = now;
+    double q = 0, rounds = 0, dq = 0.05;
+    for (auto _ : state) {
+        const double before = creepage(0.9 * std::sin(q));
+        dq = dq == 0.05 ? 0.0501 : 0.05;
+        q += dq;
+        const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
+        const FrictionStep<double> step = model.advance(now, dq, motion, next, workspace);
+        rounds += step.rounds;
+        std::swap(now, next);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+}
+void BM_FrictionStepNewLength(benchmark::State& state) { steps_of_new_length(state, Integrator::implicit_euler); }
+BENCHMARK(BM_FrictionStepNewLength)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
+void BM_FrictionStepNewLengthSdirk2(benchmark::State& state) { steps_of_new_length(state, Integrator::sdirk2); }
+BENCHMARK(BM_FrictionStepNewLengthSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
+
+// A load that varies by half, tangents by it included: on a mesh that breathes with the contact, where each stage has a
+// matrix of its own, and on a fixed one, where the matrix stays.
+void steps_under_load(benchmark::State& state, Integrator integrator, bool breathing) {
+    const Eigen::Index n = state.range(0);
+    const HertzLine<double> line(
+        {.load_per_width = 5e6, .combined_radius = 0.25, .body_1 = {210e9, 0.28}, .body_2 = {210e9, 0.28}});
+    const double a = line.half_length() * (breathing ? 1 : 1.25);
+    const Contact<double> contact({.half_length = a, .half_width = 1, .shear_modulus = 82e9, .poisson_ratio = 0.28});
+    const Mesh<double> mesh = breathing ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
+    const HertzLoad<double> hertz =
+        breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
+    NormalLoad<double> load = hertz.at(line.load_per_width());
+    const FrictionModel<double> model(
+        contact,
+        rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
+        unchecked, {0.3, load.normal_pressure}, integrator);
+    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<double> now = model.at_rest(), next = now;
+    const double dq = 0.05 * line.half_length();
+    double q = 0, rounds = 0;
+    FrictionStep<double> step;
+    for (auto _ : state) {
+        q += 0.05;
+        if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) !=
+            StepStatus::ok) {
+            state.SkipWithError("load");
+            break;
+        }
+        step = model.advance(now, dq, 5e-4, load, next, workspace);
+        rounds += step.rounds;
+        std::swap(now, next);
+    }
+    if (step.status != StepStatus::ok) state.SkipWithError(name(step.status));
+    state.counters["n"] = static_cast<double>(n);
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+}
+void BM_FrictionStepBreathing(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, true); }
+BENCHMARK(BM_FrictionStepBreathing)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
+void BM_FrictionStepBreathingSdirk2(benchmark::State& state) { steps_under_load(state, Integrator::sdirk2, true); }
+BENCHMARK(BM_FrictionStepBreathingSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
+void BM_FrictionStepFixedMesh(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, false); }
+BENCHMARK(BM_FrictionStepFixedMesh)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
+void BM_FrictionStepFixedMeshSdirk2(benchmark::State& state) { steps_under_load(state, Integrator::sdirk2, false); }
+BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
 // One point of the creep curve from scratch, assembly apart.
 void BM_FrictionSteady(benchmark::State& state) {

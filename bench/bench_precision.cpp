@@ -1,6 +1,6 @@
-// c11 from nothing to the number, with its error: element schemes from the mesh on, the polynomial approach and the
-// closed form. A plain double loop over elements with LU stands beside the elements, monomials beside Chebyshev
-// polynomials.
+// c11 from nothing to the number, with its error: element schemes from the mesh on, Chebyshev states, the polynomial
+// approach and the closed form. A plain double loop over elements with LU stands beside the elements, monomials beside
+// Chebyshev polynomials.
 // Sample run: ./bench_precision --benchmark_filter='Recommended|Polynomial'
 #include <cmath>
 #include <complex>
@@ -55,16 +55,25 @@ void BM_RichardsonCosine(benchmark::State& state) {
 BENCHMARK(BM_RichardsonUniform)->Arg(16)->Arg(40)->Arg(80)->Arg(160);
 BENCHMARK(BM_RichardsonCosine)->Arg(14)->Arg(40)->Arg(80)->Arg(160);
 
-// Argument: the number of digits asked for.
+const auto c11_of = [](const auto&... method) { return solve_steady(method..., kernel).c11; };
+
+// Argument: the number of digits asked for, of a kernel about which nothing else is known.
 void BM_Recommended(benchmark::State& state) {
     const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
-    const Eigen::Index n = recommended_scheme(tolerance, Purpose::steady).n;
-    measure(state, static_cast<double>(n), [&] {
-        const RecommendedScheme best = recommended_scheme(tolerance, Purpose::steady);
-        return best.evaluate([&](const Mesh<double>& mesh) { return solve_steady(mesh, best.scheme, kernel).c11; });
-    });
+    const Eigen::Index m = recommended_scheme(tolerance, Purpose::steady).method.states;
+    measure(state, static_cast<double>(m),
+            [&] { return recommended_scheme(tolerance, Purpose::steady).evaluate(c11_of); });
 }
 BENCHMARK(BM_Recommended)->DenseRange(2, 8);
+
+// The same by elements.
+void BM_RecommendedElements(benchmark::State& state) {
+    const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+    const Eigen::Index n = recommended_elements(tolerance, Purpose::steady).n;
+    measure(state, static_cast<double>(n),
+            [&] { return recommended_elements(tolerance, Purpose::steady).evaluate(c11_of); });
+}
+BENCHMARK(BM_RecommendedElements)->DenseRange(2, 8);
 
 // The plain way to the errors of Kalker's scheme: four antiderivatives for every entry, LU of the whole.
 void BM_Naive(benchmark::State& state) {

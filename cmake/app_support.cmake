@@ -22,7 +22,7 @@ target_include_directories(rollbem_build_info PUBLIC "${generated_dir}")
 target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
 add_library(rollbem_app_support STATIC)
-foreach(part IN ITEMS config_file csv files mesh_names non_steady options plot program scenes strip_instances table)
+foreach(part IN ITEMS config_file csv files mesh_names non_steady options output_folder plot program scenes strip_instances table)
     target_sources(rollbem_app_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 if(NOT MSVC)

@@ -27,7 +27,7 @@ study::Series carter_curve(const std::vector<double>& ratios) {
 
 /// Of the profiles with a result, that of the last scene nearest to half of full sliding; null where there is none.
 const Profile* most_telling(const Profiles& profiles) {
-    const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.ratio) - 0.5); };
+    const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.point.longitudinal) - 0.5); };
     const Profile* shown = nullptr;
     for (const auto& [key, profile] : profiles.all()) {
         if (profile.status != "ok") continue;
@@ -36,14 +36,15 @@ const Profile* most_telling(const Profiles& profiles) {
     return shown;
 }
 
-study::Plot draw_tractions(const Profile& shown, const Pressure& pressure) {
+study::Plot draw_tractions(const Profile& shown, bool carter) {
+    const double ratio = shown.point.longitudinal;
     study::Plot panel{
-        .title = "Traction, δ = " + study::Cell(shown.ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
+        .title = "Traction, δ = " + study::Cell(ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
         .x_label = "x / a (leading edge at 1)",
         .y_label = "-p / (μ p_0)",
         .x_range = study::PlotRange{-1, 1},
         .series = {}};
-    const double sign = shown.ratio < 0 ? -1 : 1;
+    const double sign = ratio < 0 ? -1 : 1;
     study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .style = 6};
     study::Series exact{.label = "Carter", .points = {}, .markers = false, .style = 2};
     study::Series slip{.label = "slip", .points = {}, .line = false, .style = 1};
@@ -53,9 +54,9 @@ study::Plot draw_tractions(const Profile& shown, const Pressure& pressure) {
         bound.points.emplace_back(x, sign * shown.bound[i]);
         (shown.sticks[std::size_t(i)] ? stick : slip).points.emplace_back(x, -shown.traction[i]);
     }
-    for (int i = 0; i <= line_points && pressure.hertz; ++i) {
+    for (int i = 0; i <= line_points && carter; ++i) {
         const double x = -std::cos(std::numbers::pi * i / line_points);
-        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, shown.ratio));
+        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, ratio));
     }
     panel.series = {std::move(bound), std::move(exact), std::move(slip), std::move(stick)};
     return panel;
@@ -63,8 +64,8 @@ study::Plot draw_tractions(const Profile& shown, const Pressure& pressure) {
 
 }  // namespace
 
-study::Plot creep_curve(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                        const Profiles& profiles, const Pressure& pressure, const std::vector<double>& ratios) {
+study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                          const CreepCurve& curve) {
     study::Plot plot{.title = "Creep curve",
                      .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)",
                      .y_label = "-F / (μ N)",
@@ -73,28 +74,91 @@ study::Plot creep_curve(const std::vector<std::string>& columns, const std::vect
         plot, columns, rows,
         {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"}, .x = "creepage_ratio", .y = "force_ratio"});
     for (study::Series& series : plot.series) series.line = false;
-    if (pressure.hertz) plot.series.push_back(carter_curve(ratios));
-    if (const Profile* shown = most_telling(profiles)) plot.beside.push_back(draw_tractions(*shown, pressure));
+    const bool carter = curve.pressure.hertz && curve.layer == 0;
+    std::vector<double> ratios;
+    for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
+    if (carter) plot.series.push_back(carter_curve(ratios));
+    if (const Profile* shown = most_telling(*curve.profiles)) plot.beside.push_back(draw_tractions(*shown, carter));
+    return plot;
+}
+
+namespace {
+
+void name_lateral_ratio(std::string& text) {
+    const std::string column = "lateral_ratio";
+    if (const std::size_t at = text.find(column); at != std::string::npos) text.replace(at, column.size(), "δ_y");
+}
+
+}  // namespace
+
+study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
+    const auto panel = [&](const char* title, const char* y_label, const char* y) {
+        study::Plot plot{
+            .title = title, .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)", .y_label = y_label, .series = {}};
+        study::add_series(plot, columns, rows,
+                          {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
+                           .x = "creepage_ratio",
+                           .y = y});
+        for (study::Series& series : plot.series) name_lateral_ratio(series.label);
+        name_lateral_ratio(plot.title);
+        return plot;
+    };
+    study::Plot plot = panel("Longitudinal force", "-F_x / (μ N)", "force_ratio");
+    plot.beside.push_back(panel("Lateral force", "-F_y / (μ N)", "lateral_force_ratio"));
     return plot;
 }
 
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          bool creepage_changes, const study::Series* steady) {
+                          const TimePicture& shown) {
     study::Selection selection{.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"},
                                .x = "q_over_a",
                                .y = "force_ratio"};
-    const auto draw = [&](const char* title, const char* x_label) {
-        study::Plot plot{.title = title, .x_label = x_label, .y_label = "-F / (μ N)", .series = {}};
-        study::add_series(plot, columns, rows, selection);
-        for (study::Series& series : plot.series) series.markers = false;
-        return plot;
+    // further columns over the same axis, named by what stands before the label of their scheme
+    const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
+        const std::size_t first = plot.series.size();
+        selection.y = y;
+        study::Plot more{.title = plot.title, .x_label = "", .y_label = "", .series = {}};
+        study::add_series(more, columns, rows, selection);
+        for (study::Series& series : more.series) {
+            if (series.points.empty()) continue;
+            series.markers = false;
+            if (first > 0 || !prefix.empty()) {
+                series.label = series.label.empty() ? prefix : prefix + (prefix.empty() ? "" : ", ") + series.label;
+            }
+            plot.series.push_back(std::move(series));
+        }
+        if (first == 0) plot.title = more.title;
     };
-    study::Plot plot = draw("Rolling with friction", "distance rolled q/a");
-    if (creepage_changes) {
-        selection.x = "creepage_ratio";
-        plot.beside.push_back(draw("Hysteresis", "creepage ratio δ"));
+    const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
+        return !row[std::size_t(std::find(columns.begin(), columns.end(), "lateral_ratio") - columns.begin())]
+                    .text(3)
+                    .empty();
+    });
+    study::Plot plot{.title = "Rolling with friction",
+                     .x_label = "distance rolled q/a",
+                     .y_label = shown.load_changes ? "-F / (μ N_0)" : "-F / (μ N)",
+                     .series = {}};
+    add(plot, "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
+    if (lateral) add(plot, "lateral_force_ratio", "lateral");
+    if (shown.load_changes) {
+        study::Plot load{.title = "", .x_label = "", .y_label = "", .series = {}};
+        selection.y = "load_ratio";
+        study::add_series(load, columns, rows, selection);
+        load.series.front().label = "load N/N_0";
+        load.series.front().markers = false;
+        plot.series.push_back(std::move(load.series.front()));
     }
-    if (steady != nullptr) plot.series.push_back(*steady);
+    if (shown.creepage_changes) {
+        selection.x = "creepage_ratio";
+        study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label, .series = {}};
+        add(loop, "force_ratio", "");
+        if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));
+        plot.beside.push_back(std::move(loop));
+    } else if (shown.carter) {
+        const double force = rollbem::carter_force_ratio(shown.ratio);
+        plot.series.push_back(
+            {.label = "Carter, steady", .points = {{0, force}, {shown.end, force}}, .markers = false});
+    }
     return plot;
 }
 

@@ -4,19 +4,29 @@
 #include <string>
 #include <vector>
 
-#include "pressure.hpp"
-#include "profiles.hpp"
+#include "creep_curve.hpp"
 #include "support/csv.hpp"
 #include "support/plot.hpp"
 
 namespace friction {
 
 /// The creep curve, and beside it the tractions at the creepage nearest to half of full sliding, for the last mesh.
-study::Plot creep_curve(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                        const Profiles& profiles, const Pressure& pressure, const std::vector<double>& ratios);
+study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                          const CreepCurve& curve);
 
-/// The force over the distance; beside it over the creepage where that changes, or with the line `steady` given.
+/// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
+study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
+
+/// What a picture of a run in time shows beside the force.
+struct TimePicture {
+    bool creepage_changes, load_changes;
+    bool carter;   ///< his force, that of steady rolling
+    double ratio;  ///< largest creepage ratio
+    double end;    ///< of the run [a_0]
+};
+
+/// The forces over the distance, with the load where it changes; beside them over the creepage where that changes.
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          bool creepage_changes, const study::Series* steady);
+                          const TimePicture& shown);
 
 }  // namespace friction

@@ -2,27 +2,34 @@
 
 #include <rollbem/closed_form/friction.hpp>
 
+#include "creep_curve.hpp"
+
 namespace friction {
 
-void write_profiles(const Profiles& profiles, const Pressure& pressure, bool with_header, study::TableFile& file) {
+void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file) {
     if (with_header) {
         file.rows().write(study::csv_line({"n", "creepage_ratio", "x_over_a", "traction", "bound", "stick", "slip",
-                                           "exact", "mesh", "method", "derivative", "alpha_L", "alpha_T", "status"}));
+                                           "exact", "mesh", "method", "derivative", "alpha_L", "alpha_T", "status",
+                                           "lateral_ratio", "lateral_traction", "lateral_slip", "layer"}));
     }
     for (const auto& [key, profile] : profiles.all()) {
+        const bool carter = curve.pressure.hertz && curve.layer == 0 && profile.point.lateral.value_or(0) == 0;
+        const bool both = profile.lateral_traction.size() > 0;
         for (Eigen::Index i = 0; i < profile.mesh.size(); ++i) {
             const double x = profile.mesh.centres()[i];
-            study::Cell traction, stick, slip, exact;
+            study::Cell traction, stick, slip, exact, lateral_traction, lateral_slip;
             if (profile.status == "ok") {
                 traction = profile.traction[i];
                 stick = int(profile.sticks[std::size_t(i)]);
                 slip = profile.slip[i];
+                if (both) lateral_traction = profile.lateral_traction[i];
+                if (both) lateral_slip = profile.lateral_slip[i];
             }
-            if (pressure.hertz) exact = rollbem::carter_friction_traction(x, profile.ratio);
-            file.rows().write(
-                study::csv_line({profile.mesh.size(), profile.ratio, x, traction, profile.bound[i], stick, slip, exact,
-                                 profile.mesh_name, profile.scene->method, profile.scene->derivative, profile.alpha_L,
-                                 profile.alpha_T, profile.status}));
+            if (carter) exact = rollbem::carter_friction_traction(x, profile.point.longitudinal);
+            file.rows().write(study::csv_line(
+                {profile.mesh.size(), profile.point.longitudinal, x, traction, profile.bound[i], stick, slip, exact,
+                 profile.mesh_name, profile.scene->method, profile.scene->derivative, profile.alpha_L, profile.alpha_T,
+                 profile.status, profile.point.lateral, lateral_traction, lateral_slip, curve.layer}));
         }
     }
     file.commit();

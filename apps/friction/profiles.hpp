@@ -19,16 +19,23 @@
 
 namespace friction {
 
+/// Creepage ratios of a row.
+struct CreepPoint {
+    double longitudinal;
+    std::optional<double> lateral{};  ///< nothing in one direction
+};
+
 /// What one row of the steady table stands for.
 struct Profile {
     const study::Scene* scene;
     std::string mesh_name;
     std::optional<double> alpha_L, alpha_T;
-    double ratio;
+    CreepPoint point;
     std::string status;
     rollbem::Mesh<double> mesh;
     Eigen::VectorXd traction, bound, slip;  ///< of every element [mu p0, mu p0, V mu p0/G]
-    std::vector<bool> sticks;
+    std::vector<bool> sticks{};
+    Eigen::VectorXd lateral_traction{}, lateral_slip{};  ///< empty in one direction
 };
 
 /// Profiles of the rows in the order of the rows, whichever thread they come from.
@@ -44,8 +51,5 @@ private:
     std::mutex mutex_;
     std::map<std::pair<std::size_t, std::size_t>, Profile> profiles_;
 };
-
-/// One row per element, and the companion file.
-void write_profiles(const Profiles& profiles, const Pressure& pressure, bool with_header, study::TableFile& file);
 
 }  // namespace friction

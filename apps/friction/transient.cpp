@@ -2,42 +2,77 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/friction.hpp>
 
+#include "load.hpp"
 #include "plots.hpp"
+#include "rolling.hpp"
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"
+#include "surface.hpp"
 
 namespace friction {
 
 namespace {
 
-const std::vector<std::string> columns{
-    "q_over_a", "creepage_ratio", "shift",   "force_ratio",    "stick_count",
-    "rounds",   "slip_work",      "exact",   "relative_error", "complementarity_residual",
-    "pivots",   "status",         "method",  "derivative",     "mesh",
-    "n",        "alpha_L",        "alpha_T", "lambda",         "integrator"};
+const std::vector<std::string> columns{"q_over_a",
+                                       "creepage_ratio",
+                                       "shift",
+                                       "force_ratio",
+                                       "stick_count",
+                                       "rounds",
+                                       "slip_work",
+                                       "exact",
+                                       "relative_error",
+                                       "complementarity_residual",
+                                       "pivots",
+                                       "status",
+                                       "method",
+                                       "derivative",
+                                       "mesh",
+                                       "n",
+                                       "alpha_L",
+                                       "alpha_T",
+                                       "lambda",
+                                       "integrator",
+                                       "lateral_ratio",
+                                       "load_ratio",
+                                       "half_length_ratio",
+                                       "lateral_force_ratio",
+                                       "creep_work",
+                                       "layer"};
 
-/// Creepage ratio over q/a, and a rigid shift before.
+/// Creepage ratios and load over q/a, and what comes before.
 struct History {
     double amplitude = 0;
-    std::optional<double> omega{};  ///< of a sine [V/a]; constant without
-    std::optional<double> shift{};  ///< [mu p0 a/G]
+    std::optional<double> omega{};    ///< of a sine [V/a]; constant without
+    std::optional<double> lateral{};  ///< constant; nothing in one direction
+    std::optional<double> shift{};    ///< rigid, before rolling [mu p0 a/G]
+    bool from_steady = false;         ///< starts from steady rolling
+    std::optional<LoadHistory> load{};
 
-    double at(double q) const { return omega ? amplitude * std::sin(*omega * q) : amplitude; }
+    Ratios at(double q) const { return {omega ? amplitude * std::sin(*omega * q) : amplitude, lateral}; }
+    double load_at(double q) const { return load ? load->at(q) : 1; }
+    double next_stop(double from, double to) const { return load ? load->next_stop(from, to) : to; }
 };
 
-History make_history(const study::Options& options) {
+History make_history(const study::Options& options, double until) {
     History history;
-    if (options.given("shift")) history.shift = options.number("shift", study::finite());
+    history.load = read_load(options, until);
+    if (options.given("lateral-ratio")) history.lateral = options.number("lateral-ratio", study::finite());
+    if (options.given("shift")) {
+        options.ignored("from", "with --shift, which starts from rest");
+        history.shift = options.number("shift", study::finite());
+    }
+    history.from_steady = options.choice("from", {"rest", "steady"}) == "steady";
     if (options.given("sine")) {
         options.ignored("creepage-ratio", "with --sine");
         const study::Sine sine = study::read_sine(options, {study::finite().holds, "finite"});
@@ -55,13 +90,14 @@ History make_history(const study::Options& options) {
 /// One run of a scene.
 struct Run {
     const study::Scene& scene;
-    const rollbem::FrictionModel<double>& model;
+    const RollingMaker& maker;
     const History& history;
-    double dq;
+    double dq, layer;
+    rollbem::Integrator integrator;
     bool hertz;  ///< the closed forms hold
 
     std::optional<double> exact_shift() const {
-        if (!hertz || !study::plane_model_decays(scene.contact)) return std::nullopt;
+        if (!hertz || layer > 0 || history.load || !study::plane_model_decays(scene.contact)) return std::nullopt;
         return rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
     }
 
@@ -69,29 +105,40 @@ struct Run {
     void rows(study::RowRange range, const study::Emit& emit) const;
 };
 
+/// -F.s of a relative motion s: the mean of the forces at both ends of a step (at its end with implicit Euler, which
+/// knows no other) times what the rigid bodies have moved.
+double creep_work(const Moment& before, const Moment& after, const Ratios& start, const Ratios& end, bool both_ends) {
+    const auto part = [&](double force_start, double force_end, double from, double to) {
+        return both_ends ? (force_start * from + force_end * to) / 2 : force_end * to;
+    };
+    double work = part(before.force_ratio, after.force_ratio, start.longitudinal, end.longitudinal);
+    if (end.lateral) {
+        work += part(before.lateral_force_ratio.value_or(0), after.lateral_force_ratio.value_or(0), *start.lateral,
+                     *end.lateral);
+    }
+    return work;
+}
+
 void Run::rows(study::RowRange range, const study::Emit& emit) const {
-    rollbem::FrictionState<double> now = model.at_rest(), next = now;
-    rollbem::FrictionWorkspace<double> workspace = model.workspace();
-    double slip_work = 0;
+    const std::unique_ptr<Rolling> contact = maker.start();
+    const bool both_ends = integrator == rollbem::Integrator::sdirk2;
+    double slip_work = 0, work = 0;
     std::size_t row = 0;
-    const auto record = [&](double q, double ratio, double shift, const rollbem::FrictionStep<double>& step,
+    const auto record = [&](double q, const Ratios& ratios, double shift, const Moment& moment,
                             std::optional<double> exact) {
-        std::swap(now, next);
-        slip_work += step.slip_work_per_width / mu_N;
         if (row++ < range.first) return;
-        const double force_ratio = step.status == rollbem::StepStatus::ok ? -step.force_per_width / mu_N : std::nan("");
         emit({q,
-              ratio,
+              ratios.longitudinal,
               shift,
-              force_ratio,
-              step.stick_count,
-              step.rounds,
+              moment.force_ratio,
+              moment.stick_count,
+              moment.rounds,
               slip_work,
               exact,
-              relative_error(force_ratio, exact),
-              step.complementarity_residual,
-              step.pivots,
-              name(step.status),
+              relative_error(moment.force_ratio, exact),
+              moment.complementarity_residual,
+              moment.pivots,
+              name(moment.status),
               scene.method,
               scene.derivative,
               scene.mesh_name,
@@ -99,17 +146,43 @@ void Run::rows(study::RowRange range, const study::Emit& emit) const {
               scene.alpha_L,
               scene.alpha_T,
               scene.lambda,
-              study::word(model.integrator())});
+              study::word(integrator),
+              ratios.lateral,
+              history.load_at(q),
+              std::sqrt(history.load_at(q)),
+              moment.lateral_force_ratio,
+              work,
+              layer});
+    };
+    Moment now{.force_ratio = 0, .lateral_force_ratio = 0};
+    const auto keep = [&](const Moment& next, double done) {
+        slip_work += next.slip_work;
+        work += done;
+        now = next;
     };
     if (history.shift) {
-        record(0, 0, *history.shift, model.shift(now, *history.shift, next, workspace), exact_shift());
+        const Ratios shift{*history.shift, history.lateral ? std::optional(0.0) : std::nullopt};
+        const Moment next = contact->shift(shift);
+        keep(next, creep_work(now, next, shift, shift, true));
+        record(0, {0, shift.lateral}, *history.shift, now, exact_shift());
+    }
+    if (history.from_steady) {
+        now = contact->settle(history.at(0));
+        now.slip_work = 0;
     }
     const std::size_t shifts = row;
     while (row < range.last) {
-        const double from = double(row - shifts) * dq, to = double(row - shifts + 1) * dq;
-        const auto motion =
-            rollbem::RigidMotion<double>::linear(creepage(scene, history.at(from)), creepage(scene, history.at(to)));
-        record(to, history.at(to), 0, model.advance(now, dq, motion, next, workspace), std::nullopt);
+        const double end = double(row - shifts + 1) * dq;
+        int rounds = 0;
+        for (double from = double(row - shifts) * dq; from < end;) {
+            const double to = history.next_stop(from, end), unit = creepage(scene, 1);
+            const Moment next = contact->advance(to - from, history.at(from), history.at(to), history.load_at(to));
+            keep(next, unit * (to - from) * creep_work(now, next, history.at(from), history.at(to), both_ends));
+            rounds += next.rounds;
+            from = to;
+        }
+        now.rounds = rounds;
+        record(end, history.at(end), 0, now, std::nullopt);
     }
 }
 
@@ -117,28 +190,30 @@ void Run::rows(study::RowRange range, const study::Emit& emit) const {
 
 void run_transient(const study::Options& options, const Pressure& pressure) {
     for (const char* name : {"tractions", "fit-border"}) options.ignored(name, "with --transient");
-    const History history = make_history(options);
     const study::Steps steps = study::read_steps(options);
+    const History history = make_history(options, double(steps.count) * steps.dq);
+    const double layer = read_layer(options);
     using rollbem::Integrator;
     const Integrator integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
-    std::vector<rollbem::FrictionModel<double>> models;
+    std::vector<std::unique_ptr<RollingMaker>> makers;
     for (const study::Scene& scene : scenes) {
-        models.emplace_back(scene.contact, study::steppable_system(options, scene), rollbem::unchecked,
-                            rollbem::CoulombFriction<double>{1, pressure(*scene.mesh)}, integrator);
+        makers.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), integrator));
     }
     study::Table table;
     table.columns = columns;
     table.rows_of_task.assign(scenes.size(), steps.count + (history.shift ? 1 : 0));
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        Run{scenes[task], models[task], history, steps.dq, pressure.hertz}.rows(range, emit);
+        Run{scenes[task], *makers[task], history, steps.dq, layer, integrator, pressure.hertz}.rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        const double force = rollbem::carter_force_ratio(history.amplitude), end = double(steps.count) * steps.dq;
-        const study::Series steady{.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false};
-        const bool has_steady = !history.omega && pressure.hertz;
-        return force_in_time(columns, rows, history.omega.has_value(), has_steady ? &steady : nullptr);
+        return force_in_time(columns, rows,
+                             {.creepage_changes = history.omega.has_value(),
+                              .load_changes = history.load.has_value(),
+                              .carter = pressure.hertz && layer == 0 && !history.lateral && !history.load,
+                              .ratio = history.amplitude,
+                              .end = double(steps.count) * steps.dq});
     };
     study::write_table(options, table);
 }

@@ -17,7 +17,7 @@ namespace precision {
 /// One scheme at one n, measured for one quantity.
 struct Point {
     std::string scheme;
-    std::optional<long> n;  ///< elements, or the order of a polynomial; none for a closed form
+    std::optional<long> n;  ///< elements, states, or the order of a polynomial; none for a closed form
     std::string quantity;
     std::optional<double> relative_error;  ///< none where the scheme gave no result
     std::optional<double> time_us;
@@ -26,8 +26,14 @@ struct Point {
     std::optional<double> model_error{};
 };
 
-/// Element schemes work for any pressure and with friction; the others are there to compare with.
-inline bool is_element_scheme(const std::string& scheme) { return scheme != "chebyshev" && scheme != "closed-form"; }
+/// Elements and Chebyshev states solve any kernel's problems in steady rolling, frequency and time; the others know the
+/// plane kernel alone and are there to compare with.
+inline bool is_discretisation(const std::string& scheme) { return scheme != "polynomial" && scheme != "closed-form"; }
+
+/// Element schemes work with friction, too.
+inline bool is_element_scheme(const std::string& scheme) {
+    return is_discretisation(scheme) && scheme != "chebyshev-states";
+}
 
 /// For each point the largest |error| of its scheme and quantity at its own and all larger n; infinite where one of
 /// them has no result.
@@ -47,14 +53,14 @@ inline std::vector<double> sustained_errors(const std::vector<Point>& points) {
     return sustained;
 }
 
-/// Sets on_front of every element scheme that has a time: no other is both as fast and as precise. Leaves it empty for
+/// Sets on_front of every discretisation that has a time: no other is both as fast and as precise. Leaves it empty for
 /// the rest.
 inline void mark_front(std::vector<Point>& points) {
     const std::vector<double> sustained = sustained_errors(points);
     std::map<std::string, std::vector<std::size_t>> of_quantity;
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i].on_front.reset();
-        if (is_element_scheme(points[i].scheme) && points[i].time_us) of_quantity[points[i].quantity].push_back(i);
+        if (is_discretisation(points[i].scheme) && points[i].time_us) of_quantity[points[i].quantity].push_back(i);
     }
     for (auto& [quantity, members] : of_quantity) {
         std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
@@ -68,8 +74,8 @@ inline void mark_front(std::vector<Point>& points) {
     }
 }
 
-/// Which schemes may be chosen for a tolerance.
-enum class Among { elements, stable_elements, all };
+/// Which schemes may be chosen for a tolerance; `stable`: discretisations of which no mode grows.
+enum class Among { elements, stable_elements, stable, all };
 
 /// The fastest point of a quantity whose sustained error is at most `tolerance`, if there is one.
 inline std::optional<std::size_t> cheapest(const std::vector<Point>& points, const std::vector<double>& sustained,
@@ -78,8 +84,11 @@ inline std::optional<std::size_t> cheapest(const std::vector<Point>& points, con
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point& point = points[i];
         if (point.quantity != quantity || !point.time_us || !(sustained[i] <= tolerance)) continue;
-        if (among != Among::all && !is_element_scheme(point.scheme)) continue;
-        if (among == Among::stable_elements && !point.stable.value_or(false)) continue;
+        const bool elements = among == Among::elements || among == Among::stable_elements;
+        if (elements && !is_element_scheme(point.scheme)) continue;
+        if (among != Among::all && !is_discretisation(point.scheme)) continue;
+        const bool stable = among == Among::stable || among == Among::stable_elements;
+        if (stable && !point.stable.value_or(false)) continue;
         if (!best || *point.time_us < *points[*best].time_us) best = i;
     }
     return best;

@@ -24,6 +24,7 @@
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/non_steady.hpp"
 
@@ -32,11 +33,13 @@ namespace precision {
 namespace {
 
 using rollbem::ArrayX;
+using rollbem::Chebyshev;
 using rollbem::Collocation;
 using rollbem::Contact;
 using rollbem::Galerkin;
 using rollbem::MatrixX;
 using rollbem::Mesh;
+using rollbem::RollingSystem;
 using rollbem::Topology;
 using Complex = std::complex<double>;
 
@@ -84,25 +87,30 @@ Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
 // --- the problems on one mesh
 
 template <class Function>
-auto with_kernel(const Scene& scene, const Elements& elements, const Function& function) {
-    return std::visit(
-        [&](const auto& scheme) {
-            return scene.plane ? function(scheme, rollbem::PlaneKernel<double>::longitudinal(scene.contact))
-                               : function(scheme, rollbem::StripKernel<double>::longitudinal(scene.contact));
-        },
-        elements.scheme);
+auto with_kernel(const Scene& scene, const Function& function) {
+    return scene.plane ? function(rollbem::PlaneKernel<double>::longitudinal(scene.contact))
+                       : function(rollbem::StripKernel<double>::longitudinal(scene.contact));
 }
 
 MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    return with_kernel(scene, elements, [&](const auto& scheme, const auto& kernel) {
-        return rollbem::assemble_G_prime(mesh, scheme, kernel);
-    });
+    const auto assembled = [&](const auto& scheme) {
+        return with_kernel(scene, [&](const auto& kernel) { return rollbem::assemble_G_prime(mesh, scheme, kernel); });
+    };
+    return std::visit(assembled, elements.scheme);
 }
 
-rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    return with_kernel(scene, elements, [&](const auto& scheme, const auto& kernel) {
-        return rollbem::rolling_system(mesh, scheme, kernel);
-    });
+RollingSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const auto assembled = [&](const auto& scheme) {
+        return with_kernel(scene, [&](const auto& kernel) -> RollingSystem<double> {
+            return rollbem::rolling_system(mesh, scheme, kernel);
+        });
+    };
+    return std::visit(assembled, elements.scheme);
+}
+
+RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
+    return with_kernel(
+        scene, [&](const auto& kernel) -> RollingSystem<double> { return rollbem::rolling_system(method, kernel); });
 }
 
 rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
@@ -114,15 +122,14 @@ double steady_c11(const Scene& scene, const Elements& elements, const Mesh<doubl
     return solution.status == rollbem::Status::ok ? solution.c11 : nan;
 }
 
-Complex harmonic_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh, double z) {
-    const rollbem::HarmonicSolution<double> solution =
-        rollbem::solve_harmonic<double>(system_of(scene, elements, mesh), z);
+Complex harmonic_c11(const RollingSystem<double>& system, double z) {
+    const rollbem::HarmonicSolution<double> solution = rollbem::solve_harmonic<double>(system, z);
     return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
 }
 
 // -F/(a G xi) at q/a = 1, 2, ... after a step of creepage, exact in time
-Forces step_forces(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::TransientModel<double> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
+Forces step_forces(const Scene& scene, RollingSystem<double> system) {
+    const rollbem::TransientModel<double> model(scene.contact, std::move(system), rollbem::unchecked,
                                                 rollbem::Integrator::matrix_exponential);
     const rollbem::PreparedStep<double> prepared = model.prepare(1);
     rollbem::TransientState<double> state = model.at_rest(), next = state;
@@ -156,9 +163,12 @@ auto evaluate(const Scene& scene, const Elements& elements, long n, const Value&
 }
 
 Forces all_step_forces(const Scene& scene, const Elements& elements, long n) {
-    Forces forces = step_forces(scene, elements, make_mesh(scene, elements.topology, n));
+    const auto forces_at = [&](long count) {
+        return step_forces(scene, system_of(scene, elements, make_mesh(scene, elements.topology, count)));
+    };
+    Forces forces = forces_at(n);
     if (elements.order == 0) return forces;
-    const Forces coarse = step_forces(scene, elements, make_mesh(scene, elements.topology, n / 2));
+    const Forces coarse = forces_at(n / 2);
     for (std::size_t k = 0; k < steps; ++k) forces[k] = rollbem::richardson(coarse[k], forces[k], elements.order);
     return forces;
 }
@@ -182,6 +192,12 @@ Tractions tractions(const Scene& scene, const Elements& elements, long n) {
     return {std::move(pairs), std::move(coarse)};
 }
 
+// --- states in place of elements
+
+rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const Chebyshev& method) {
+    return with_kernel(scene, [&](const auto& kernel) { return solve_steady(method, kernel); });
+}
+
 // --- norms and the polynomial approach
 
 // The norm of tractions that are constant on each element: the root of the integral of p^2 sqrt(1 - x^2).
@@ -189,15 +205,15 @@ double weighted_norm(const Mesh<double>& mesh, const ArrayX<double>& traction) {
     return std::sqrt((traction.square() * mesh.widths() * rollbem::mean_hertz_pressure(mesh)).sum());
 }
 
-// The same norm for functions: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
-double polynomial_traction_error(double poisson_ratio, double aspect, long order) {
-    const auto solution = rollbem::solve_chebyshev(Complex(0), poisson_ratio, aspect, order);
+// The same norm for functions of x/a: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
+template <class Traction>
+double traction_error(double poisson_ratio, const Traction& traction) {
     constexpr int points = 64;
     double error = 0, size = 0;
     for (int k = 0; k < points; ++k) {
         const double x = std::cos((k + 0.5) * std::numbers::pi / points);
         const double exact = rollbem::carter_traction(x, poisson_ratio);
-        error += std::norm(solution.traction(x) - exact) * (1 - x * x);
+        error += std::norm(traction(x) - exact) * (1 - x * x);
         size += exact * exact * (1 - x * x);
     }
     return std::sqrt(error / size);
@@ -244,8 +260,12 @@ double finite_aspect(const Scene& scene) {
 
 std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
+Complex exact_c11(const Scene& scene, const Quantity& quantity) {
+    return rollbem::reference::harmonic_c11(quantity.frequency, scene.contact.poisson_ratio(), finite_aspect(scene));
+}
+
 double element_error(const Scene& scene, const Elements& elements, long n, const Quantity& quantity) {
-    const double nu = scene.contact.poisson_ratio(), aspect = finite_aspect(scene);
+    const double nu = scene.contact.poisson_ratio();
     switch (quantity.problem) {
         case Problem::steady: {
             if (quantity.name == "traction") {
@@ -258,16 +278,38 @@ double element_error(const Scene& scene, const Elements& elements, long n, const
         }
         case Problem::harmonic: {
             const auto c11 = [&](const Mesh<double>& mesh) {
-                return harmonic_c11(scene, elements, mesh, quantity.frequency);
+                return harmonic_c11(system_of(scene, elements, mesh), quantity.frequency);
             };
-            const Complex exact = rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect);
-            return std::abs(evaluate(scene, elements, n, c11) / exact - 1.0);
+            return std::abs(evaluate(scene, elements, n, c11) / exact_c11(scene, quantity) - 1.0);
         }
         case Problem::step: return largest_difference(all_step_forces(scene, elements, n), scene.step_forces);
         default: break;
     }
     const auto force = [&](const Mesh<double>& mesh) { return friction_force(scene, elements, mesh); };
     return evaluate(scene, elements, n, force) / rollbem::carter_force_ratio(creepage_ratio) - 1;
+}
+
+double states_error(const Scene& scene, const Chebyshev& method, const Quantity& quantity) {
+    const double nu = scene.contact.poisson_ratio();
+    if (quantity.problem == Problem::step) {
+        return largest_difference(step_forces(scene, system_of(scene, method)), scene.step_forces);
+    }
+    if (quantity.problem == Problem::harmonic) {
+        return std::abs(harmonic_c11(system_of(scene, method), quantity.frequency) / exact_c11(scene, quantity) - 1.0);
+    }
+    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene, method);
+    if (solution.status != rollbem::Status::ok) return nan;
+    return quantity.name == "traction" ? traction_error(nu, solution.traction)
+                                       : solution.c11 / rollbem::steady_c11(nu) - 1;
+}
+
+double run_states(const Scene& scene, const Chebyshev& method, const Quantity& quantity) {
+    if (quantity.problem == Problem::step) return step_forces(scene, system_of(scene, method))[0];
+    if (quantity.problem == Problem::harmonic) {
+        return harmonic_c11(system_of(scene, method), quantity.frequency).real();
+    }
+    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene, method);
+    return quantity.name == "traction" ? solution.traction(0.5) : solution.c11;
 }
 
 }  // namespace
@@ -294,7 +336,7 @@ const std::vector<std::string>& scheme_names() {
     static const std::vector<std::string> all = [] {
         std::vector<std::string> names;
         for (const auto& [name, elements] : element_schemes()) names.push_back(name);
-        names.insert(names.end(), {"chebyshev", "closed-form"});
+        names.insert(names.end(), {"chebyshev-states", "polynomial", "closed-form"});
         return names;
     }();
     return all;
@@ -304,18 +346,21 @@ Case::Case(const Scene& scene, std::string scheme, long n) : scene_(scene), sche
 
 bool Case::exists(const std::string& scheme, long n) {
     if (scheme == "closed-form") return n == 0;
-    if (scheme == "chebyshev") return n >= 1;
+    if (scheme == "chebyshev-states") return n >= 1 && n <= 10000;
+    if (scheme == "polynomial") return n >= 1;
     const Elements found = *elements(scheme);
     const long least = std::max(2l, long(rollbem::info(found.topology).least_n));
     return found.order > 0 ? n % 2 == 0 && n / 2 >= least : n >= least;
 }
 
 bool Case::has(const std::string& scheme, const Quantity& quantity) {
-    return scheme != "chebyshev" || quantity.problem != Problem::friction;
+    const bool in_adhesion = scheme == "chebyshev-states" || scheme == "polynomial";
+    return !in_adhesion || quantity.problem != Problem::friction;
 }
 
 std::optional<double> Case::relative_error(const Quantity& quantity) const {
     if (const auto found = elements(scheme_)) return if_finite(element_error(scene_, *found, n_, quantity));
+    if (scheme_ == "chebyshev-states") return if_finite(states_error(scene_, Chebyshev{n_}, quantity));
     const double nu = scene_.contact.poisson_ratio(), aspect = finite_aspect(scene_);
     const Complex s(0, quantity.frequency);
     if (scheme_ == "closed-form") {  // against a second route to the same number, where there is one
@@ -324,15 +369,18 @@ std::optional<double> Case::relative_error(const Quantity& quantity) const {
         }
         if (quantity.problem != Problem::harmonic) return 0;
         const Complex other = rollbem::polynomial_c11(s, nu, aspect).c11;
-        return if_finite(std::abs(rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect) / other - 1.0));
+        return if_finite(std::abs(exact_c11(scene_, quantity) / other - 1.0));
     }
-    if (quantity.name == "traction") return if_finite(polynomial_traction_error(nu, aspect, n_));
+    if (quantity.name == "traction") {
+        const auto solution = rollbem::solve_chebyshev(Complex(0), nu, aspect, n_);
+        return if_finite(traction_error(nu, [&](double x) { return solution.traction(x); }));
+    }
     if (quantity.problem == Problem::step) {
         return if_finite(largest_difference(polynomial_forces(nu, aspect, n_), scene_.step_forces));
     }
     const Complex c11 = rollbem::polynomial_c11(s, nu, aspect, n_).c11;
     if (quantity.problem == Problem::steady) return if_finite(c11.real() / rollbem::steady_c11(nu) - 1);
-    return if_finite(std::abs(c11 / rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect) - 1.0));
+    return if_finite(std::abs(c11 / exact_c11(scene_, quantity) - 1.0));
 }
 
 double Case::run(const Quantity& quantity) const {
@@ -344,15 +392,17 @@ double Case::run(const Quantity& quantity) const {
             case Problem::steady:
                 return evaluate(scene_, *found, n_, [&](const auto& mesh) { return steady_c11(scene_, *found, mesh); });
             case Problem::harmonic:
-                return evaluate(
-                           scene_, *found, n_,
-                           [&](const auto& mesh) { return harmonic_c11(scene_, *found, mesh, quantity.frequency); })
+                return evaluate(scene_, *found, n_,
+                                [&](const auto& mesh) {
+                                    return harmonic_c11(system_of(scene_, *found, mesh), quantity.frequency);
+                                })
                     .real();
             case Problem::step: return all_step_forces(scene_, *found, n_)[0];
             default: break;
         }
         return evaluate(scene_, *found, n_, [&](const auto& mesh) { return friction_force(scene_, *found, mesh); });
     }
+    if (scheme_ == "chebyshev-states") return run_states(scene_, Chebyshev{n_}, quantity);
     const bool closed = scheme_ == "closed-form";
     switch (quantity.problem) {
         case Problem::step: return closed ? closed_form_forces(nu, aspect)[0] : polynomial_forces(nu, aspect, n_)[0];
@@ -374,11 +424,13 @@ std::optional<bool> Case::stable() const {
     if (!std::isfinite(aspect)) return std::nullopt;
     const bool plane_decays = study::plane_model_decays(scene_.contact);
     const auto found = elements(scheme_);
-    if (!found) return plane_decays;  // of the model itself
+    const bool states = scheme_ == "chebyshev-states";
+    if (!found && !states) return plane_decays;  // of the model itself
     if (scene_.plane && !plane_decays) return std::nullopt;
-    for (const long n : found->order > 0 ? std::vector{n_ / 2, n_} : std::vector{n_}) {
+    for (const long n : found && found->order > 0 ? std::vector{n_ / 2, n_} : std::vector{n_}) {
         const auto count =
-            rollbem::count_unstable<double>(system_of(scene_, *found, make_mesh(scene_, found->topology, n)));
+            rollbem::count_unstable<double>(states ? system_of(scene_, Chebyshev{n})
+                                                   : system_of(scene_, *found, make_mesh(scene_, found->topology, n)));
         if (count.status != rollbem::Status::ok) return std::nullopt;
         if (count.unstable_count > 0) return false;
     }
@@ -393,11 +445,12 @@ double model_error(const Scene& scene, const Quantity& quantity) {
     plane.plane = true;
     switch (quantity.problem) {
         case Problem::harmonic:
-            return std::abs(harmonic_c11(scene, cosine, mesh, quantity.frequency) /
-                                harmonic_c11(plane, cosine, mesh, quantity.frequency) -
+            return std::abs(harmonic_c11(system_of(scene, cosine, mesh), quantity.frequency) /
+                                harmonic_c11(system_of(plane, cosine, mesh), quantity.frequency) -
                             1.0);
         case Problem::step:
-            return largest_difference(step_forces(scene, cosine, mesh), step_forces(plane, cosine, mesh));
+            return largest_difference(step_forces(scene, system_of(scene, cosine, mesh)),
+                                      step_forces(plane, system_of(plane, cosine, mesh)));
         case Problem::friction: return friction_force(scene, cosine, mesh) / friction_force(plane, cosine, mesh) - 1;
         default: break;
     }

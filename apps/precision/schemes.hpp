@@ -36,8 +36,8 @@ struct Scene {
 /// -F/(a G xi) of the plane model at q/a = 1, 2, ... 10 after a step of creepage.
 std::vector<double> exact_step_forces(const rollbem::Contact<double>& contact);
 
-/// One scheme at one size n (elements, on the finer mesh where two are extrapolated; order of the polynomial; 0 for the
-/// closed form). Keeps a copy of the scene.
+/// One scheme at one size n (elements, on the finer mesh where two are extrapolated; Chebyshev states; order of the
+/// polynomial; 0 for the closed form). Keeps a copy of the scene.
 class Case {
 public:
     Case(const Scene& scene, std::string scheme, long n);

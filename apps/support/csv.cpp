@@ -23,7 +23,7 @@ namespace study {
 
 namespace detail {
 
-// Temporary files that a signal must remove. A handler may touch lock-free atomics and plain memory only.
+// Temporary files, and folders made for them, that a signal must remove. A handler may touch lock-free atomics and plain memory only.
 struct TemporaryPath {
     std::atomic<bool> used{false};
     std::array<char, 4096> path{};
@@ -33,12 +33,15 @@ struct TemporaryPath {
 
 namespace {
 
-std::array<detail::TemporaryPath, 8> temporary_paths;
+std::array<detail::TemporaryPath, 16> temporary_paths;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void remove_temporaries_and_exit(int signal) {
     for (const detail::TemporaryPath& temporary : temporary_paths) {
         if (temporary.used) ::unlink(temporary.path.data());
+    }
+    for (auto folder = temporary_paths.rbegin(); folder != temporary_paths.rend(); ++folder) {  // inner ones first
+        if (folder->used) ::rmdir(folder->path.data());
     }
     ::_exit(128 + signal);
 }
@@ -118,6 +121,20 @@ std::string eigen_version() {
 
 }  // namespace
 
+detail::TemporaryPath* detail::claim_temporary(const std::string& path) {
+    for (TemporaryPath& slot : temporary_paths) {
+        if (slot.used || path.size() >= slot.path.size()) continue;
+        std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
+        slot.used = true;
+        return &slot;
+    }
+    return nullptr;
+}
+
+void detail::release_temporary(TemporaryPath* temporary) {
+    if (temporary != nullptr) temporary->used = false;
+}
+
 std::string Cell::text(int digits) const {
     if (const auto* text = std::get_if<std::string>(&value_)) return *text;
     std::array<char, 64> buffer;
@@ -189,17 +206,11 @@ OutputFile::OutputFile(const std::string& path, const std::string& name) : shown
     target_ = behind_links(path);  // a link stays a link
     if (fs::is_symlink(fs::symlink_status(target_, error))) refuse("its chain of links has no end");
     temporary_ = target_ + ".part-" + std::to_string(::getpid());
-    for (detail::TemporaryPath& slot : temporary_paths) {
-        if (slot.used || temporary_.size() >= slot.path.size()) continue;
-        std::memcpy(slot.path.data(), temporary_.c_str(), temporary_.size() + 1);
-        slot_ = &slot;
-        break;
-    }
+    slot_ = detail::claim_temporary(temporary_);
     if (slot_ == nullptr) refuse("its name is too long");
-    slot_->used = true;
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
-        slot_->used = false;
+        detail::release_temporary(slot_);
         refuse(std::strerror(errno));
     }
     struct stat before {};
@@ -253,8 +264,7 @@ void OutputFile::commit() {
     close();
     if (slot_ == nullptr) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-    slot_->used = false;
-    slot_ = nullptr;
+    detail::release_temporary(std::exchange(slot_, nullptr));
 }
 
 OutputFile::OutputFile(std::string shown, int descriptor) : shown_(std::move(shown)), descriptor_(descriptor) {}
@@ -264,8 +274,7 @@ void OutputFile::fail(int error) const { throw WriteError(shown_ + " cannot be w
 void OutputFile::remove_temporary() {
     if (slot_ == nullptr) return;
     ::unlink(temporary_.c_str());
-    slot_->used = false;
-    slot_ = nullptr;
+    detail::release_temporary(std::exchange(slot_, nullptr));
 }
 
 std::string sidecar_text(const Options& options) {

@@ -52,6 +52,13 @@ namespace detail {
 
 struct TemporaryPath;
 
+/// Has an interrupt remove the file, or the folder that is empty by then, until it is released. Null where its name is
+/// too long or there are too many of them.
+TemporaryPath* claim_temporary(const std::string& path);
+
+/// Null is nothing to release.
+void release_temporary(TemporaryPath* temporary);
+
 }  // namespace detail
 
 /// An interrupt ends the program with 128 + its number and leaves no partial file; a closed pipe, a stream that the

@@ -22,7 +22,7 @@ bool plane_model_decays(const rollbem::Contact<double>& contact);
 void require_plane_model(const Options& options, const rollbem::Contact<double>& contact);
 
 /// All cases of a problem in time. Throws BadInput as make_scenes and require_plane_model do.
-std::vector<Scene> make_non_steady_scenes(const Options& options);
+std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods = Methods::elements);
 
 /// A sinusoidal creepage: amplitude * sin(omega q), omega in V/a.
 struct Sine {
@@ -48,10 +48,18 @@ std::string word(rollbem::Integrator integrator);
 /// --integrator, one of those `allowed`. Throws BadInput.
 rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
 
-rollbem::ElementSystem<double> system_of(const Scene& scene);
+/// Of elements or Chebyshev states.
+rollbem::RollingSystem<double> system_of(const Scene& scene);
 
-/// The same. Throws BadInput unless --unchecked is given or steps of the scene's scheme tend to steady rolling: no
-/// eigenvalue is unstable or uncertain, and steady rolling is not inconsistent.
+/// What steady rolling holds against the scene's discretisation in full adhesion, to follow "the scheme"; empty where
+/// that is nothing.
+std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system);
+
+/// Throws BadInput unless --unchecked is given or steps of the scene's `system` tend to steady rolling: no eigenvalue is
+/// unstable or uncertain, and steady rolling has no flaw.
+void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system);
+
+/// The system of a scene with elements, which friction asks for. Throws BadInput as require_steppable does.
 rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene);
 
 }  // namespace study

@@ -158,6 +158,12 @@ void Options::add_output(const std::string& name, const std::string& help) { add
 
 void Options::add_table(const std::string& name, const std::string& help) { add_file(name, help, Kind::table); }
 
+void Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
+    add(name, "DIR", help);
+    entries_[name].kind = Kind::folder;
+    entries_[name].files = std::move(files);
+}
+
 void Options::add_flag(const std::string& name, const std::string& help) {
     CLI::Option* option = app_->add_flag("--" + name, help);
     option->group(group_);
@@ -169,6 +175,12 @@ void Options::set_default(const std::string& name, const std::string& default_te
     entry.default_text = default_text;
     const std::string shown = default_text.empty() ? "" : "; default " + default_text;
     entry.option->description(wrap(entry.help + shown, 82));
+}
+
+void Options::set_help(const std::string& name, const std::string& help) {
+    Entry& entry = entries_.at(name);
+    entry.help = help;
+    set_default(name, entry.default_text);
 }
 
 void Options::refuse(const std::string& name, const std::string& reason) {
@@ -340,8 +352,14 @@ void Options::check_files() const {
     if (!given("output")) outputs.push_back(Place::output("standard output", "-"));
     for (const auto& [name, entry] : entries_) {
         const bool reads = entry.kind == Kind::input, has_sidecar = entry.kind == Kind::table;
-        if (!given(name) || !(reads || has_sidecar || entry.kind == Kind::output)) continue;
+        if (!given(name) || entry.kind == Kind::value || entry.kind == Kind::flag) continue;
         const std::string path = text(name);
+        if (entry.kind == Kind::folder) {
+            for (const std::string& file : entry.files) {
+                outputs.push_back(Place::output(file + " of " + said(name), path + "/" + file));
+            }
+            continue;
+        }
         if (reads) {
             inputs.push_back(Place::input(said(name), path));
             continue;

@@ -74,10 +74,16 @@ public:
     /// The same with a file beside it, FILE.toml.
     void add_table(const std::string& name, const std::string& help);
 
+    /// Declares --name DIR, a folder that `files` are written to.
+    void add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
+
     /// Declares --name, which takes no value.
     void add_flag(const std::string& name, const std::string& help);
 
     void set_default(const std::string& name, const std::string& default_text);
+
+    /// Another text in --help than add() gave.
+    void set_help(const std::string& name, const std::string& help);
 
     /// Makes --name bad input for this study, with the reason; --help leaves it out.
     void refuse(const std::string& name, const std::string& reason);
@@ -133,13 +139,14 @@ public:
     std::vector<std::pair<std::string, std::string>> values() const;
 
 private:
-    enum class Kind { value, flag, input, output, table };
+    enum class Kind { value, flag, input, output, table, folder };
 
     struct Entry {
         CLI::Option* option = nullptr;
         std::string help, default_text;
         Kind kind = Kind::value;
         std::vector<std::string> configured{};  ///< by the configuration file
+        std::vector<std::string> files{};       ///< of a folder
     };
 
     void add_file(const std::string& name, const std::string& help, Kind kind);

@@ -13,7 +13,10 @@ namespace {
 
 using MeshPointer = std::shared_ptr<const rollbem::Mesh<double>>;
 
-constexpr std::ptrdiff_t largest_n = 100000;
+using Kernel = std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>>;
+
+constexpr std::ptrdiff_t largest_n = 100000, most_states = 10000;
+constexpr double narrowest_for_states = 0.001;  // b/a; the library's bounds
 
 MeshPointer mesh_from_file(const Options& options) {
     Lines lines(options, "edges");
@@ -89,6 +92,30 @@ std::vector<std::pair<double, double>> make_alphas(const Options& options) {
     return alphas;
 }
 
+Kernel make_kernel(const Options& options, const rollbem::Contact<double>& contact) {
+    // the strip of infinite width is the plane
+    if (options.choice("kernel", {"strip", "plane"}) == "strip" && std::isfinite(contact.aspect())) {
+        return rollbem::StripKernel<double>::longitudinal(contact);
+    }
+    return rollbem::PlaneKernel<double>::longitudinal(contact);
+}
+
+std::vector<Scene> make_chebyshev_scenes(const Options& options, const rollbem::Contact<double>& contact) {
+    options.ignored_group("Discretisation", "with --method chebyshev, which has no elements", {"method", "n"});
+    const Kernel kernel = make_kernel(options, contact);
+    if (std::holds_alternative<rollbem::StripKernel<double>>(kernel) && contact.aspect() < narrowest_for_states) {
+        throw BadInput(options.said("aspect") +
+                       " must be at least 0.001 with --method chebyshev: so narrow a strip "
+                       "needs elements");
+    }
+    std::vector<Scene> scenes;
+    for (const Eigen::Index n : options.integers("n", 1, most_states)) {
+        scenes.push_back(
+            {.method = "chebyshev", .contact = contact, .chebyshev = rollbem::Chebyshev{n}, .kernel = kernel});
+    }
+    return scenes;
+}
+
 }  // namespace
 
 rollbem::Contact<double> make_contact(const Options& options, Problem problem) {
@@ -97,9 +124,25 @@ rollbem::Contact<double> make_contact(const Options& options, Problem problem) {
                                                    options.number("poisson", between(0, 0.5)));
 }
 
-std::vector<Scene> make_scenes(const Options& options, Problem problem) {
+void offer_chebyshev(Options& options, const std::string& further) {
+    options.set_help(
+        "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 (dimensionless)");
+    options.set_help("method",
+                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), or chebyshev: "
+                     "n states in place of elements, to which no other option of this group applies" +
+                         further);
+}
+
+std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
     using rollbem::Derivative;
-    const std::string method = options.choice("method", {"collocation", "galerkin", "knothe-bc"});
+    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc"};
+    if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
+    if (methods == Methods::elements && options.text("method") == "chebyshev") {
+        throw BadInput(options.said("method") + " must be one of " + join(names, ", ") +
+                       ": friction bounds the traction of elements, which chebyshev does not have");
+    }
+    const std::string method = options.choice("method", names);
+    if (method == "chebyshev") return make_chebyshev_scenes(options, make_contact(options, problem));
     const bool has_alphas = method != "knothe-bc";
     if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
     if (!has_alphas) {
@@ -115,7 +158,7 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem) {
     const Derivative derivative = derivative_name == "fd" ? Derivative::finite_difference : Derivative::analytic;
 
     const rollbem::Contact<double> contact = make_contact(options, problem);
-    const std::string kernel = options.choice("kernel", {"strip", "plane"});
+    const Kernel kernel = make_kernel(options, contact);
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
@@ -131,7 +174,7 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem) {
                             .contact = contact,
                             .mesh = mesh,
                             .scheme = rollbem::KnotheBoundary{derivative},
-                            .kernel = rollbem::PlaneKernel<double>::longitudinal(contact)};
+                            .kernel = kernel};
                 const std::string n = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
                                       std::to_string(mesh->size()) + " must be at least 2 ";
                 if (!has_alphas && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
@@ -144,10 +187,6 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem) {
                 if (method == "collocation") scene.scheme = rollbem::Collocation{alpha_L, alpha_T, derivative, lambda};
                 if (method == "galerkin") {
                     scene.scheme = rollbem::Galerkin{alpha_L, alpha_T, derivative, lambda, quadrature};
-                }
-                // the strip of infinite width is the plane
-                if (kernel == "strip" && std::isfinite(contact.aspect())) {
-                    scene.kernel = rollbem::StripKernel<double>::longitudinal(contact);
                 }
                 scenes.push_back(std::move(scene));
             }

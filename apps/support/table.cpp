@@ -159,6 +159,7 @@ void write_table(const Options& options, const Table& table) {
 
     // 3. The files take their names.
     file.commit();
+    if (table.written) table.written();
     if (plots) draw(table.plot(kept), *drawing, png);
 }
 

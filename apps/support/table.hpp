@@ -28,7 +28,9 @@ struct Table {
     /// it has come.
     std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
-    std::function<Plot(const std::vector<Row>& rows)> plot;                           ///< for --plot
+    /// Where set, called once the rows have their name: files that belong to them take theirs.
+    std::function<void()> written{};
+    std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
 };
 
 /// Rows of one task that are asked for.

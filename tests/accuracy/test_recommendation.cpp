@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
@@ -90,15 +91,15 @@ TEST_CASE("Values that differ by rounding have converged", "[richardson]") {
 
 // --- Recommended schemes: that they keep their promise is tested with the problems they are for
 
-TEST_CASE("The measured table, and tolerances that are refused", "[recommendation]") {
-    const auto elements = [](double tolerance, Purpose purpose) { return recommended_scheme(tolerance, purpose).n; };
+TEST_CASE("The measured table of elements, and tolerances that are refused", "[recommendation]") {
+    const auto elements = [](double tolerance, auto purpose) { return recommended_elements(tolerance, purpose).n; };
     CHECK(elements(1e-3, Purpose::steady) == 8);
     CHECK(elements(1e-4, Purpose::steady) == 16);
     CHECK(elements(1e-5, Purpose::steady) == 34);
     CHECK(elements(1e-6, Purpose::steady) == 58);
     CHECK(elements(1e-8, Purpose::steady) == 220);
-    CHECK(recommended_scheme(1e-5, Purpose::steady).topology == Topology::uniform);
-    CHECK(recommended_scheme(1e-6, Purpose::steady).topology == Topology::cosine);
+    CHECK(recommended_elements(1e-5, Purpose::steady).topology == Topology::uniform);
+    CHECK(recommended_elements(1e-6, Purpose::steady).topology == Topology::cosine);
     CHECK(elements(1e-2, Purpose::frequency) == 16);
     CHECK(elements(1e-4, Purpose::frequency) == 70);
     CHECK(elements(1e-6, Purpose::frequency) == 322);
@@ -114,9 +115,9 @@ TEST_CASE("The measured table, and tolerances that are refused", "[recommendatio
     CHECK(elements(0.5, Purpose::time_loop) == 4);
     CHECK(elements(0.5, Purpose::friction) == 4);
     // the bound is that of the elements there are
-    CHECK(recommended_scheme(0.5, Purpose::steady).error_bound == Approx(0.19 * std::pow(6, -2.8)).epsilon(1e-14));
-    CHECK(recommended_scheme(0.5, Purpose::friction).error_bound == Approx(1.4 * std::pow(4, -1.85)).epsilon(1e-14));
-    for (const Purpose purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop, Purpose::friction}) {
+    CHECK(recommended_elements(0.5, Purpose::steady).error_bound == Approx(0.19 * std::pow(6, -2.8)).epsilon(1e-14));
+    CHECK(recommended_elements(0.5, Purpose::friction).error_bound == Approx(1.4 * std::pow(4, -1.85)).epsilon(1e-14));
+    const auto refused = [&](auto purpose) {
         for (const double bad : {1.0, 0.0, -1e-3, nan, 1e-12})
             CHECK_THROWS_AS(elements(bad, purpose), std::invalid_argument);
         double smallest = 0.5;  // that is not refused, within 3 %
@@ -127,9 +128,81 @@ TEST_CASE("The measured table, and tolerances that are refused", "[recommendatio
             CHECK(largest > 600);
             CHECK(largest <= 640);
         }
-    }
+    };
+    refused(Purpose::steady);
+    refused(Purpose::frequency);
+    refused(Purpose::time_loop);
+    refused(Purpose::friction);
     CHECK_THROWS_WITH(elements(1e-9, Purpose::time_loop),
-                      "recommended_scheme: tolerance = 1e-09 must lie in [4.39453125e-07, 1): no more was measured");
+                      "recommended_elements: tolerance = 1e-09 must lie in [4.39453125e-07, 1): no more was measured");
+}
+
+TEST_CASE("Recommended are states in full adhesion and elements with friction", "[recommendation]") {
+    static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::steady)), RecommendedStates>);
+    static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::frequency)), RecommendedStates>);
+    static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::time_loop)), RecommendedStates>);
+    static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::friction)), RecommendedElements>);
+    CHECK(recommended_scheme(1e-3, Purpose::friction).n == 51);
+
+    const auto states = [](double tolerance, Purpose::Adhesion purpose, double aspect = 10) {
+        return recommended_scheme(tolerance, purpose, aspect).method.states;
+    };
+    CHECK(states(1e-2, Purpose::steady) == 2);
+    CHECK(states(1e-6, Purpose::steady) == 5);
+    CHECK(states(1e-10, Purpose::steady) == 8);
+    CHECK(states(1e-6, Purpose::steady, 1) == 16);
+    CHECK(states(1e-6, Purpose::steady, 1e6) == 1);
+    CHECK(states(1e-11, Purpose::steady, std::numeric_limits<double>::infinity()) == 1);
+    CHECK(states(1e-2, Purpose::frequency) == 6);
+    CHECK(states(1e-4, Purpose::frequency) == 9);
+    CHECK(states(1e-6, Purpose::frequency) == 11);
+    CHECK(states(1e-10, Purpose::frequency) == 14);
+    CHECK(states(1e-2, Purpose::time_loop) == 3);
+    CHECK(states(1e-4, Purpose::time_loop) == 15);
+    CHECK(states(1e-6, Purpose::time_loop) == 149);
+    CHECK(recommended_scheme(0.1, Purpose::time_loop).error_bound ==
+          Approx(0.016 + 0.6 * std::exp(-2 * std::asinh(10))));
+    for (const Purpose::Adhesion purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop}) {
+        for (const double aspect : {0.01, 0.3, 10.0, 1e6}) {
+            Eigen::Index last = 1;
+            for (double tolerance = 0.9; tolerance > 1e-6; tolerance *= 0.7) {
+                const Eigen::Index m = states(tolerance, purpose, aspect);
+                CHECK(m >= last);  // a smaller tolerance takes no fewer
+                last = m;
+            }
+            for (const double bad : {1.0, 0.0, -1e-3, nan, 9e-12}) {
+                CHECK_THROWS_AS(states(bad, purpose, aspect), std::invalid_argument);
+            }
+        }
+    }
+    CHECK(states(1.4e-7, Purpose::time_loop) <= 400);
+    CHECK_THROWS_WITH(states(1e-7, Purpose::time_loop),
+                      "recommended_scheme: tolerance = 1e-07 must lie in [1.375e-07, 1): no more was measured");
+    CHECK_THROWS_WITH(states(1e-3, Purpose::steady, 0.001),
+                      "recommended_scheme: aspect = 0.001 must be at least 0.01: no narrower strip was measured");
+}
+
+TEST_CASE("What is recommended hands itself to a solver", "[recommendation]") {
+    // one solver for both: it is told a method, or a mesh and a scheme
+    int calls = 0;
+    const auto solve = [&](const auto&... method) {
+        ++calls;
+        if constexpr (sizeof...(method) == 1) {
+            return (static_cast<double>(method.states), ...);
+        } else {
+            return [](const Mesh<double>& mesh, const Collocation& scheme) {
+                CHECK(scheme.alpha_L == 0.5);
+                CHECK(scheme.alpha_T == 0.5);
+                return 1 + std::pow(static_cast<double>(mesh.size()), -2);
+            }(method...);
+        }
+    };
+    CHECK(recommended_scheme(1e-6, Purpose::frequency).evaluate(solve) == 11);
+    CHECK(calls == 1);
+    CHECK(recommended_scheme(1e-3, Purpose::friction).evaluate(solve) == 1 + std::pow(51, -2));
+    CHECK(calls == 2);
+    CHECK(std::abs(recommended_elements(1e-4, Purpose::frequency).evaluate(solve) - 1) < 1e-15);  // extrapolated
+    CHECK(calls == 4);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <rollbem/adhesion/state_space.hpp>
+#include <rollbem/compiled/chebyshev.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/bessel.hpp>
@@ -155,6 +156,11 @@ TEST_CASE("What a state space refuses", "[state_space]") {
         rolling_system(uniform_mesh(400), Collocation{.alpha_L = 0, .alpha_T = 0.63}, plane);
     CHECK_THROWS_WITH(state_space(nearly), ContainsSubstring("rcond of G"));
     CHECK_THROWS_WITH(state_space(Chebyshev{0}, plane), ContainsSubstring("states = 0"));
+    const double infinite = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(state_space(Chebyshev{8}, PlaneKernel<double>(infinite, 0.75, 0.25)),
+                      ContainsSubstring("an infinite half-width is for steady problems only"));
+    CHECK_THROWS_WITH(state_space(Chebyshev{8}, StripKernel<double>(infinite, 0.75, 0.25)),
+                      ContainsSubstring("an infinite half-width is for steady problems only"));
     const StateSpace<double> space = state_space(Chebyshev{4}, plane);
     for (const double speed :
          {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {

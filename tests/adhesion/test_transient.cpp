@@ -378,7 +378,7 @@ TEST_CASE("In the loop bad input is a status and touches nothing", "[transient]"
     const double infinity = std::numeric_limits<double>::infinity();
     const Model model = plane_model(10, Integrator::sdirk2);
     const Model::State from = model.steady(1.0), before = from;
-    const Model::State mark{VectorX<double>::Constant(10, 7.0), model.fingerprint()};
+    const Model::State mark{VectorX<double>::Constant(10, 7.0), model.fingerprint(), 1};
     const Model::Prepared prepared = model.prepare(0.1);
     Model::State to = mark;
     const auto refused = [&](const TransientStep<double>& step, StepStatus status) {
@@ -416,7 +416,7 @@ TEST_CASE("In the loop bad input is a status and touches nothing", "[transient]"
     CHECK(large.advance(large.at_rest(), large.prepare(0.1), 1.0, there).status == StepStatus::ok);
 
     // a result that overflows: `to` is then a copy of `from`
-    const Model::State huge{VectorX<double>::Constant(10, 1.7e308), model.fingerprint()};
+    const Model::State huge{VectorX<double>::Constant(10, 1.7e308), model.fingerprint(), 1};
     CHECK(model.advance(huge, prepared, 1.0, to).status == StepStatus::not_finite);
     CHECK(to.traction == huge.traction);
 }

@@ -122,6 +122,30 @@ TEST_CASE("A new dq does not allocate up to 128 elements", "[transient]") {
     }
 }
 
+TEST_CASE("A step to another half-length does not allocate", "[transient]") {
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const Eigen::Index n : {1, 2, 40, 128}) {
+            const TransientModel<double> model = make_model(n, integrator);
+            const PreparedStep<double> prepared = model.prepare(0.1);
+            TransientState<double> now = model.at_rest(), next = now;
+            bool ok = true, refused = true;
+            const long before = allocations;
+            for (int k = 1; k <= 20; ++k) {
+                ok = model.advance(now, 0.1, 1.0, 1 + 0.01 * k, next).status == StepStatus::ok && ok;
+                std::swap(now, next);
+                ok = model.advance(now, 0.1, 1.0, next).status == StepStatus::ok && ok;
+                ok = model.advance(next, prepared, 1.0, now).status == StepStatus::ok && ok;
+                refused = model.advance(now, 0.1, 1.0, 5.0, next).status == StepStatus::needs_fixed_mesh && refused;
+            }
+            const long after = allocations;
+            CAPTURE(n, name(integrator));
+            CHECK(ok);
+            CHECK(refused);
+            CHECK(after == before);
+        }
+    }
+}
+
 FrictionModel<double> make_friction_model(Eigen::Index n, double alpha_L, double alpha_T, Integrator integrator) {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const Mesh<double> mesh = cosine_mesh<double>(n);
@@ -182,6 +206,50 @@ TEST_CASE("A step with friction does not allocate at any size", "[friction]") {
     }
     CAPTURE(fallbacks);
     CHECK(fallbacks >= 4);
+}
+
+TEST_CASE("A step under a load of its own does not allocate", "[friction]") {
+    const HertzLine<double> line(
+        {.load_per_width = 1, .combined_radius = 1, .body_1 = {1e3, 0.25}, .body_2 = {1e3, 0.25}});
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const bool breathing : {true, false}) {
+            for (const Eigen::Index n : {1, 40, 100}) {
+                const double a = line.half_length() * (breathing ? 1 : 1.5);
+                const Contact<double> contact(
+                    {.half_length = a, .half_width = 100, .shear_modulus = 400, .poisson_ratio = 0.25});
+                const Mesh<double> mesh = cosine_mesh<double>(n);
+                const HertzLoad<double> hertz =
+                    breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
+                NormalLoad<double> load = hertz.at(1);
+                const FrictionModel<double> model(contact,
+                                                  rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+                                                                 PlaneKernel<double>::longitudinal(contact)),
+                                                  unchecked, {0.3, load.normal_pressure}, integrator);
+                FrictionState<double> now = model.at_rest(), next = now;
+                FrictionWorkspace<double> workspace = model.workspace();
+                bool ok = true;
+                const long before = allocations;
+                for (int k = 0; k < 100; ++k) {
+                    const double P = breathing ? 1 + 0.5 * std::sin(0.3 * k) : std::max(0.0, 0.8 + std::sin(0.3 * k));
+                    ok = hertz.set(P, load) == StepStatus::ok && ok;
+                    const double dq = a * (k % 20 < 15 ? 0.3 : 0.4);
+                    const LoadedFrictionStep<double> step =
+                        model.advance(now, dq, (k % 13 - 6) * 1e-3, load, next, workspace);
+                    ok = ok && step.status == StepStatus::ok;
+                    std::swap(now, next);
+                }
+                ok = ok && model.steady(now, 1e-3, load, next, workspace).status == StepStatus::ok;
+                load.half_length *= 2;
+                ok = ok && model.advance(now, a, 1e-3, load, next, workspace).status == StepStatus::needs_fixed_mesh;
+                load.normal_pressure[0] = -1;
+                ok = ok && model.advance(now, a, 1e-3, load, next, workspace).status == StepStatus::invalid_load;
+                const long after = allocations;
+                CAPTURE(n, breathing, name(integrator));
+                CHECK(ok);
+                CHECK(after == before);
+            }
+        }
+    }
 }
 
 TEST_CASE("A steady solution with friction does not allocate, its fallback included", "[friction]") {

@@ -45,19 +45,52 @@ bad 'line 3 = 1.5,1: x_over_a must lie in [-1, 1]' $study --pressure "$scratch/o
 bad_pairs x_over_a,pressure $study --pressure
 bad '--tractions = /nonexistent/t must be a file that can be written' $study --tractions /nonexistent/t --output x.csv
 
+printf 'q_over_a,load_ratio\n0,1\n2,0\n3,0\n4,1.2\n' >"$scratch/bounce"
+printf 'q_over_a,load_ratio\n1,1\n4,1\n' >"$scratch/late"
+printf 'q_over_a,load_ratio\n0,1\n1,-1\n4,1\n' >"$scratch/pull"
+printf 'q_over_a,load_ratio\n0,1\n1,1\n1,2\n4,2\n' >"$scratch/jump"
+short="$rolling --creepage-ratio 0.5 --until 4 --dq 0.5"
+for option in '--load-sine 0.5,8' "--load $scratch/bounce" --breathing '--from steady'; do
+    bad 'has no effect without --transient' $study $option --output x.csv
+done
+bad '--load-sine = 0.5 must be A,LENGTH with |A| <= 1' $short --load-sine 0.5
+bad '--load-sine = 1.1,8 must be A,LENGTH with |A| <= 1' $short --load-sine 1.1,8
+bad '--load-sine = 1,8 must be A,LENGTH with |A| < 1 where the mesh breathes' $short --load-sine 1,8 --breathing
+bad '--load-sine = 0.5,0 must be A,LENGTH' $short --load-sine 0.5,0
+bad '--load-sine = nan,8 must be A,LENGTH' $short --load-sine nan,8 --output x.csv
+bad 'must cover the run: its rows go from q_over_a = 1 to 4, the run from 0 to 4' $short --load "$scratch/late"
+bad 'load_ratio = -1 must be at least 0' $short --load "$scratch/pull"
+bad 'load_ratio = 0 must be positive where the mesh breathes' $short --load "$scratch/bounce" --breathing
+bad 'one row only at q_over_a = 1' $short --load "$scratch/jump" --output x.csv
+bad '--load = ' $short --load "$scratch/bounce" --load-sine 0.5,8
+bad_pairs q_over_a,load_ratio $short --load
+bad 'has no effect under a load that varies' $short --load-sine 0.5,8 --pressure "$scratch/triangle"
+bad '--kernel = strip must be plane with --breathing' $study --transient --creepage-ratio 1 --load-sine 0.5,8 --breathing
+bad 'has no effect without --load-sine or --load' $short --breathing
+bad '--breathing needs equations that hold at points' $short --load-sine 0.5,8 --breathing --method galerkin --unchecked
+bad '--breathing needs equations that hold at points' $short --load-sine 0.5,8 --breathing --layer 1
+bad '--from = moon must be one of rest, steady' $short --from moon
+bad '--from = rest has no effect with --shift' $short --from rest --shift 1
+bad '--lateral-ratio = 1,2 must be one number' $short --lateral-ratio 1,2
+bad '--lateral-ratio = inf must be finite' $study --lateral-ratio inf --output x.csv
+bad '--layer = -1 must be finite and not negative' $study --layer -1 --output x.csv
+bad '--layer = nan must be finite and not negative' $short --layer nan
+bad '--derivative = analytic must be fd with --layer' $study --layer 1 --derivative analytic
+for option in '--lateral-ratio 1' '--layer 1'; do bad 'has no effect with --fit-border' $study --fit-border $option; done
+
 # --- steady
 good 34 $study
-header method,derivative,mesh,n,alpha_L,alpha_T,creepage_ratio,force_ratio,exact,relative_error,stick_count,rounds,complementarity_residual,time_us
+header method,derivative,mesh,n,alpha_L,alpha_T,creepage_ratio,force_ratio,exact,relative_error,stick_count,rounds,complementarity_residual,time_us,lateral_ratio,lateral_force_ratio
 check 'the default scheme' '$1 == "collocation" && $2 == "fd" && $3 == "cosine" && $5 == 0.5 && $6 == 0.5'
 check 'Carter' '($9 - ($7 < 1 ? $7 * (2 - $7) : 1)) ^ 2 < 1e-30 && ($8 / $9 - 1 - $10) ^ 2 < 1e-28'
 check 'small errors' '$10 ^ 2 < 5e-3 ^ 2 && $12 <= 10 && $13 < 1e-12 && $14 > 0'
-check 'full sliding' '($11 == 0) == ($7 >= 1) && $19 == "ok"'
+check 'full sliding' '($11 == 0) == ($7 >= 1) && $21 == "ok"'
 good 5 $steady --n 20,40,80,160 --creepage-ratio 0.5
 check 'cosine mesh, second order or nearly' '$10 > 0 && $10 < 1.02 * ($4 == 20 ? 3e-3 : $4 == 40 ? 9.1e-4 : $4 == 80 ? 2.7e-4 : 7.8e-5)'
 good 3 $steady --n 20,40 --mesh uniform --creepage-ratio 0.5
 check 'uniform mesh, first order' '$10 < 1.02 * ($4 == 20 ? 1.8e-2 : 8.9e-3) && $10 > 0.97 * ($4 == 20 ? 1.8e-2 : 8.9e-3)'
 good 4 $steady --n 40 --creepage-ratio 0.2,0.5,0.8 --fit-border
-check 'an exact border' '$10 ^ 2 < 1e-12 ^ 2 && $3 == "fitted" && $5 $6 == "" && $13 < 1e-12 && $19 == "ok" && ($17 - 1.44 * $7 * $8) ^ 2 < 1e-24'
+check 'an exact border' '$10 ^ 2 < 1e-12 ^ 2 && $3 == "fitted" && $5 $6 == "" && $13 < 1e-12 && $21 == "ok" && ($19 - 1.44 * $7 * $8) ^ 2 < 1e-24'
 good 4 $steady --n 40 --creepage-ratio -0.5,0,1.2 --fit-border
 awk -F, 'NR == 2 { minus = ($8 + 0.75) ^ 2 < 1e-24 } NR == 3 { still = $8 == 0 && $3 == "fitted" } NR == 4 { slid = ($8 - 1) ^ 2 < 1e-24 && $11 == 0 }
     END { exit !(minus && still && slid) }' out || fail "exact borders of either sign: $(cat out)"
@@ -68,7 +101,7 @@ good 3 $steady --n 40 --fit-border --pressure "$scratch/round" --creepage-ratio 
 check 'a table exactly' '$3 == "fitted" && ($8 / ($7 * (2 - $7)) - 1) ^ 2 < 1e-5 ^ 2'
 for pressure in triangle gap; do
     good 2 $steady --n 40 --fit-border --pressure "$scratch/$pressure" --creepage-ratio 0.5
-    check "elements for a $pressure" '$3 == "cosine" && $5 == 0.5 && $6 == 0.5 && $19 == "ok"'
+    check "elements for a $pressure" '$3 == "cosine" && $5 == 0.5 && $6 == 0.5 && $21 == "ok"'
     cut -d, -f8 out >forces
     good 2 $steady --n 40 --pressure "$scratch/$pressure" --creepage-ratio 0.5
     cut -d, -f8 out | cmp -s - forces || fail "the elements of a $pressure"
@@ -78,15 +111,15 @@ awk -F, 'NR == 2 { minus = $8 } NR == 3 { mirrored = minus == -$8 } NR == 4 { sl
     NR == 5 { nothing = $8 == 0 && $10 == "" } END { exit !(mirrored && slid && nothing) }' out || fail 'signs'
 # a scheme whose traction pushes with the creepage where all of it sticks; here it loses a third
 good 3 $steady --n 20 --mesh uniform --alpha 0.5,1.5 --creepage-ratio 0.5
-awk -F, 'NR == 2 { trusted = $19 == "ok" && $8 > 0.7 && $16 > 0 && $17 > 0 }
-    NR == 3 { refused = $19 == "inconsistent" && $8 $10 $16 $17 == "" && $9 == 0.75 && $13 < 1e-12 }
+awk -F, 'NR == 2 { trusted = $21 == "ok" && $8 > 0.7 && $18 > 0 && $19 > 0 }
+    NR == 3 { refused = $21 == "inconsistent" && $8 $10 $18 $19 == "" && $9 == 0.75 && $13 < 1e-12 }
     END { exit !(trusted && refused) }' out || fail "a scheme that does not converge: $(cat out)"
 # rounds that cycle end all the same
 good 5 $steady --n 20,80 --alpha-L 0 --alpha-T 0.5,0.63 --creepage-ratio 0.95
-check 'fallback' '$10 ^ 2 < 1e-3 ^ 2 && $13 < 1e-12 && $18 > 0 && $19 == "ok"'
+check 'fallback' '$10 ^ 2 < 1e-3 ^ 2 && $13 < 1e-12 && $20 > 0 && $21 == "ok"'
 for method in galerkin knothe-bc; do
     good 3 $steady --n 20 --method $method --creepage-ratio 0.5,1.5
-    check "$method" '$10 ^ 2 < 0.1 ^ 2 && $19 == "ok"'
+    check "$method" '$10 ^ 2 < 0.1 ^ 2 && $21 == "ok"'
 done
 good 12 $steady --n 30 --pressure "$scratch/triangle"
 check 'no closed form for a triangle' '$9 == "" && $10 == "" && $8 > 0.15 && $8 < 1 + 1e-12'
@@ -94,8 +127,8 @@ good 3 $steady --n 40 --pressure "$scratch/gap" --creepage-ratio 0.01,30
 awk -F, 'NR == 2 { small = ($8 / 0.02 - 1) ^ 2 < 0.2 ^ 2 } NR == 3 { slid = ($8 - 1) ^ 2 < 1e-24 }
     END { exit !(small && slid) }' out || fail 'a gap in the pressure'
 good 3 $steady --n 10,20 --creepage-ratio 0.5 --jobs 2 --tractions t
-check 'no times with --jobs' '$14 == "" && $15 == ""'
-traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status
+check 'no times with --jobs' '$14 == "" && $17 == ""'
+traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer
 [ "$(head -n 1 t)" = $traction_columns ] || fail "columns of the tractions"
 grep -q '^command_line = ".* --creepage-ratio 0.5 --jobs 2 --tractions t"$' t.toml || fail "companion of the tractions"
 awk -F, 'NR > 1 { rows += 1; if ($4 < 0 && -$4 <= $5 * (1 + 1e-12) && ($6 == 1) == ($7 == 0) && $7 >= 0) good += 1;
@@ -123,6 +156,32 @@ $steady --n 6,9 --creepage-ratio 0.2,0.5 --jobs 2 --tractions t >/dev/null
 cat t1 t2 t3 | cmp -s t - || fail 'shards of the tractions'
 good 0 $steady --n 10 --output x.csv
 grep -q '^creepage-ratio = ' x.csv.toml || fail 'companion file'
+
+# both directions: the closed forms, what the steps of a corner share, and loops
+both="$study --kernel plane --n 40"
+good 10 $both --poisson 0 --creepage-ratio -0.3,0.3,1 --lateral-ratio 0,0.4,-2
+check 'along the creepage without a Poisson effect' '$9 != "" && $22 != "" && ($8 - $9) ^ 2 + ($16 - $22) ^ 2 < 2e-3 ^ 2 && $21 == "ok" && $13 < 1e-12'
+awk -F, 'NR > 1 && $15 != (NR % 3 == 2 ? 0 : NR % 3 == 0 ? 0.4 : -2) { bad = 1 } END { exit bad }' out ||
+    fail "the lateral ratio is the inner loop: $(cut -d, -f7,15 out)"
+good 3 $both --creepage-ratio 0 --lateral-ratio 0.5,1.5
+check 'across, by its own compliance' '$8 == 0 && $9 == 0 && ($16 / $22 - 1 - $23) ^ 2 < 1e-24 && $23 ^ 2 < 2e-3 ^ 2 && $10 == ""'
+good 2 $both --creepage-ratio 0.5 --lateral-ratio 0
+mv out across
+good 2 $both --creepage-ratio 0.5
+awk -F, 'NR == FNR { force[FNR] = $8; work[FNR] = $19; next }
+    FNR > 1 && (($8 - force[FNR]) ^ 2 > 1e-24 || ($19 - work[FNR]) ^ 2 > 1e-24 || $15 $16 $22 != "") { bad = 1 } END { exit bad }' across out ||
+    fail 'one direction alone'
+# CONTACT: creepage 0.5 at 45 degrees
+good 2 $study --kernel plane --n 160 --creepage-ratio 0.35355339059327373 --lateral-ratio 0.35355339059327373 --tractions t
+check 'both directions' '($8 - 0.5438) ^ 2 < 3e-4 ^ 2 && ($16 - 0.4093) ^ 2 < 3e-4 ^ 2 && $9 $22 == "" && $21 == "ok"'
+awk -F, 'NR > 1 { size = sqrt($4 ^ 2 + $16 ^ 2); slip = sqrt($7 ^ 2 + $17 ^ 2)
+    if (size > $5 * (1 + 1e-10) || ($6 == 1) != (slip == 0) || ($6 == 0 && (size < $5 * (1 - 1e-10) || ($4 * $7 + $16 * $17) > -size * slip * (1 - 1e-8)))) bad = 1 }
+    END { exit bad || NR != 161 }' t || fail 'tractions in both directions against their slip'
+# a layer: numbers of CONTACT, and the brush
+good 2 $study --mesh uniform --n 160 --layer 0.5 --creepage-ratio 0.25
+check 'a layer' '($8 - 0.3034) ^ 2 < 2e-4 ^ 2 && $9 == "" && $25 == 0.5'
+good 2 $study --mesh uniform --n 160 --layer 1e4 --creepage-ratio 0.001
+check 'a brush' '($8 / (2 / 1e4 * 1.44 * 0.001 / 1.5707963267948966) - 1) ^ 2 < 0.01 ^ 2'
 
 # --- rolling in time
 good 201 $rolling --creepage-ratio 0.5
@@ -162,6 +221,43 @@ awk -F, 'NR > 1 { d[NR] = $2; f[NR] = $4; if ($7 < work) bad = 1; work = $7 }
 orders 4 $rolling --sine 0.9,1 --until 2
 shards $rolling --n 5,6 --creepage-ratio 0.5 --shift 1 --until 1
 
+# --- a load that varies
+vary="$study --transient --kernel plane --creepage-ratio 0.5 --load-sine 0.5,8 --from steady --until 8 --dq 0.1"
+series='0.7500 0.7618 0.7737 0.7851 0.7963 0.8066 0.8151 0.8207 0.8228 0.8199 0.8101 0.7897 0.7061 0.5955 0.5245 0.4980 0.4937 0.5000 0.5129 0.5299 0.5494'
+good 81 $vary --breathing --n 40
+header q_over_a,creepage_ratio,shift,force_ratio,stick_count,rounds,slip_work
+awk -F, -v list="$series" 'BEGIN { split(list, f, " ") }
+    NR > 1 && (NR - 1) % 4 == 0 { i = (NR - 1) / 4 + 1; ++count; if (($4 - f[i]) ^ 2 > 1.2e-3 ^ 2) bad = 1 }
+    NR > 1 && ($12 != "ok" || ($22 - 1 - 0.5 * sin(0.78539816339744828 * $1)) ^ 2 > 1e-20 || ($23 ^ 2 - $22) ^ 2 > 1e-20) { bad = 1 }
+    END { exit bad || count != 20 || ($25 - 6.2501 / 1.5707963267948966) ^ 2 > 8e-3 ^ 2 || ($7 - 7.5715 / 1.5707963267948966) ^ 2 > 2e-2 ^ 2 }' out ||
+    fail "a breathing contact: $(tail -n 1 out)"
+good 81 $vary --mesh uniform --n 160 --unchecked
+awk -F, -v list="$series" 'BEGIN { split(list, f, " ") }
+    NR > 1 && (NR - 1) % 4 == 0 { i = (NR - 1) / 4 + 1; if (($4 - f[i]) ^ 2 > 8e-3 ^ 2) bad = 1 } END { exit bad }' out ||
+    fail 'the same on a fixed mesh'
+good 9 $short --load "$scratch/bounce"
+check 'lift-off and landing' '$12 == "ok" && ($1 < 2 || $1 > 3 ? $4 > 0 : $4 == 0 && $5 == 0)'
+awk -F, 'NR > 1 { if ($22 != ($1 <= 2 ? 1 - $1 / 2 : $1 <= 3 ? 0 : 1.2 * ($1 - 3))) bad = 1; if ($7 < work) bad = 1; work = $7 } END { exit bad }' out || fail 'the load of a table'
+# a step that reaches over a kink is divided there
+good 3 $rolling --creepage-ratio 0.5 --until 4 --dq 2 --load "$scratch/bounce" --integrator implicit-euler
+mv out coarse
+printf 'q_over_a,load_ratio\n0,1\n2,0\n3,0\n4,1.2\n' >"$scratch/again"
+good 5 $rolling --creepage-ratio 0.5 --until 4 --dq 1 --load "$scratch/again" --integrator implicit-euler
+[ "$(tail -n 1 coarse | cut -d, -f4)" != "" ] || fail 'a kink within a step'
+awk -F, 'NR == FNR { last = $4; next } { fine = $4 } END { exit !((last - fine) ^ 2 < 1e-24) }' coarse out ||
+    fail 'a kink within a step is where the step is divided'
+good 9 $rolling --creepage-ratio 0.5 --until 4 --dq 0.5 --load-sine 0.9,1.2 --breathing
+awk -F, 'NR > 1 { if (($12 == "ok") != ($4 != "")) bad = 1; if ($12 == "needs_fixed_mesh") told = 1 } END { exit bad || !told }' out ||
+    fail 'a contact that grows faster than it rolls'
+good 9 $short --lateral-ratio 0.4 --load-sine 0.5,8 --breathing --from steady
+check 'both directions under a load' '$12 == "ok" && $21 == 0.4 && $4 > 0 && $24 > 0 && $4 ^ 2 + $24 ^ 2 < $22 ^ 2'
+good 401 $rolling --creepage-ratio 0.5 --lateral-ratio 0.4 --until 120 --dq 0.3
+mv out limit
+good 2 $study --kernel plane --aspect 100 --n 20 --creepage-ratio 0.5 --lateral-ratio 0.4
+awk -F, 'NR == FNR { along = $4; across = $24; next } END { exit !((along - $8) ^ 2 + (across - $16) ^ 2 < 1e-6 ^ 2) }' limit out ||
+    fail 'the long-time limit in both directions'
+shards $rolling --n 5,6 --creepage-ratio 0.5 --lateral-ratio 0.2 --load-sine 0.3,2 --until 1
+
 # --- plots
 if command -v gnuplot >/dev/null; then
     good 12 $study --n 20 --plot s.svg
@@ -172,6 +268,10 @@ if command -v gnuplot >/dev/null; then
     grep -q bound w.svg && fail 'wrong tractions in the plot'
     good 21 $rolling --creepage-ratio 0.5 --until 1 --plot r.svg
     grep -q 'Carter, steady' r.svg || fail 'the steady limit in the plot'
+    good 21 $rolling --creepage-ratio 0.5 --lateral-ratio 0.2 --load-sine 0.3,2 --until 1 --plot v.svg
+    grep -q lateral v.svg && grep -q load v.svg && ! grep -q Carter v.svg || fail 'load and lateral force in the plot'
+    good 5 $study --n 20 --creepage-ratio 0.2,0.5 --lateral-ratio 0,0.3 --plot b.svg
+    grep -q 'Longitudinal force' b.svg && grep -q 'Lateral force' b.svg || fail 'both forces in the plot'
     good 41 $rolling --sine 1,1 --until 2 --plot l.svg
     grep -q Hysteresis l.svg || fail 'hysteresis in the plot'
 fi

@@ -31,6 +31,7 @@ bad() {
 bad_pairs() {
     columns=$1
     shift
+    rm -f "$scratch/pairs"
     bad 'must be a file that can be read' "$@" "$scratch/pairs"
     printf 'x,y\n0,1\n' >"$scratch/pairs"
     bad "line 1 = x,y must be $columns" "$@" "$scratch/pairs"

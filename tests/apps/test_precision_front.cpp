@@ -34,15 +34,15 @@ TEST_CASE("An error counts as the largest at this and every larger n", "[precisi
     CHECK(sustained[5] == 0.5);
 }
 
-TEST_CASE("The front: no other element scheme is as fast and as precise", "[precision]") {
+TEST_CASE("The front: no other discretisation is as fast and as precise", "[precision]") {
     std::vector<Point> points{point("cosine", 10, 1e-2, 10),
                               point("cosine", 20, 1e-3, 20),
-                              point("knothe", 10, 1e-2, 10.5),     // slower, no better
-                              point("knothe", 20, 5e-4, 19),       // beats cosine at 20
-                              point("geometric", 10, -5e-3, 15),   // negative errors count by their size
-                              point("uniform-0/0.63", 10, {}, 1),  // no result
-                              point("chebyshev", 20, 1e-16, 0.1),  // no element scheme
-                              point("closed-form", 0, 0.0, 0.01),  //
+                              point("knothe", 10, 1e-2, 10.5),      // slower, no better
+                              point("knothe", 20, 5e-4, 19),        // beats cosine at 20
+                              point("geometric", 10, -5e-3, 15),    // negative errors count by their size
+                              point("uniform-0/0.63", 10, {}, 1),   // no result
+                              point("polynomial", 20, 1e-16, 0.1),  // no discretisation
+                              point("closed-form", 0, 0.0, 0.01),   //
                               point("cosine", 10, 0.5, 9, true, "traction")};
     points.push_back(points[0]);
     points.back().time_us.reset();
@@ -58,6 +58,14 @@ TEST_CASE("The front: no other element scheme is as fast and as precise", "[prec
     CHECK_FALSE(on_front(7).has_value());
     CHECK(on_front(8) == true);  // a front for each quantity
     CHECK_FALSE(on_front(9).has_value());
+
+    points.push_back(point("chebyshev-states", 8, 1e-3, 9));  // faster and more precise than elements
+    precision::mark_front(points);
+    CHECK(on_front(10) == true);
+    CHECK(on_front(0) == false);
+    CHECK(on_front(3) == true);  // slower, but more precise
+    CHECK(on_front(4) == false);
+    CHECK(on_front(8) == true);  // of another quantity
 }
 
 TEST_CASE("The cheapest scheme for a tolerance", "[precision]") {
@@ -66,7 +74,9 @@ TEST_CASE("The cheapest scheme for a tolerance", "[precision]") {
                                     point("uniform-0/0.63", 10, 1e-5, 5, false),
                                     point("uniform-0/0.63", 20, 1e-3, 8, false),
                                     point("knothe", 10, 1e-3, 7, std::nullopt),
-                                    point("chebyshev", 10, 1e-9, 1)};
+                                    point("chebyshev-states", 5, 1e-5, 3),
+                                    point("chebyshev-states", 6, 1e-6, 4, std::nullopt),
+                                    point("polynomial", 10, 1e-9, 1)};
     const std::vector<double> sustained = precision::sustained_errors(points);
     const auto best = [&](double tolerance, Among among) {
         return precision::cheapest(points, sustained, "c11", tolerance, among);
@@ -76,7 +86,11 @@ TEST_CASE("The cheapest scheme for a tolerance", "[precision]") {
     CHECK_FALSE(best(1e-4, Among::elements).has_value());  // the 1e-5 at n = 10 is not sustained
     CHECK(best(1e-2, Among::stable_elements) == 0U);
     CHECK(best(1e-3, Among::stable_elements) == 1U);  // what is not known to be stable is not
-    CHECK(best(1e-9, Among::all) == 5U);
+    CHECK(best(1e-2, Among::stable) == 5U);           // elements or states
+    CHECK(best(1e-5, Among::stable) == 5U);
+    CHECK_FALSE(best(1e-6, Among::stable).has_value());
+    CHECK_FALSE(best(1e-4, Among::stable_elements).has_value());
+    CHECK(best(1e-9, Among::all) == 7U);
     CHECK_FALSE(best(1e-10, Among::all).has_value());
     CHECK_FALSE(precision::cheapest(points, sustained, "traction", 1, Among::all).has_value());
 }

@@ -23,12 +23,16 @@ int main() {
     auto rolling = rest;
     auto workspace = friction.workspace();
     const double creepage = 1e-9, force = friction.solve(rest, creepage, rolling, workspace).force;
-    // full adhesion in four ways
+    // full adhesion in five ways
     const double expected =
         -contact.half_length() * contact.shear_modulus() * 2 * contact.half_width() * c11 * creepage;
     const bool agree = std::abs(sweep(0).c11.real() - c11) < 1e-9 && std::abs(force / expected - 1) < 1e-3 &&
                        std::abs(model.force(model.steady(creepage)) / expected - 1) < 1e-9;
+    const bool states =
+        std::abs(solve_steady(contact, Chebyshev{12}, creepage).force_per_width * 2 * contact.half_width() / expected -
+                 1) < 1e-2 &&
+        rolling_system(Chebyshev{12}, kernel).size() == 12;
     const std::complex<double> s(0, 1);
     const bool exact = std::abs(solve_monomial(s, 0.28, 10.0, 30).c11 - polynomial_c11(s, 0.28, 10.0).c11) < 1e-6;
-    return agree && exact ? 0 : 1;
+    return agree && states && exact ? 0 : 1;
 }

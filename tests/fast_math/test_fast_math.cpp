@@ -164,6 +164,15 @@ TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {
         CHECK(solve_stick_border(contact, kernel, 0.3, HertzPressure<double>{}, value).status ==
               StepStatus::not_finite);
     }
+    const NormalLoad<double> load{friction.normal_pressure, contact.half_length(), {}};
+    CHECK(model.advance(now, 0.1, 0.5, load, next, workspace).status == StepStatus::ok);
+    for (const double value : {nan, infinity, -infinity, -1.0}) {
+        NormalLoad<double> pressed = load, long_one = load;
+        pressed.normal_pressure[2] = value;
+        long_one.half_length = value;
+        CHECK(model.advance(now, 0.1, 0.5, pressed, next, workspace).status == StepStatus::invalid_load);
+        CHECK(model.advance(now, 0.1, 0.5, long_one, next, workspace).status == StepStatus::invalid_load);
+    }
     const FrictionStep<double> far = model.advance(now, 1e3, 1e308, next, workspace);
     CHECK((far.status != StepStatus::ok || finite(far.force_per_width)));
 }
@@ -213,6 +222,7 @@ TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
             [&](double x) { solve_stick_border(wide, plane, x, HertzPressure<double>{}, 0.1); });
     refuses("mu p_n / G = ", [&](double x) { solve_stick_border(wide, plane, 0.3, HertzPressure<double>{x}, 0.1); });
     refuses("tolerance = ", [](double x) { recommended_scheme(x, Purpose::steady); });
+    refuses("tolerance = ", [](double x) { recommended_scheme(x, Purpose::friction); });
     refuses("order = ", [](double x) { richardson(1.0, 2.0, x); });
     refuses("band = ", [](double x) { extrapolate([](std::ptrdiff_t) { return 1.0; }, 1, 2, x); });
     refuses("Re s = ", [](double x) { polynomial_c11<double>({x, 1}, 0.25, 10, 20); });

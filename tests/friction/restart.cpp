@@ -61,6 +61,8 @@ struct Ride {
         for (const FrictionState<double>& state : states) {
             file << state.system << '\n';
             for (const double p : state.traction) write(file, p);
+            for (const double p : state.normal_pressure) write(file, p);
+            write(file, state.half_length);
             for (const Zone zone : state.zones) file << static_cast<int>(zone) << '\n';
         }
         file << sticking.system << '\n';
@@ -70,6 +72,8 @@ struct Ride {
         for (FrictionState<double>& state : states) {
             file >> state.system;
             for (double& p : state.traction) p = read(file);
+            for (double& p : state.normal_pressure) p = read(file);
+            state.half_length = read(file);
             for (Zone& zone : state.zones) {
                 int value = 9;
                 file >> value;

@@ -204,7 +204,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
     CHECK(steady.solve(steady.at_rest(), 1e-3, next, small).status == StepStatus::wrong_state);
     CHECK(untouched());
     CHECK(model.advance(rest, 0.1, 1e-3, next, borrowed).status == StepStatus::ok);
-    // another load is the same system
+    // another coefficient of friction is the same system
     const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 10).transient();
     CHECK(slippery.advance(kept, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
 

@@ -6,12 +6,14 @@
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/reference/strip.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -244,6 +246,7 @@ TEST_CASE("the exact border on a strip", "[friction]") {
                 (solve(ratio + step).force_per_width - solve(ratio - step).force_per_width) / (2 * creepage(step));
             CHECK(solution.tangent_per_width == Approx(difference).epsilon(1e-6));
             CHECK(solve(-ratio).force_per_width == -solution.force_per_width);
+            CHECK(solution.slip_work_per_width == -solution.force_per_width * creepage(ratio));
         }
         // no creepage: the steady creep coefficient, by another spectral method
         const double c11 = reference::strip_c11(0, nu, aspect).c11.real();
@@ -261,6 +264,95 @@ TEST_CASE("the exact border on a strip", "[friction]") {
         const auto solution = solve_stick_border(wide, kernel, 1.0, hertz, creepage(ratio));
         CHECK(solution.exact);
         CHECK(std::abs(-solution.force_per_width / full_force - carter_force_ratio(ratio)) < 2e-12);
+    }
+}
+
+TEST_CASE("the exact border on narrow strips", "[friction]") {
+    for (const double aspect : {0.01, 0.02, 0.05, 0.1}) {
+        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
+        const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+        const auto still = solve_stick_border(contact, kernel, 1.0, hertz, 0);
+        const double c11 = reference::strip_c11(0, nu, aspect).c11.real();
+        CAPTURE(aspect, still.tangent_per_width, c11);
+        CHECK(still.exact);
+        CHECK(still.tangent_per_width == Approx(-c11).epsilon(2e-11));
+        const double ratio = 0.3 * aspect;  // about half of the contact slips
+        const auto solution = solve_stick_border(contact, kernel, 1.0, hertz, creepage(ratio));
+        REQUIRE(solution.exact);
+        const Mesh<double> coarse = mesh_about(solution.border, 80), fine = mesh_about(solution.border, 160);
+        const double on_coarse = plain_force(contact, kernel, coarse, hertz, creepage(ratio)),
+                     on_fine = plain_force(contact, kernel, fine, hertz, creepage(ratio));
+        CAPTURE(solution.force_per_width, on_coarse, on_fine);
+        CHECK(on_fine + (on_fine - on_coarse) / 3 == Approx(solution.force_per_width).epsilon(2e-4));
+    }
+    // narrower ones are not resolved
+    const Contact<double> contact = Contact<double>::dimensionless(0.005, nu);
+    const auto kernel = StripKernel<double>::longitudinal(contact);
+    CHECK_FALSE(solve_stick_border(contact, kernel, 1.0, hertz, 0).exact);
+    CHECK(solve_stick_border(contact, kernel, 1.0, hertz, 0).elements);
+}
+
+/// A kernel of a user's, of a contact that yields less where it is loaded over more than `distance`.
+struct OwnKernel {
+    using Scalar = double;
+    double constant = 2, strength = 0.4, rest = 0.3, distance = 0.5;
+
+    ArrayX<double> g(const ArrayX<double>& x) const { return constant - strength * x.abs().log() + smooth_part(x); }
+    ArrayX<double> H(const ArrayX<double>& x) const {
+        return x.unaryExpr([this](double at) {
+            if (at == 0) return 0.0;
+            return at * (constant + strength - strength * std::log(std::abs(at))) -
+                   rest * (at - distance * std::atan(at / distance));
+        });
+    }
+    ArrayX<double> H_integral(const ArrayX<double>& x) const {
+        return x.unaryExpr([this](double at) {
+            if (at == 0) return 0.0;
+            const double ratio = at / distance, square = at * at;
+            return square / 4 * (2 * constant + 3 * strength - 2 * strength * std::log(std::abs(at))) -
+                   rest * (square / 2 - distance * at * std::atan(ratio) +
+                           distance * distance / 2 * std::log1p(ratio * ratio));
+        });
+    }
+    SmoothSplit<double> smooth_split() const { return {constant, strength, distance}; }
+    ArrayX<double> smooth_part(const ArrayX<double>& x) const {
+        return -rest * x.square() / (x.square() + distance * distance);
+    }
+    double smooth_slope(double x) const {
+        const double sum = x * x + distance * distance;
+        return -2 * rest * distance * distance * x / (sum * sum);
+    }
+};
+static_assert(SlopeSplitKernel<OwnKernel>);
+
+struct NoSlope : OwnKernel {
+    double smooth_slope(double) const = delete;
+};
+template <class Kernel>
+concept HasBorder = requires(const Contact<double>& contact, const Kernel& kernel) {
+    solve_stick_border(contact, kernel, 1.0, hertz, 1e-3);
+};
+static_assert(HasBorder<OwnKernel> && SmoothSplitKernel<NoSlope> && !HasBorder<NoSlope>);
+
+TEST_CASE("the exact border of a kernel of one's own", "[friction]") {
+    const Contact<double> contact = Contact<double>::dimensionless(1, nu);
+    const OwnKernel kernel;
+    const auto solve = [&](double xi) { return solve_stick_border(contact, kernel, 1.0, hertz, xi); };
+    CHECK(solve(0).tangent_per_width == Approx(-solve_steady(Chebyshev{60}, kernel).c11).epsilon(1e-11));
+    for (const double xi : {0.3e-3, 0.8e-3}) {
+        const auto solution = solve(xi);
+        REQUIRE(solution.exact);
+        CAPTURE(xi, solution.border);
+        CHECK(solution.border > -0.9);
+        CHECK(solution.border < 0.9);
+        CHECK(solution.force_error < 1e-12 * full_force);
+        const double coarse = plain_force(contact, kernel, mesh_about(solution.border, 80), hertz, xi),
+                     fine = plain_force(contact, kernel, mesh_about(solution.border, 160), hertz, xi);
+        CAPTURE(solution.force_per_width, coarse, fine);
+        CHECK(fine + (fine - coarse) / 3 == Approx(solution.force_per_width).epsilon(5e-5));
+        const double step = 1e-8;
+        CHECK((solve(xi + step).force_per_width - solve(xi - step).force_per_width) / (2 * step) ==
+              Approx(solution.tangent_per_width).epsilon(1e-6));
     }
 }
 
@@ -317,6 +409,32 @@ TEST_CASE("the exact border under a table", "[friction]") {
     CHECK(strip.force_error < 1e-6 * full_force);
     const auto smooth = solve_stick_border(contact, kernel, 1.0, shape, creepage(0.3));
     CHECK(strip.force_per_width == Approx(smooth.force_per_width).epsilon(1e-4));
+}
+
+TEST_CASE("a table that falls to zero in a line leaves slip at the leading edge", "[friction]") {
+    const Plane plane;
+    const Shaped shape{[](double) { return 1.0; }};
+    const auto with = [&](int count, double ratio) { return plane.solve(table_of(shape, count), ratio, 160); };
+    // too little of it to count where the last piece is short
+    for (const auto& [count, ratio] : {std::pair(40, 0.6), std::pair(100, 0.9)}) {
+        const auto solution = with(count, ratio);
+        CAPTURE(count, ratio, solution.force_error / full_force);
+        CHECK(solution.exact);
+        CHECK(solution.complementarity_residual > 1e-4);
+        const double elements =
+            plain_force(plane.contact, plane.kernel, cosine_mesh<double>(640), table_of(shape, count), creepage(ratio));
+        CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-4);
+    }
+    for (const auto& [count, ratio] : {std::pair(10, 0.3), std::pair(40, 0.9)}) {
+        const auto solution = with(count, ratio);
+        CAPTURE(count, ratio);
+        CHECK_FALSE(solution.exact);
+        CHECK(solution.status == StepStatus::ok);
+        // slip at both ends, stick between
+        CHECK(solution.slip(1) > 0);
+        CHECK(solution.slip(-1) > 0);
+        CHECK(solution.slip(ratio) == 0);
+    }
 }
 
 TEST_CASE("the exact border under a uniform pressure", "[friction]") {

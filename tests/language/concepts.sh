@@ -17,6 +17,7 @@ try() {
         cat > "$folder/unit.cpp" <<END
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 using namespace rollbem;
 struct RightScheme {
@@ -61,3 +62,5 @@ try "a scheme whose rows are none" RollingScheme "mesh, OtherRows{}, RightKernel
 try "a kernel without antiderivatives" LineKernel "mesh, RightScheme{}, WrongKernel{}"
 try "Chebyshev states of a kernel with its split" - "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"
 try "Chebyshev states of a kernel without" SmoothSplitKernel "Chebyshev{}, RightKernel{}"
+try "Chebyshev states of a layered kernel" SmoothSplitKernel \
+    "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"

@@ -238,10 +238,16 @@ TEST_CASE("Models", "[domain]") {
     refuses<double>("friction_coefficient", bad<double>({-1e-300, infinity}), [&](double mu) { both(mu, 1); });
     refuses<double>("normal_pressure", bad<double>({-1e-300, infinity}), [&](double p) { both(0.3, p); });
 
-    for (const Purpose purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop, Purpose::friction}) {
+    for (const Purpose::Adhesion purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop}) {
         refuses<double>("tolerance", bad<double>({0, -1e-3}),
                         [&](double tolerance) { recommended_scheme(tolerance, purpose); });
+        refuses<double>("tolerance", bad<double>({0, -1e-3}),
+                        [&](double tolerance) { recommended_elements(tolerance, purpose); });
+        refuses<double>("aspect", {0, -1, 9.9e-3, std::numeric_limits<double>::quiet_NaN()},
+                        [&](double aspect) { recommended_scheme(0.1, purpose, aspect); });
     }
+    refuses<double>("tolerance", bad<double>({0, -1e-3}),
+                    [&](double tolerance) { recommended_scheme(tolerance, Purpose::friction); });
 }
 
 }  // namespace

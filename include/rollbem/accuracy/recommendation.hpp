@@ -1,11 +1,14 @@
-// Which mesh, how many elements, and whether to extrapolate: a stable and cheap element scheme for a required
-// precision. Stands on measured errors, a table below; knows no matrices.
+// How to discretise for a required precision: how many Chebyshev states in full adhesion, which mesh and how many
+// elements with friction. Stands on measured errors, tables below; knows no matrices.
 #pragma once
 
 #include "../detail/language.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
 
 #include <Eigen/Core>
@@ -14,21 +17,42 @@
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
+#include "../spectral/chebyshev.hpp"
 #include "richardson.hpp"
 
 namespace rollbem {
 
-/// What a scheme is wanted for, and which relative error its tolerance limits.
-enum class Purpose {
-    steady,     ///< c11 of steady rolling
-    frequency,  ///< |c11| at frequencies omega a/V from 0 to 5
-    time_loop,  ///< the force from q/a = 1 on after a step of creepage; what the integrator adds comes on top
-    friction,   ///< the steady force with Coulomb friction under Hertz pressure, at creepage ratios from 0.05 on
+/// What a scheme is wanted for, and which relative error its tolerance limits: Purpose::steady, Purpose::frequency,
+/// Purpose::time_loop, Purpose::friction. Full adhesion and friction are types of their own, because what is
+/// recommended for them is.
+struct Purpose {
+    enum class Adhesion {
+        steady,     ///< c11 of steady rolling
+        frequency,  ///< |c11| at frequencies omega a/V from 0 to 5
+        time_loop,  ///< the force from q/a = 1 on after a step of creepage; what the integrator adds comes on top
+    };
+    enum class Friction {
+        friction,  ///< the steady force with Coulomb friction under Hertz pressure, at creepage ratios from 0.05 on
+    };
+    using enum Adhesion;
+    using enum Friction;
 };
 
-/// A scheme that recommended_scheme() returns: always collocation with finite differences at alpha_L = alpha_T = 0.5,
-/// which no mesh tried made unstable.
-struct RecommendedScheme {
+/// Chebyshev states for full adhesion. They are stable in any number.
+struct RecommendedStates {
+    Chebyshev method;
+    double error_bound = 0;  ///< of the relative error, at most the tolerance asked for
+
+    /// solve(method); `solve` returns a real or complex number. A solve that takes whatever it is handed works for
+    /// states and elements alike; see RecommendedElements.
+    template <class Scalar = double, class Solve>
+    auto evaluate(const Solve& solve) const {
+        return solve(method);
+    }
+};
+
+/// Elements: always collocation with finite differences at alpha_L = alpha_T = 0.5, which no mesh tried made unstable.
+struct RecommendedElements {
     Topology topology = Topology::cosine;  ///< uniform or cosine
     Eigen::Index n = 0;      ///< elements; of the finer mesh where results are extrapolated, and even then
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
@@ -41,71 +65,89 @@ struct RecommendedScheme {
         return make_mesh<Scalar>({.topology = topology, .n = count});
     }
 
-    /// solve(mesh), extrapolated where that is recommended; `solve` returns a real or complex number.
+    /// solve(mesh, scheme), extrapolated where that is recommended; `solve` returns a real or complex number. For
+    /// states and elements alike:
     ///
-    ///     const RecommendedScheme best = recommended_scheme(1e-4, Purpose::steady);
-    ///     const double c11 = best.evaluate(
-    ///         [&](const Mesh<double>& mesh) { return solve_steady(mesh, best.scheme, kernel).c11; });
+    ///     const auto c11 = [&](const auto&... method) { return solve_steady(method..., kernel).c11; };
+    ///     const double by_states = recommended_scheme(1e-6, Purpose::steady).evaluate(c11);
+    ///     const double by_elements = recommended_elements(1e-6, Purpose::steady).evaluate(c11);
     template <class Scalar = double, class Solve>
     auto evaluate(const Solve& solve) const {
-        auto fine = solve(mesh<Scalar>(n));
-        return order > 0 ? richardson(solve(mesh<Scalar>(n / 2)), fine, static_cast<Scalar>(order)) : fine;
+        auto fine = solve(mesh<Scalar>(n), scheme);
+        return order > 0 ? richardson(solve(mesh<Scalar>(n / 2), scheme), fine, static_cast<Scalar>(order)) : fine;
     }
 };
 
 namespace detail {
 
-/// A measured bound of relative errors: below factor n^-exponent for n from least_n on.
+/// A measured bound of relative errors of elements: below factor n^-exponent for n from least_n on.
 struct MeasuredError {
-    Purpose purpose;
     Topology topology;
     double order;  ///< of Richardson's extrapolation; 0: none
     double factor, exponent;
     Eigen::Index least_n;
-    double smallest_tolerance;  ///< for which it is the cheapest
 };
 
-/// For each purpose, the first that is not too coarse for the tolerance. Measured against the closed forms of the plane
-/// kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a from 10 on. For steady rolling at a coarse
-/// tolerance, the Toeplitz assembly on the uniform mesh counts for more than the finer mesh.
-inline constexpr MeasuredError measured_errors[] = {
-    {Purpose::steady, Topology::uniform, 1, 0.19, 2.8, 6, 1e-5},  // 1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34 elements
-    {Purpose::steady, Topology::cosine, 2, 0.9, 3.4, 6, 0},       // 1e-6 -> 58, 1e-8 -> 220
-    {Purpose::frequency, Topology::cosine, 2, 33, 3, 4, 0},       // 1e-2 -> 16, 1e-4 -> 70, 1e-6 -> 322
-    {Purpose::time_loop, Topology::cosine, 0, 0.18, 2, 4, 0},     // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
-    {Purpose::friction, Topology::cosine, 0, 1.4, 1.85, 4, 0},    // 1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
-};
-
-inline const MeasuredError& measured_error(double tolerance, Purpose purpose) {
-    const MeasuredError* last = measured_errors;
-    for (const MeasuredError& measured : measured_errors) {
-        if (measured.purpose != purpose) continue;
-        last = &measured;
-        if (!(tolerance < measured.smallest_tolerance)) break;
+/// Measured against the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a
+/// from 10 on. For steady rolling at a coarse tolerance, the Toeplitz assembly on the uniform mesh counts for more than
+/// the finer mesh.
+inline MeasuredError measured_error(double tolerance, Purpose::Adhesion purpose) {
+    switch (purpose) {
+        case Purpose::steady:
+            if (!(tolerance < 1e-5)) return {Topology::uniform, 1, 0.19, 2.8, 6};  // 1e-3 -> 8, 1e-4 -> 16, 1e-5 -> 34
+            return {Topology::cosine, 2, 0.9, 3.4, 6};                             // 1e-6 -> 58, 1e-8 -> 220
+        case Purpose::frequency: return {Topology::cosine, 2, 33, 3, 4};           // 1e-2 -> 16, 1e-4 -> 70
+        case Purpose::time_loop: break;
     }
-    return *last;
+    return {Topology::cosine, 0, 0.18, 2, 4};  // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
+}
+inline MeasuredError measured_error(double, Purpose::Friction) {
+    return {Topology::cosine, 0, 1.4, 1.85, 4};  // 1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
 }
 
-}  // namespace detail
+/// A bound of the relative errors of m Chebyshev states at b/a, the sum of two.
+///
+/// The first is what the plane kernel has, nothing in steady rolling: 7 to 12 % more than the errors of
+///
+///     precision_study --schemes chebyshev-states --quantity c11_z5,step_force --aspect 10 --poisson 0
+///
+/// (larger b/a and nu have smaller ones), or, up to four states, than those at omega a/V below 5 and between q/a = 1,
+/// 2 ..., which are larger. Narrower strips have up to 3 times as much, measured against 300 states and more.
+///
+/// The second is what the smooth part of a strip's kernel adds, measured in steady rolling against 300 states and more
+/// for b/a from 0.01 to 1000 and nu from 0 to 0.5. It falls like rho^-m with rho = b + sqrt(1 + b^2) from the
+/// singularities at a distance b, and faster for b < a.
+inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double aspect) {
+    constexpr std::array frequency{0.14,    0.096,   0.068,  0.051,  0.0275,  0.0099,  2.4e-3, 3.6e-4,
+                                   3.95e-5, 3.25e-6, 2.1e-7, 1.1e-8, 4.8e-10, 1.8e-11, 5.7e-13};
+    constexpr std::array step{0.096, 0.016, 4.4e-3, 1.8e-3, 1.18e-3};  // then of second order
+    const auto entry = [m](const auto& errors, double beyond) {
+        const auto at = static_cast<std::size_t>(m - 1);
+        return at < errors.size() ? errors[at] : beyond;
+    };
+    const double count = static_cast<double>(m);
+    const double strip = 0.6 * std::exp(-count * std::asinh(std::max(aspect, std::sqrt(aspect))));
+    const double narrow = aspect < 10 ? 3 : 1;
+    switch (purpose) {
+        case Purpose::steady: break;
+        case Purpose::frequency: return narrow * entry(frequency, 0) + strip;
+        case Purpose::time_loop: return narrow * entry(step, 0.022 / (count * count)) + strip;
+    }
+    return strip;
+}
 
-/// An element scheme, stable and among the cheapest, whose relative error stays below the tolerance, by the measured
-/// errors above: so that no change of sign of an error counts as precision. With the strip kernel the error against the
-/// strip's own solution is the same from b/a = 10 on; narrower strips need more elements (steady: up to 5 times the
-/// error at b/a = 1, 150 times at 0.1). A strip's distance from the plane, of order (a/b)^2, is the model's. With
-/// friction, errors jump with the element at the border of slip; extrapolation, which helps at some creepages, is not
-/// relied on. Where only c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at
-/// less cost. Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
-inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
+template <class AnyPurpose>
+RecommendedElements recommended_elements(double tolerance, AnyPurpose purpose) {
     constexpr Eigen::Index largest = 640;
-    const detail::MeasuredError& measured = detail::measured_error(tolerance, purpose);
+    const MeasuredError measured = measured_error(tolerance, purpose);
     const double factor = measured.factor, exponent = measured.exponent;
-    RecommendedScheme result;
+    RecommendedElements result;
     result.topology = measured.topology;
     result.order = measured.order;
     const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
-    if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
-        const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): no more was measured";
-        detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
+    if (!is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
+        const std::string rule = "lie in [" + to_text(smallest) + ", 1): no more was measured";
+        require(false, "recommended_elements", "tolerance", tolerance, rule.c_str());
     }
     result.n =
         std::max(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
@@ -113,6 +155,59 @@ inline RecommendedScheme recommended_scheme(double tolerance, Purpose purpose) {
     result.n = std::min(result.n, largest);  // the rounding of pow
     result.error_bound = std::min(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
     return result;
+}
+
+}  // namespace detail
+
+/// An element scheme, stable and among the cheapest of elements, whose relative error stays below the tolerance, by the
+/// measured errors above: so that no change of sign of an error counts as precision. In full adhesion it is for what
+/// states do not have: tractions of elements, kernels without a logarithm; elsewhere recommended_scheme() costs less.
+/// With the strip kernel the error against the strip's own solution is the same from b/a = 10 on; narrower strips need
+/// more elements (steady: up to 5 times the error at b/a = 1, 150 times at 0.1). With friction, errors jump with the
+/// element at the border of slip; extrapolation, which helps at some creepages, is not relied on. Throws
+/// std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
+inline RecommendedElements recommended_elements(double tolerance, Purpose::Adhesion purpose) {
+    return detail::recommended_elements(tolerance, purpose);
+}
+inline RecommendedElements recommended_elements(double tolerance, Purpose::Friction purpose) {
+    return detail::recommended_elements(tolerance, purpose);
+}
+
+/// For full adhesion: as few Chebyshev states as keep the relative error below the tolerance by the measured bounds
+/// above. `aspect` is b/a of a strip; the default serves all strips and plane kernels from 10 on.
+///
+///     const RecommendedStates best = recommended_scheme(1e-6, Purpose::frequency);  // 11 states
+///     const auto system = rolling_system(best.method, kernel);
+///     const std::complex<double> c11 = solve_harmonic(system, 5.0).c11;
+///
+/// A strip's distance from the plane, of order (a/b)^2, is the model's. Where only c11 for the plane kernel is wanted,
+/// steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws std::invalid_argument unless aspect >= 0.01
+/// and tolerance < 1 is large enough for 400 states: 1e-11, for a time loop 1.4e-7 (4.2e-7 for b/a < 10).
+inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion purpose, double aspect = 10) {
+    constexpr Eigen::Index largest = 400;
+    detail::require(!detail::is_nan(aspect) && aspect >= 0.01, "recommended_scheme", "aspect", aspect,
+                    "be at least 0.01: no narrower strip was measured");
+    const double smallest = std::max(1e-11, detail::states_error(purpose, largest, aspect));
+    if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
+        const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): no more was measured";
+        detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
+    }
+    RecommendedStates result{.method = {.states = 1}};
+    Eigen::Index& m = result.method.states;
+    while (detail::states_error(purpose, m, aspect) > tolerance) ++m;
+    // rounding counts where nothing else does
+    const double rounding = static_cast<double>(10 * m) * std::numeric_limits<double>::epsilon();
+    result.error_bound = std::min(tolerance, detail::states_error(purpose, m, aspect) + rounding);
+    return result;
+}
+
+/// For friction: elements.
+///
+///     const RecommendedElements best = recommended_scheme(1e-3, Purpose::friction);
+///     const Mesh<double> mesh = best.mesh(best.n);
+///     const SteadyFrictionModel<double> model(contact, mesh, best.scheme, kernel, friction);
+inline RecommendedElements recommended_scheme(double tolerance, Purpose::Friction purpose) {
+    return recommended_elements(tolerance, purpose);
 }
 
 }  // namespace rollbem

@@ -5,11 +5,8 @@
 #include "../detail/language.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,47 +19,19 @@
 #include "../scene/contact.hpp"
 #include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
+#include "detail/breathing_step.hpp"
+#include "detail/rational_exponential.hpp"
+#include "detail/unprepared_step.hpp"
 #include "integrator.hpp"
 #include "stability_verdict.hpp"
+#include "transient_state.hpp"
 
 namespace rollbem {
 
-/// All that the next step needs of the past. A copy is a checkpoint; written to a file and read back, it goes on to the
-/// last bit as if nothing had happened.
-template <class Scalar>
-struct TransientState {
-    VectorX<Scalar> traction;  ///< the system's unknowns times G: of elements p on body 1 [Pa], trailing to leading
-    std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
-};
-
-/// Result of one step. Not a number where the status is not ok.
-template <class Scalar>
-struct TransientStep {
-    Scalar force = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b F_bar on body 1 [N]
-    Scalar force_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< F_bar [N/m]
-    /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
-    Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();
-    StepStatus status = StepStatus::not_finite;
-};
-
-/// Everything that a step of a given dq needs, computed once: n^2 numbers. Const use is safe from several threads.
-template <class Scalar>
-class PreparedStep {
-public:
-    Scalar dq() const { return dq_; }  ///< distance rolled in the step [m]
-
-private:
-    std::uint64_t made_for_ = 0;  // the model that prepared it: its fingerprint, and its integrator
-    Scalar dq_ = 0;
-    // Columns [change, per_shift, per_ramp]: p_new - p = change p + per_shift (xi dq) + per_ramp (change of xi) dq.
-    MatrixX<Scalar> map_;                              // n x (n+2) [-], [Pa/m], [Pa/m]
-    Scalar force_per_shift_ = 0, force_per_ramp_ = 0;  // [N/m]
-
-    template <class>
-    friend class TransientModel;
-};
-
 /// The contact as a force element. Built once; const and free of caches, so threads may share it. SI units outside.
+///
+/// The half-length may change from step to step where can_breathe(): the unknowns then live on x = a zeta, and what a
+/// state holds at one half-length is carried to the next. b stays as it is.
 ///
 /// Invariant: the half-width is finite, and the scheme is stable as far as the verdict says.
 ///
@@ -100,22 +69,31 @@ public:
     std::uint64_t fingerprint() const { return fingerprint_; }  ///< of the system and the contact
     Integrator integrator() const { return integrator_; }
 
-    /// No traction anywhere.
-    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_}; }
+    /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
+    /// of the plane kernel) of up to largest_unprepared unknowns, by implicit_euler and sdirk2.
+    bool can_breathe() const {
+        return system_.log_strength() && system_.points() && size() <= largest_unprepared && rational_.stages <= 2;
+    }
 
-    /// Steady rolling at a creepage [-]: G' p = xi, Eq. (15). Throws std::invalid_argument unless it is finite.
+    /// No traction anywhere, at the contact's half-length.
+    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, half_length_}; }
+
+    /// Steady rolling at a creepage [-] at the contact's half-length: G' p = xi, Eq. (15). Throws std::invalid_argument
+    /// unless it is finite.
     State steady(Scalar creepage) const;
 
-    /// 2b F_bar of a state [N]. The state must have size() elements.
-    Scalar force(const State& state) const { return areas_.dot(state.traction); }
+    /// 2b F_bar of a state [N], at its half-length. The state must have size() elements.
+    Scalar force(const State& state) const { return areas_.dot(state.traction) * (state.half_length / half_length_); }
 
     /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; with dq = 0 the
     /// step takes rigid shifts only.
     Prepared prepare(Scalar dq) const;
 
     /// One step of a prepared dq: one product of a matrix and a vector, no allocation. `from` is never written.
-    /// `to` must be another state of the same size. It is left alone where the status is invalid_step, needs_prepare or
-    /// wrong_state or the motion is not finite; it becomes a copy of `from` where the result is not finite.
+    /// `to` must be another state of the same size. It is left alone where the status is invalid_step, needs_prepare,
+    /// needs_fixed_mesh, invalid_load or wrong_state or the motion is not finite; it becomes a copy of `from` where the
+    /// result is not finite. The half-length stays that of `from`; where it is not the contact's, the step is solved
+    /// as if it were not prepared.
     Step advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion, State& to) const noexcept;
 
     /// One step of any dq [m], positive and finite. Up to largest_unprepared elements it solves for the step at once,
@@ -123,22 +101,22 @@ public:
     /// above.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to) const noexcept;
 
+    /// One step of any dq [m] at whose end the contact's half-length is `half_length` [m], on a straight way from that
+    /// of `from`, without heap memory: sdirk2 is of second order in dq where creepage and length are smooth in each
+    /// step. dq is the way that the middle of the contact rolls. The status is
+    /// - invalid_load where the half-length is not positive and finite;
+    /// - needs_fixed_mesh where the length would change by dq or more, with dq = 0 by anything, so that an edge does not
+    ///   roll forward; and where the model cannot breathe, unless both half-lengths are the contact's: such a step is
+    ///   the one above.
+    /// Otherwise as above.
+    BreathingTransientStep<Scalar> advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
+                                           Scalar half_length, State& to) const noexcept;
+
 private:
     using Motion = RigidMotion<Scalar>;
-    using SmallVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, largest_unprepared, 1>;
-
-    // Shift at constant creepage, what a linear change adds, and what the tangent is taken by.
-    struct Travel {
-        Scalar shift, ramp;                          // [m]
-        Scalar shift_per_end = 0, ramp_per_end = 0;  // derivatives by the motion's end value
-    };
+    using Travel = detail::Travel<Scalar>;
 
     std::uint64_t preparation() const { return fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator_)); }
-
-    static constexpr std::size_t index(int j) { return static_cast<std::size_t>(j); }
-
-    // Coefficients of (r(w) - 1)/w - 1 in y^j: the response to linear creepage.
-    Scalar ramp_weight(int j) const { return gamma_ * (b_[index(j)] + b_[index(j + 1)]); }
 
     // e^w is taken for steps so short that the norm of w is at most 1/16: there the eighth order r(w) is exact to
     // rounding. The cap matters only where G is singular to rounding: what it leaves out decays at once.
@@ -148,9 +126,11 @@ private:
 
     StepStatus check(const State& from, Scalar dq, const Motion& motion, const State& to) const noexcept {
         const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
-                          to.traction.size() == size();
+                          to.traction.size() == size() && is_length(from.half_length);
         return fits ? motion.check(dq) : StepStatus::wrong_state;
     }
+
+    static bool is_length(Scalar a) noexcept { return detail::is_finite(a) && a > 0; }
 
     static Step failed(StepStatus status) noexcept {
         Step result;
@@ -158,37 +138,36 @@ private:
         return result;
     }
 
-    static Travel travel_of(const Motion& motion, Scalar dq) noexcept {
-        if (motion.is_shift()) return {.shift = motion.start(), .ramp = 0, .shift_per_end = 1};
-        const Scalar shift = motion.start() * dq;
-        if (!motion.is_linear()) return {.shift = shift, .ramp = 0, .shift_per_end = dq};
-        return {.shift = shift, .ramp = (motion.end() - motion.start()) * dq, .ramp_per_end = dq};
-    }
-
     Step finish(const State& from, const Travel& travel, Scalar force_per_shift, Scalar force_per_ramp,
                 State& to) const noexcept {
+        to.half_length = half_length_;
+        return finish(from, areas_.dot(to.traction),
+                      travel.shift_per_end * force_per_shift + travel.ramp_per_end * force_per_ramp, to);
+    }
+
+    Step finish(const State& from, Scalar force, Scalar tangent, State& to) const noexcept {
         to.system = fingerprint_;
-        Step result;
-        result.force = areas_.dot(to.traction);
-        result.force_per_width = result.force / width_;
-        result.tangent = travel.shift_per_end * force_per_shift + travel.ramp_per_end * force_per_ramp;
-        result.status = StepStatus::ok;
-        if (detail::is_finite(result.force) && detail::is_finite(result.tangent)) return result;
+        if (detail::is_finite(force) && detail::is_finite(tangent)) {
+            return {force, force / width_, tangent, StepStatus::ok};
+        }
         to.traction = from.traction;
+        to.half_length = from.half_length;
         return failed(StepStatus::not_finite);
     }
 
     // What prepare() does for a whole matrix, for this one state. Apart from advance() so that only it needs the stack.
     [[gnu::noinline]] Step solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept;
 
+    // The same from one half-length to another, after all checks but those of the change.
+    [[gnu::noinline]] BreathingTransientStep<Scalar> breathe(const State& from, Scalar dq, const Travel& travel,
+                                                             Scalar half_length, State& to) const noexcept;
+
     Scalar half_length_, width_, traction_scale_;  // a [m], 2b [m], G/a [Pa/m]
     RollingSystem<Scalar> system_;
     std::uint64_t fingerprint_;
     Integrator integrator_;
     VectorX<Scalar> areas_;  // 2b a times the weights: 2b dx of each element [m^2]
-    int stages_ = 1;
-    Scalar gamma_ = 1;
-    std::array<Scalar, 10> b_{};
+    detail::RationalExponential<Scalar> rational_;
 };
 
 template <class Scalar_>
@@ -199,25 +178,10 @@ TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, RollingS
       traction_scale_(contact.shear_modulus() / contact.half_length()),
       system_(std::move(system)),
       fingerprint_(detail::fingerprint_of(contact, system_.fingerprint())),
-      integrator_(integrator) {
+      integrator_(integrator),
+      rational_(integrator) {
     detail::require_same_aspect("TransientModel", contact, system_);
     areas_ = width_ * half_length_ * system_.weights().matrix();
-    // r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are
-    // Laguerre polynomials of 1/gamma. It is cut off after `stages_` terms, where 1/gamma is a zero of the
-    // Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
-    const Scalar inverse_gamma = integrator == Integrator::implicit_euler ? Scalar(1)
-                                 : integrator == Integrator::sdirk2
-                                     ? 2 + std::sqrt(Scalar(2))
-                                     : static_cast<Scalar>(4.266700170287658793649421826900639634482L);
-    stages_ = integrator == Integrator::implicit_euler ? 1 : integrator == Integrator::sdirk2 ? 2 : 8;
-    gamma_ = 1 / inverse_gamma;
-    Scalar before = 1;
-    b_[1] = inverse_gamma;
-    for (int j = 1; j < stages_; ++j) {
-        const Scalar next = ((inverse_gamma - Scalar(2 * j)) * b_[index(j)] - Scalar(j - 1) * before) / Scalar(j + 1);
-        before = b_[index(j)];
-        b_[index(j + 1)] = next;
-    }
 }
 
 template <class Scalar_>
@@ -226,7 +190,7 @@ auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
     MatrixX<Scalar> traction(size(), 1);
     traction.setConstant(creepage * traction_scale_ * half_length_);
     solve(system_.G_prime(), traction);
-    return {traction, fingerprint_};
+    return {traction, fingerprint_, half_length_};
 }
 
 template <class Scalar_>
@@ -239,20 +203,20 @@ auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
     // Powers of Y = gamma h (G - gamma h G')^-1 G' make the change of p; applied to the column beside it, those of
     // the creepage.
     MatrixX<Scalar> Y(n, n + 1);
-    Y.leftCols(n) = gamma_ * h * system_.G_prime();
-    Y.col(n).setConstant(gamma_);
-    solve(system_.G() - gamma_ * h * system_.G_prime(), Y);
+    Y.leftCols(n) = rational_.gamma * h * system_.G_prime();
+    Y.col(n).setConstant(rational_.gamma);
+    solve(system_.G() - rational_.gamma * h * system_.G_prime(), Y);
     Prepared step;
     step.made_for_ = preparation();
     step.dq_ = dq;
     MatrixX<Scalar>& map = step.map_;
     map.setZero(n, n + 2);
     MatrixX<Scalar> product(n, n + 2);
-    for (int j = stages_; j >= 1; --j) {
+    for (int j = rational_.stages; j >= 1; --j) {
         product.noalias() = Y.leftCols(n) * map;
         map = product;
-        map.leftCols(n + 1) += b_[index(j)] * Y;
-        map.col(n + 1) += ramp_weight(j) * Y.col(n);
+        map.leftCols(n + 1) += rational_.b(j) * Y;
+        map.col(n + 1) += rational_.ramp_weight(j) * Y.col(n);
     }
     // Two steps in one. On e^w - 1 rather than e^w, so that short steps keep their digits.
     for (int k = 0; k < doublings; ++k) {
@@ -274,7 +238,8 @@ auto TransientModel<Scalar_>::advance(const State& from, const Prepared& step, c
     if (status != StepStatus::ok) return failed(status);
     const Eigen::Index n = size();
     if (step.made_for_ != preparation()) return failed(StepStatus::wrong_state);
-    const Travel travel = travel_of(motion, step.dq_);
+    const Travel travel(motion, step.dq_);
+    if (from.half_length != half_length_) return breathe(from, step.dq_, travel, from.half_length, to);
     to.traction = from.traction + travel.shift * step.map_.col(n) + travel.ramp * step.map_.col(n + 1);
     to.traction.noalias() += step.map_.leftCols(n) * from.traction;
     return finish(from, travel, step.force_per_shift_, step.force_per_ramp_, to);
@@ -285,8 +250,21 @@ auto TransientModel<Scalar_>::advance(const State& from, Scalar dq, const RigidM
                                       State& to) const noexcept -> Step {
     const StepStatus status = check(from, dq, motion, to);
     if (status != StepStatus::ok) return failed(status);
-    if (size() > largest_unprepared || stages_ > 2) return failed(StepStatus::needs_prepare);
-    return solve_step(from, dq, travel_of(motion, dq), to);
+    if (from.half_length != half_length_) return breathe(from, dq, Travel(motion, dq), from.half_length, to);
+    if (size() > largest_unprepared || rational_.stages > 2) return failed(StepStatus::needs_prepare);
+    return solve_step(from, dq, Travel(motion, dq), to);
+}
+
+template <class Scalar_>
+auto TransientModel<Scalar_>::advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
+                                      Scalar half_length, State& to) const noexcept -> BreathingTransientStep<Scalar> {
+    const StepStatus status = check(from, dq, motion, to);
+    if (status != StepStatus::ok) return {failed(status)};
+    if (!is_length(half_length)) return {failed(StepStatus::invalid_load)};
+    if (!can_breathe() && from.half_length == half_length_ && half_length == half_length_) {
+        return {advance(from, dq, motion, to)};
+    }
+    return breathe(from, dq, Travel(motion, dq), half_length, to);
 }
 
 template <class Scalar_>
@@ -311,37 +289,30 @@ void TransientModel<Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& rig
 template <class Scalar_>
 auto TransientModel<Scalar_>::solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept
     -> Step {
-    const Eigen::Index n = size();
-    const Scalar h = dq / half_length_;
-    alignas(64) std::array<Scalar, largest_unprepared * largest_unprepared> memory;
-    std::array<Eigen::Index, largest_unprepared> swaps;
-    Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n) = system_.G() - gamma_ * h * system_.G_prime();
-    const detail::MatrixRef<Scalar> factors(Eigen::Map<MatrixX<Scalar>>(memory.data(), n, n));
-    detail::factorise_in_place<Scalar>(factors, swaps.data());
+    detail::UnpreparedStep<Scalar, largest_unprepared> step;
+    step.solve(system_, rational_, dq / half_length_, from.traction, to.traction);
+    to.traction -= traction_scale_ * (travel.shift * step.per_shift() + travel.ramp * step.per_ramp());
+    return finish(from, travel, -traction_scale_ * areas_.dot(step.per_shift()),
+                  -traction_scale_ * areas_.dot(step.per_ramp()), to);
+}
 
-    SmallVector unit = SmallVector::Constant(n, gamma_);
-    detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
-    SmallVector right(n);
-    SmallVector change(n);
-    change.noalias() = system_.G_prime() * from.traction;
-    change *= gamma_ * h;
-    detail::solve_in_place<Scalar>(factors, swaps.data(), change);
-    SmallVector per_shift = b_[1] * unit;
-    SmallVector per_ramp = ramp_weight(1) * unit;
-    to.traction = from.traction + b_[1] * change;
-    for (int j = 2; j <= stages_; ++j) {
-        right.noalias() = system_.G_prime() * unit;
-        unit = gamma_ * h * right;
-        detail::solve_in_place<Scalar>(factors, swaps.data(), unit);
-        per_shift += b_[index(j)] * unit;
-        per_ramp += ramp_weight(j) * unit;
-        right.noalias() = system_.G_prime() * change;
-        change = gamma_ * h * right;
-        detail::solve_in_place<Scalar>(factors, swaps.data(), change);
-        to.traction += b_[index(j)] * change;
-    }
-    to.traction -= traction_scale_ * (travel.shift * per_shift + travel.ramp * per_ramp);
-    return finish(from, travel, -traction_scale_ * areas_.dot(per_shift), -traction_scale_ * areas_.dot(per_ramp), to);
+template <class Scalar_>
+auto TransientModel<Scalar_>::breathe(const State& from, Scalar dq, const Travel& travel, Scalar half_length,
+                                      State& to) const noexcept -> BreathingTransientStep<Scalar> {
+    const Scalar change = half_length - from.half_length;
+    const bool rolls_forward = change == 0 || std::abs(change) < dq;
+    if (!can_breathe() || !rolls_forward) return {failed(StepStatus::needs_fixed_mesh)};
+    detail::BreathingStep<Scalar, largest_unprepared> step(system_, rational_);
+    const Scalar ratio = half_length / half_length_;
+    step.solve(from.traction, from.half_length / half_length_, ratio, dq / half_length_,
+               travel.scaled(traction_scale_));
+    to.traction = from.traction + step.change();
+    to.half_length = half_length;
+    const Scalar force = areas_.dot(to.traction);
+    BreathingTransientStep<Scalar> result{finish(from, ratio * force, ratio * areas_.dot(step.per_end()), to)};
+    if (result.status != StepStatus::ok) return result;
+    result.tangent_by_half_length = (force + ratio * areas_.dot(step.per_length())) / half_length_;
+    return result;
 }
 
 }  // namespace rollbem

@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include "assembly.hpp"
+#include "chebyshev.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
 #include "polynomial.hpp"

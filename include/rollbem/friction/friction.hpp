@@ -5,8 +5,10 @@
 #include "../detail/language.hpp"
 
 #include "../normal/hertz.hpp"
+#include "../normal/hertz_load.hpp"
 #include "../normal/load.hpp"
 #include "../normal/pressure_table.hpp"
+#include "combined.hpp"
 #include "steady.hpp"
 #include "stick_border.hpp"
 #include "transient.hpp"

@@ -25,9 +25,13 @@ namespace rollbem {
 /// Steady rolling of one contact, mesh, scheme and law of friction at any creepage. Const and free of caches: threads
 /// may share it. Creepage xi > 0 gives a negative force.
 ///
-/// The scheme must converge, which nothing here checks: the forces of one that does not (alpha <= 0, or alpha > 1) are
+/// The scheme must converge, which nothing here checks: the forces of one that does not (alpha < 0, or alpha > 1) are
 /// wrong wherever elements stick, whatever the status. Ask solve_steady(G_prime, widths) of steady.hpp before, whose
 /// status must not be inconsistent. Steady rolling asks for no stability in time.
+///
+/// Equations about the centres (alpha = 0) are a case of their own: inconsistent in full adhesion, right with friction.
+/// They lose no energy, and full adhesion, which loses it at the singular trailing edge, comes out without force. Slip
+/// is a loss they know: the force converges, of first order, from where several elements slip at the trailing edge.
 ///
 ///     const SteadyFrictionModel<double> model(contact, mesh, scheme, kernel, friction);
 ///     FrictionWorkspace<double> workspace = model.workspace();

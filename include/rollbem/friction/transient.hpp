@@ -26,7 +26,8 @@ namespace rollbem {
 /// gains energy. Elements that begin to slip or stick within a step cost no order.
 ///
 /// Asks of a scheme what TransientModel does: a verdict that its eigenvalues decay, and convergence to full adhesion.
-/// Friction bounds the tractions of any other, but they are wrong then.
+/// Friction bounds the tractions of any other, but they are wrong then, unless alpha = 0 and several elements slip at
+/// the trailing edge (see SteadyFrictionModel).
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel<double> model(contact, system, verdict(system), friction);
@@ -40,6 +41,7 @@ public:
     using Scalar = Scalar_;
     using State = FrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
+    using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
     /// Throws std::invalid_argument unless the verdict is one of this system's eigenvalues and settles that none grows,
@@ -77,17 +79,28 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return core_.force(state); }
 
+    /// Elastic energy of both bodies, E = 1/2 int p u dx, per unit width [J/m] and in all [J]: of the tractions alone,
+    /// whatever the load and the motion. Positive, but for tractions that change sign from element to element; of second
+    /// order in 1/n on cosine meshes at alpha = 0.5. The state must have size() elements; not a number under a
+    /// half-length that the system does not know.
+    ///
+    /// What the rigid bodies lose in the contact, -F times the rigid slip (creepage times the distance rolled), becomes
+    /// heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE, by any
+    /// scheme. The sum of slip_work_per_width agrees with it to the orders of both in n and dq.
+    Scalar elastic_energy_per_width(const State& state) const { return core_.elastic_energy(state, system_); }
+    Scalar elastic_energy(const State& state) const { return core_.width() * elastic_energy_per_width(state); }
+
     /// Steady rolling at a creepage [-] under the load of `from`, to start from: what SteadyFrictionModel::solve does,
     /// with states of this model.
     Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
-        const StepStatus possible = core_.check_load(from);
+        return settle(from, creepage, {from.normal_pressure, from.half_length}, to, workspace);
+    }
+    /// The same under another load. Where the half-length is not the contact's, the system must be one that can breathe.
+    Step steady(const State& from, Scalar creepage, const NormalLoad<Scalar>& load, State& to,
+                Workspace& workspace) const noexcept {
+        const StepStatus possible = load.check(system_.element_count());
         if (possible != StepStatus::ok) return Core::failed(possible);
-        const Scalar a = from.half_length / core_.half_length();
-        const StepStatus breathing = detail::check_growth(system_, Scalar(0), a, a);
-        if (breathing != StepStatus::ok) return Core::failed(breathing);
-        return core_.solve_steady(from, creepage, system_.G_prime(), {from.normal_pressure, from.half_length}, to,
-                                  workspace);
+        return settle(from, creepage, {load.normal_pressure, load.half_length}, to, workspace);
     }
 
     /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling. `from` is never written; `to`
@@ -96,17 +109,24 @@ public:
     /// `from` and the motion alone, to the last bit. No allocation; a new dq costs a factorisation.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to,
                  Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
-        const Scalar a = core_.half_length();
-        const Scalar distance = dq / a;
-        const StepStatus possible = motion.check(distance);
+        const Load load{from.normal_pressure, from.half_length};
+        const StepStatus possible = check(from, dq, motion, load, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        const StepStatus loaded = core_.check_load(from);
-        if (loaded != StepStatus::ok) return Core::failed(loaded);
-        const Scalar present = from.half_length / a;
-        const StepStatus breathing = detail::check_growth(system_, distance, present, present);
-        if (breathing != StepStatus::ok) return Core::failed(breathing);
-        return roll(from, distance, motion, {from.normal_pressure, from.half_length}, to, workspace);
+        return roll<false>(from, dq / core_.half_length(), motion, load, {load.pressure, false}, to, workspace);
+    }
+
+    /// The same under a load that goes evenly from that of `from` to this one at the end of the step. `to` is left alone
+    /// where the status is invalid_load or needs_fixed_mesh, too. Where a system can breathe (log_strength), the mesh
+    /// follows the half-length, |da| < dq; a new half-length costs a factorisation, new pressures cost none. Steps end
+    /// where the load has kinks, or they lose the second order of sdirk2.
+    LoadedStep advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const NormalLoad<Scalar>& load,
+                       State& to, Workspace& workspace) const noexcept {
+        StepStatus possible = load.check(system_.element_count());
+        const Load end{load.normal_pressure, load.half_length};
+        if (possible == StepStatus::ok) possible = check(from, dq, motion, end, to, workspace);
+        if (possible != StepStatus::ok) return {Core::failed(possible)};
+        const bool breathes = system_.log_strength() && dq > 0;
+        return roll<true>(from, dq / core_.half_length(), motion, end, {load.pressure_rate, breathes}, to, workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling.
@@ -118,32 +138,65 @@ private:
     using Core = detail::FrictionCore<Scalar>;
 
     using Stage = detail::RollingStage<Scalar>;
+    using Load = typename Core::Load;
 
     static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
 
-    // A step whose arguments have been checked; dq in a_0.
-    Step roll(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const typename Core::Load& load,
-              State& to, Workspace& workspace) const noexcept {
-        const Scalar unit = core_.half_length(), a = from.half_length / unit;
-        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U_memory.
+    // A step whose arguments have been checked; dq in a_0. With a load of its own it comes with the tangents by it.
+    template <bool loaded>
+    auto roll(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load,
+              const typename Core::LoadTangentsAsked& asked, State& to, Workspace& workspace) const noexcept {
+        const Scalar unit = core_.half_length(), a = from.half_length / unit, a_end = load.half_length / unit;
+        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
         const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
         const Scalar part = two_stages ? gamma : Scalar(1);
         const Scalar travel = motion.is_shift() ? part / unit : part * dq;
-        enter({.distance = part * dq, .half_length = a}, workspace);
-        core_.press(load.pressure, workspace);
-        core_.remember(from, workspace);
-        if (!two_stages) {
-            core_.impose(travel * motion.end(), system_, a, workspace);
-            return core_.solve_last(from, {.zones = from.zones}, {.first = 0, .last = travel}, load, unit, to,
-                                    workspace);
+        const detail::StagePlace<Scalar> first{part, part}, last{part, 1};
+        core_.remember(from, system_, a, a != a_end, workspace);
+        if constexpr (loaded) core_.begin_tangents(asked, workspace);
+        typename Core::Before before{.zones = &from.zones};
+        typename Core::Gain gain{.first = 0, .last = travel};
+        if (two_stages) {
+            enter(Stage::within(part, dq, a, a_end), workspace);
+            core_.press(from.normal_pressure, load.pressure, part, workspace);
+            core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
+            before = core_.solve_first(from, ratio, system_, workspace);
+            if constexpr (loaded) core_.carry_tangents(asked, system_, first, ratio, workspace);
+            gain.first = motion.is_linear() ? gamma * travel : travel;
+            core_.extrapolate_memory(system_, ratio, workspace);
         }
-        core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, a, workspace);
-        const typename Core::Before before = core_.solve_first(from, ratio, system_, workspace);
-        core_.extrapolate_memory(ratio, workspace);
-        core_.impose(travel * motion.end(), system_, a, workspace);
-        return core_.solve_last(from, before, {.first = motion.is_linear() ? gamma * travel : travel, .last = travel},
-                                load, unit, to, workspace);
+        enter(Stage::last(part, dq, a, a_end), workspace);
+        core_.press(load.pressure, workspace);
+        core_.impose(travel * motion.end(), system_, workspace);
+        const Step step = core_.solve_last(from, before, gain, load, unit, to, workspace);
+        if constexpr (loaded) {
+            return core_.with_tangents(step, asked, system_, last, load, workspace);
+        } else {
+            return step;
+        }
+    }
+
+    Step settle(const State& from, Scalar creepage, const Load& load, State& to, Workspace& workspace) const noexcept {
+        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
+        StepStatus possible = core_.check_load(from);
+        if (possible == StepStatus::ok) {
+            const Scalar a = load.half_length / core_.half_length();
+            possible = detail::check_growth(system_, Scalar(0), a, a);
+        }
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return core_.solve_steady(from, creepage, system_.G_prime(), load, to, workspace);
+    }
+
+    // Whether a step can be made at all.
+    StepStatus check(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load, const State& to,
+                     const Workspace& workspace) const noexcept {
+        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
+        const Scalar unit = core_.half_length();
+        StepStatus status = motion.check(dq / unit);
+        if (status == StepStatus::ok) status = core_.check_load(from);
+        if (status != StepStatus::ok) return status;
+        return detail::check_growth(system_, dq / unit, from.half_length / unit, load.half_length / unit);
     }
 
     // The matrix of a stage, unless the workspace has it already.

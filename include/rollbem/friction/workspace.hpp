@@ -10,7 +10,9 @@
 
 #include "../types.hpp"
 #include "detail/active_set.hpp"
+#include "detail/load_tangents.hpp"
 #include "detail/rolling_stage.hpp"
+#include "detail/stage_memory.hpp"
 
 namespace rollbem {
 
@@ -32,7 +34,8 @@ public:
           slip_(VectorX<Scalar>::Zero(n)),
           work_(VectorX<Scalar>::Zero(n)),
           bound_(VectorX<Scalar>::Zero(n)),
-          memory_(VectorX<Scalar>::Zero(n)),
+          memory_(n),
+          load_tangents_(n),
           carried_(VectorX<Scalar>::Zero(n)),
           response_(VectorX<Scalar>::Zero(n)) {}
 
@@ -55,8 +58,9 @@ private:
     std::uint64_t system_ = 0;  // the solver's matrix is that of this model and stage
     detail::RollingStage<Scalar> stage_{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
     VectorX<Scalar> slip_, work_;
-    VectorX<Scalar> bound_;    // mu p_n / G of the present stage
-    VectorX<Scalar> memory_;   // tractions that the present stage of a step starts from
+    VectorX<Scalar> bound_;  // mu p_n / G of the present stage
+    detail::StageMemory<Scalar> memory_;
+    detail::LoadTangents<Scalar> load_tangents_;
     VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
     VectorX<Scalar> response_;
     Scalar unit_tangent_ = 0, carried_tangent_ = 0;  // sum of areas times dp, by dc of the last stage and of the first

@@ -106,9 +106,42 @@ private:
     Scalar half_length_;
 };
 
-/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in a): Hertz's pressure over its peak. No cancellation
-/// at the edges: with x = -cos(theta), the mean m and the half difference h of theta, the integral is
+namespace detail {
+
+/// A stretch of the interval -1 ... 1: distances of its two ends from -1 (trailing) and from 1 (leading), its width.
+template <class Scalar>
+struct UnitStretch {
+    Scalar trailing_1, leading_1;
+    Scalar trailing_2, leading_2;
+    Scalar width;
+};
+
+/// Integrals over a stretch of sqrt(1 - x^2), and of 1/sqrt(1 - x^2): the angle that it takes of pi.
+template <class Scalar>
+struct SemicircleIntegrals {
+    Scalar area, angle;
+};
+
+/// No cancellation at the edges: with x = -cos(theta), the mean m and the half difference h of theta, the area is
 /// (h - sin h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
+template <class Scalar>
+SemicircleIntegrals<Scalar> integrate_semicircle(const UnitStretch<Scalar>& stretch) {
+    // sines and cosines of theta/2 of both edges are roots of their distances from the ends of the contact
+    const Scalar sine_1 = std::sqrt(stretch.trailing_1 / 2), cosine_1 = std::sqrt(stretch.leading_1 / 2);
+    const Scalar sine_2 = std::sqrt(stretch.trailing_2 / 2), cosine_2 = std::sqrt(stretch.leading_2 / 2);
+    const Scalar sine_mean = sine_2 * cosine_1 + cosine_2 * sine_1;
+    const Scalar sine_half = stretch.width / (2 * sine_mean);
+    const Scalar cosine_half = cosine_1 * cosine_2 + sine_1 * sine_2;
+    const Scalar half = std::atan2(sine_half, cosine_half);
+    const Scalar half_minus_sine = angle_minus_sine(half, sine_half);
+    // 1 - cos(h) cos(2m) = (1 - cos h) + 2 cos(h) sin^2 m
+    const Scalar versine = sine_half * sine_half / (1 + cosine_half);
+    return {half_minus_sine + sine_half * (versine + 2 * cosine_half * sine_mean * sine_mean), 2 * half};
+}
+
+}  // namespace detail
+
+/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in a): Hertz's pressure over its peak.
 template <class Scalar>
 ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh) {
     const Eigen::Index n = mesh.size();
@@ -116,18 +149,11 @@ ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh) {
     const auto& leading = mesh.edges_from_leading();
     ArrayX<Scalar> mean(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        // sines and cosines of theta/2 of both edges are roots of their distances from the ends of the contact
-        const Scalar sine_1 = std::sqrt(trailing[i] / 2), cosine_1 = std::sqrt(leading[i] / 2);
-        const Scalar sine_2 = std::sqrt(trailing[i + 1] / 2), cosine_2 = std::sqrt(leading[i + 1] / 2);
-        const Scalar sine_mean = sine_2 * cosine_1 + cosine_2 * sine_1;
-        const Scalar sine_half = mesh.widths()[i] / (2 * sine_mean);
-        const Scalar cosine_half = cosine_1 * cosine_2 + sine_1 * sine_2;
-        const Scalar half = std::atan2(sine_half, cosine_half);
-        const Scalar half_minus_sine = detail::angle_minus_sine(half, sine_half);
-        // 1 - cos(h) cos(2m) = (1 - cos h) + 2 cos(h) sin^2 m
-        const Scalar versine = sine_half * sine_half / (1 + cosine_half);
+        const Scalar width = mesh.widths()[i];
         mean[i] =
-            (half_minus_sine + sine_half * (versine + 2 * cosine_half * sine_mean * sine_mean)) / mesh.widths()[i];
+            detail::integrate_semicircle<Scalar>({trailing[i], leading[i], trailing[i + 1], leading[i + 1], width})
+                .area /
+            width;
     }
     return mean;
 }

@@ -5,27 +5,45 @@
 
 #include "../detail/finite.hpp"
 #include "../status.hpp"
+#include "creepage.hpp"
 
 namespace rollbem {
 
-/// Motion during one step. The same for both directions of creepage: which one it is, is the kernel's business.
+namespace detail {
+
+template <class Value>
+struct NumberOf {
+    using type = Value;
+};
 template <class Scalar>
+struct NumberOf<Creepage<Scalar>> {
+    using type = Scalar;
+};
+
+}  // namespace detail
+
+/// Motion during one step. Value_ is a number for one direction of creepage (which one it is, is the kernel's
+/// business), and Creepage<Scalar> for both.
+template <class Value_>
 class RigidMotion {
 public:
+    using Value = Value_;
+    using Scalar = typename detail::NumberOf<Value>::type;
+
     /// The same creepage xi [-] all the way.
-    RigidMotion(Scalar creepage) : start_(creepage), end_(creepage) {}  // NOLINT: a number is meant to convert
+    RigidMotion(Value creepage) : start_(creepage), end_(creepage) {}  // NOLINT: a creepage is meant to convert
 
     /// Creepage [-] that varies linearly along the way.
-    static RigidMotion linear(Scalar start, Scalar end) { return {start, end, Kind::linear}; }
+    static RigidMotion linear(Value start, Value end) { return {start, end, Kind::linear}; }
 
     /// Rigid shift xi dq [m] of body 1 against body 2, even along the way: needs no division by a speed that may
     /// vanish, and is allowed with dq = 0.
-    static RigidMotion shift(Scalar shift) { return {shift, shift, Kind::shift}; }
+    static RigidMotion shift(Value shift) { return {shift, shift, Kind::shift}; }
 
     bool is_shift() const { return kind_ == Kind::shift; }
     bool is_linear() const { return kind_ == Kind::linear; }  ///< made by linear(), whatever the values
-    Scalar start() const { return start_; }                   ///< creepage at the start [-], or the shift [m]
-    Scalar end() const { return end_; }                       ///< creepage at the end [-], or the shift [m]
+    Value start() const { return start_; }                    ///< creepage at the start [-], or the shift [m]
+    Value end() const { return end_; }                        ///< creepage at the end [-], or the shift [m]
 
     /// Whether it can go with a distance rolled of dq, in any unit: ok, invalid_step or not_finite.
     StepStatus check(Scalar dq) const noexcept {
@@ -36,9 +54,9 @@ public:
 private:
     enum class Kind { constant, linear, shift };
 
-    RigidMotion(Scalar start, Scalar end, Kind kind) : start_(start), end_(end), kind_(kind) {}
+    RigidMotion(Value start, Value end, Kind kind) : start_(start), end_(end), kind_(kind) {}
 
-    Scalar start_, end_;
+    Value start_, end_;
     Kind kind_ = Kind::constant;
 };
 

@@ -4,16 +4,11 @@
 
 #include "../detail/language.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
-#include <cstddef>
 #include <limits>
 #include <numbers>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -25,8 +20,10 @@
 #include "../detail/require.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../elasticity/plane_model.hpp"
+#include "../scene/contact.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
+#include "detail/chebyshev_compliance.hpp"
 #include "detail/quotient.hpp"
 
 namespace rollbem {
@@ -34,11 +31,16 @@ namespace rollbem {
 struct Chebyshev;
 template <class Scalar>
 struct ChebyshevSteadySolution;
+template <class Scalar>
+struct ChebyshevSteadySolutionSI;
 
 namespace detail {
 template <SmoothSplitKernel Kernel>
 ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel);
-}
+template <class Scalar, SmoothSplitKernel Kernel>
+ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                                         const Kernel& kernel, Scalar creepage);
+}  // namespace detail
 
 /// The discretisation: m states u_0 ... u_{m-1}, the first Chebyshev coefficients of the displacement
 /// u(x) = sum u_k T_k(x/a), for the traction p = sum_{k=0..m} a_k T_k(x/a)/sqrt(1 - (x/a)^2). Zero slip,
@@ -54,6 +56,23 @@ struct Chebyshev {
     friend ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method,
                                                                          const Kernel& kernel) {
         return detail::solve_chebyshev_steady(method, kernel);
+    }
+
+    /// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
+    /// Throws as the dimensionless one; a creepage, or a result, that is not finite gives Status::not_finite.
+    template <class Scalar>
+    friend ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                                          std::type_identity_t<Scalar> creepage) {
+        return detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
+    }
+
+    /// The same with a kernel of the contact, e.g. StripKernel<double>::lateral(contact): creepage, traction, force and
+    /// creep coefficient (c22) are then those across the rolling direction. Throws std::invalid_argument, besides, for
+    /// a kernel of another b/a than the contact's.
+    template <class Scalar, SmoothSplitKernel Kernel>
+    friend ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                                          const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
+        return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
     }
 };
 
@@ -121,139 +140,16 @@ struct ChebyshevSteadySolution {
     Status status = Status::not_finite;  ///< not_converged where error_estimate exceeds 1e-2
 };
 
-namespace detail {
-
-/// The circle in 4 count equal steps: cosines and sines of k pi/(2 count).
+/// Steady rolling in the units of the contact's parameters.
 template <class Scalar>
-class CircleTable {
-public:
-    explicit CircleTable(Eigen::Index count) : cosines_(static_cast<std::size_t>(4 * count)), quarter_(count) {
-        const Scalar step = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * count);
-        for (Eigen::Index k = 0; k <= count;
-             ++k) {  // the smaller of two angles, so that small cosines keep their digits
-            const Scalar value = 2 * k <= count ? std::cos(static_cast<Scalar>(k) * step)
-                                                : std::sin(static_cast<Scalar>(count - k) * step);
-            set(k, value);
-            set(2 * count - k, -value);
-            set(2 * count + k, -value);
-            if (k > 0) set(4 * count - k, value);
-        }
-    }
-
-    Eigen::Index size() const { return 4 * quarter_; }
-    Scalar cosine(Eigen::Index k) const { return cosines_[static_cast<std::size_t>(k)]; }  ///< 0 <= k < size()
-    Scalar sine(Eigen::Index k) const { return cosine(k >= quarter_ ? k - quarter_ : k + 3 * quarter_); }
-
-private:
-    void set(Eigen::Index k, Scalar value) { cosines_[static_cast<std::size_t>(k)] = value; }
-
-    std::vector<Scalar> cosines_;
-    Eigen::Index quarter_;
+struct ChebyshevSteadySolutionSI {
+    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is p on body 1 [Pa]
+    Scalar force_per_width = 0;          ///< F_bar = -a G c11 xi [N/m], Eq. (30)
+    Scalar c11 = 0;                      ///< creep coefficient [-]
+    Scalar error_estimate = 0;           ///< as in ChebyshevSteadySolution
+    Scalar rcond = 0;                    ///< as in ChebyshevSteadySolution
+    Status status = Status::not_finite;
 };
-
-/// Checks method and kernel; returns the kernel's split.
-template <SmoothSplitKernel Kernel>
-SmoothSplit<typename Kernel::Scalar> chebyshev_split(const Chebyshev& method, const Kernel& kernel) {
-    using Scalar = typename Kernel::Scalar;
-    require(method.states >= 1, "Chebyshev", "states", method.states, "be at least 1");
-    require(method.states <= 10000, "Chebyshev", "states", method.states, "be at most 10000");
-    const SmoothSplit<Scalar> split = kernel.smooth_split();
-    require(is_finite(split.strength) && split.strength > 0, "Chebyshev", "strength of the kernel's logarithm",
-            split.strength, "be positive and finite");
-    require(!is_nan(split.distance) && split.distance >= Scalar(0.001), "Chebyshev",
-            "b/a of the kernel (distance of its smooth part's singularity)", split.distance,
-            "be at least 0.001: take elements for so narrow a strip");
-    return split;
-}
-
-/// How many Gauss-Chebyshev points take the smooth part against T_0 ... T_m to rounding.
-///
-/// For x in [-1, 1], e(x - y) as a function of y is analytic but for x +-ib and beyond. The ellipse with foci +-1 and
-/// the minor half-axis b, the Bernstein ellipse of rho = b + sqrt(1 + b^2), leaves all of them outside or on it, so
-/// that the coefficient of T_n(y) falls off like rho^-n (the singularities are integrable). N points do not tell T_n
-/// from T_k where n = 2N - k or higher: what they make of the integral against T_k, k <= m, is wrong by some rho^-(2N -
-/// m). The same holds for the coefficient of T_j(x), j <= m. It is below rounding from 2N - m = ln(1/eps)/ln(rho) on,
-/// and ln(rho) = asinh(b); N > m keeps the T_k apart. Ten more make up for the factor before rho^-n.
-template <class Scalar>
-Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
-    if (!is_finite(b)) return m + 1;
-    const Scalar extra = -std::log(std::numeric_limits<Scalar>::epsilon()) / std::asinh(b) + 10;
-    return std::max(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
-}
-
-/// Entry (j, k), j and k from 0 to m: the coefficient of T_j(x) in the integral of e(x - y) T_k(y)/sqrt(1 - y^2), e the
-/// smooth part, from `points` Gauss-Chebyshev points in x and y. As e is even, entries with odd j + k vanish, and half
-/// of the x do.
-template <SmoothSplitKernel Kernel>
-MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::Index m, Eigen::Index points) {
-    using Scalar = typename Kernel::Scalar;
-    const CircleTable<Scalar> circle(points);
-    const auto angle = [&](Eigen::Index k, Eigen::Index point) { return k * (2 * point + 1) % circle.size(); };
-    MatrixX<Scalar> polynomials(points, m + 1);  // T_k at the points
-    for (Eigen::Index k = 0; k <= m; ++k) {
-        for (Eigen::Index q = 0; q < points; ++q) polynomials(q, k) = circle.cosine(angle(k, q));
-    }
-    MatrixX<Scalar> compliance = MatrixX<Scalar>::Zero(m + 1, m + 1);
-    ArrayX<Scalar> distance(points);
-    VectorX<Scalar> displacement(m + 1);
-    for (Eigen::Index p = 0; 2 * p < points; ++p) {
-        for (Eigen::Index q = 0; q < points; ++q) distance[q] = polynomials(p, 1) - polynomials(q, 1);
-        const ArrayX<Scalar> smooth = kernel.smooth_part(distance);
-        displacement.noalias() = polynomials.transpose() * smooth.matrix();
-        const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // of -x, too
-        for (Eigen::Index k = 0; k <= m; ++k) {
-            for (Eigen::Index j = k % 2; j <= m; j += 2) {
-                compliance(j, k) += share * polynomials(p, j) * displacement[k];
-            }
-        }
-    }
-    const Scalar count = static_cast<Scalar>(points);
-    compliance *= 2 * std::numbers::pi_v<Scalar> / count / count;
-    compliance.row(0) /= 2;
-    return compliance;
-}
-
-/// K of u = K a, row j >= 1 times j/(pi S), row 0 over pi S, S the strength: for j >= 1 the identity and a smooth rest.
-template <SmoothSplitKernel Kernel>
-MatrixX<typename Kernel::Scalar> scaled_compliance(const Kernel& kernel,
-                                                   const SmoothSplit<typename Kernel::Scalar>& split, Eigen::Index m) {
-    using Scalar = typename Kernel::Scalar;
-    MatrixX<Scalar> K;
-    if (is_finite(split.distance)) {
-        K = smooth_compliance(kernel, m, smooth_quadrature_points(m, split.distance));
-        const Scalar scale = std::numbers::pi_v<Scalar> * split.strength;
-        for (Eigen::Index j = 0; j <= m; ++j) K.row(j) *= static_cast<Scalar>(std::max<Eigen::Index>(j, 1)) / scale;
-    } else {
-        K.setZero(m + 1, m + 1);
-    }
-    K(0, 0) += split.constant / split.strength + std::numbers::ln2_v<Scalar>;
-    for (Eigen::Index j = 1; j <= m; ++j) K(j, j) += 1;
-    return K;
-}
-
-/// K^-1.
-template <SmoothSplitKernel Kernel>
-MatrixX<typename Kernel::Scalar> chebyshev_stiffness(const Kernel& kernel,
-                                                     const SmoothSplit<typename Kernel::Scalar>& split,
-                                                     Eigen::Index m) {
-    using Scalar = typename Kernel::Scalar;
-    const Scalar scale = std::numbers::pi_v<Scalar> * split.strength;
-    MatrixX<Scalar> stiffness;
-    if (is_finite(split.distance)) {
-        stiffness = Eigen::PartialPivLU<MatrixX<Scalar>>(scaled_compliance(kernel, split, m)).inverse();
-    } else {
-        stiffness.setZero(m + 1, m + 1);
-        stiffness(0, 0) = 1 / (split.constant / split.strength + std::numbers::ln2_v<Scalar>);
-        for (Eigen::Index j = 1; j <= m; ++j) stiffness(j, j) = 1;
-    }
-    for (Eigen::Index j = 0; j <= m; ++j) {
-        const Scalar factor = static_cast<Scalar>(std::max<Eigen::Index>(j, 1)) / scale;
-        for (Eigen::Index i = 0; i <= m; ++i) stiffness(i, j) *= factor;
-    }
-    return stiffness;
-}
-
-}  // namespace detail
 
 template <class Value>
 Value ChebyshevTraction<Value>::operator()(const EdgeDistances<Scalar>& position) const {
@@ -293,7 +189,7 @@ template <SmoothSplitKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     require_stable_model(kernel);
-    const SmoothSplit<Scalar> split = detail::chebyshev_split(method, kernel);
+    const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);
     detail::require(detail::is_finite(split.constant), "Chebyshev", "constant part of the kernel", split.constant,
                     "be finite: an infinite half-width is for steady problems only");
     const Eigen::Index m = method.states;
@@ -341,7 +237,7 @@ namespace detail {
 template <SmoothSplitKernel Kernel>
 ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
-    const SmoothSplit<Scalar> split = detail::chebyshev_split(method, kernel);
+    const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);
     const Eigen::Index m = method.states;
     const Scalar carter = 1 / (std::numbers::pi_v<Scalar> * split.strength);
     MatrixX<Scalar> equations = detail::scaled_compliance(kernel, split, m);
@@ -365,6 +261,20 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Ch
     solution.status = !trusted                                  ? Status::ill_conditioned
                       : solution.error_estimate <= Scalar(1e-2) ? Status::ok
                                                                 : Status::not_converged;
+    return solution;
+}
+
+template <class Scalar, SmoothSplitKernel Kernel>
+ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                                         const Kernel& kernel, Scalar creepage) {
+    require_same_aspect("solve_steady", contact, aspect_of<Scalar>(kernel));
+    const ChebyshevSteadySolution<Scalar> unit = solve_chebyshev_steady(method, kernel);
+    ChebyshevSteadySolutionSI<Scalar> solution{
+        .traction = unit.traction, .c11 = unit.c11, .error_estimate = unit.error_estimate, .rcond = unit.rcond};
+    solution.traction.coefficients *= contact.shear_modulus() * creepage;
+    solution.force_per_width = -contact.half_length() * contact.shear_modulus() * unit.c11 * creepage;
+    const bool finite = all_finite(solution.traction.coefficients) && is_finite(solution.force_per_width);
+    solution.status = is_finite(creepage) && finite ? unit.status : Status::not_finite;
     return solution;
 }
 

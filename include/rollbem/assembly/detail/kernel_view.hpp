@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "../../elasticity/layered_kernel.hpp"
 #include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 
@@ -41,7 +42,17 @@ struct KernelView {
         }
     }
 
-    /// g (level 0), H (1), H_integral (2).
+    /// Of what is smooth but at x = 0; the delta comes apart.
+    template <DeltaKernel Kernel>
+    KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor)
+        : KernelView(kernel.elastic()) {
+        compliance_ += kernel.compliance();
+    }
+
+    /// Of the delta [a/G]; 0 for most kernels.
+    Scalar compliance() const { return compliance_; }
+
+    /// g (level 0), H (1), H_integral (2), all without the delta.
     Array antiderivative(int level, const Array& x) const { return antiderivative_(kernel_, level, x); }
     /// Empty where there is none.
     std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
@@ -56,6 +67,7 @@ private:
     Array (*antiderivative_)(const void*, int, const Array&);
     std::optional<LogSplit<Scalar>> (*log_split_)(const void*, Scalar) = nullptr;
     Table (*taylor_)(const void*, const Array&, Eigen::Index) = nullptr;
+    Scalar compliance_ = 0;
 };
 
 }  // namespace rollbem::detail

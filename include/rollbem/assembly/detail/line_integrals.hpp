@@ -6,8 +6,10 @@
 
 #include <optional>
 
+#include "../../detail/require.hpp"
 #include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
+#include "delta_part.hpp"
 #include "entries.hpp"
 #include "kernel_view.hpp"
 #include "logarithmic_series.hpp"
@@ -18,14 +20,19 @@
 namespace rollbem::detail {
 
 /// Chooses for every entry how it is computed: near ones by differences of antiderivatives, far ones by a series where
-/// the kernel offers one. Far are entries with |d| well above h + averages delta.
+/// the kernel offers one. Far are entries with |d| well above h + averages delta. A delta is added to either.
 template <class Scalar>
 class LineIntegrals {
 public:
-    /// `equal_widths`: every h and delta are one number, and neighbours are 2h apart. Refers to the kernel.
+    /// `equal_widths`: every h and delta are one number, and neighbours are 2h apart. Refers to the kernel. Throws
+    /// std::invalid_argument for the slope at points where the kernel has a delta.
     LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
                   const ColumnElements<Scalar>& columns, bool equal_widths)
         : kernel_(kernel), entries_(quantity, averages, rows, columns, equal_widths) {
+        require(kernel_.compliance() == 0 || averages > 0 || !entries_.slope(), "LayeredKernel", "compliance",
+                kernel_.compliance(),
+                "be 0 where the derivative is analytic: the layer's displacement jumps at the edges of elements; take "
+                "Derivative::finite_difference, or Galerkin in closed form");
         split_ = kernel_.log_split(entries_.reach());
         if (split_) polynomial_.emplace(entries_, split_->even);
         // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d, and a
@@ -46,6 +53,7 @@ public:
             TaylorSeries<Scalar>(entries_, kernel_, last_taylor_).fill(out);
         }
         NearDifferences<Scalar>(entries_, kernel_, split_, polynomial_).fill(out);
+        if (kernel_.compliance() != 0) DeltaPart<Scalar>(entries_, kernel_.compliance()).add(out);
     }
 
 private:

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
+#include "../../detail/logarithms.hpp"
 #include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"

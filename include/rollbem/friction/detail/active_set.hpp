@@ -95,6 +95,15 @@ public:
         equations_.solve(right_, traction_change);
     }
 
+    /// The same where the bounds change too: elements that slip follow theirs.
+    void respond(const Vector& change, const Vector& bound_change, Vector& traction_change) {
+        traction_change = -sign_.cwiseProduct(bound_change);
+        right_ = -change;
+        right_.noalias() -= equations_.matrix() * traction_change;
+        equations_.solve(right_, correction_);
+        traction_change += correction_;
+    }
+
     /// Changes with the elements that stick, and with M: what respond() gave holds as long as this number does.
     unsigned long revision() const { return equations_.revision(); }
 

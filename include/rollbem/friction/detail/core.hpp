@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@ class FrictionCore {
 public:
     using State = FrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
+    using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
     /// `widths` in a_0, `points` x/a of the equations where they are known, `friction` of as many elements, `system` the
@@ -48,12 +50,23 @@ public:
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
+    Scalar width() const { return width_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
         return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
                 friction_.normal_pressure, half_length_, fingerprint_};
     }
     Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
+
+    /// Per unit width [J/m]; not a number under a half-length that the system does not know.
+    Scalar elastic_energy(const State& state, const RollingSystem<Scalar>& system) const {
+        const Scalar a = state.half_length / half_length_;
+        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return std::numeric_limits<Scalar>::quiet_NaN();
+        VectorX<Scalar> displacement = VectorX<Scalar>::Zero(size());
+        find_displacement<Scalar>(system, a, state.traction, displacement);
+        return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
+               (2 * shear_modulus_);
+    }
 
     bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
         const auto sized = [this](const State& state) {
@@ -80,9 +93,16 @@ public:
         const ArrayX<Scalar>& pressure;
         Scalar half_length;
     };
+    /// The tangents by the load that a step is asked for: with pressure rates or without, by the half-length or not.
+    struct LoadTangentsAsked {
+        const ArrayX<Scalar>& pressure_rate;
+        bool by_half_length;
+
+        bool by_load() const { return pressure_rate.size() > 0; }
+    };
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
-        const std::vector<Zone>& zones;
+        const std::vector<Zone>* zones;
         Scalar residual = 0;
         int rounds = 0, pivots = 0;
         bool tangent_exists = true, solved = true;
@@ -99,7 +119,7 @@ public:
         if (MatrixX<Scalar>* matrix = claim({.distance = steadily}, workspace)) *matrix = -G_prime;
         workspace.solver_.constant().setConstant(creepage);
         press(load.pressure, workspace);
-        return solve_last(from, {.zones = from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
+        return solve_last(from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
     }
 
     /// The matrix to fill for a stage, or nothing when the workspace has it already.
@@ -111,25 +131,27 @@ public:
     }
 
     /// The bounds mu p_n of the stage to come.
-    template <class Derived>
-    void press(const Eigen::ArrayBase<Derived>& pressure, Workspace& workspace) const noexcept {
+    void press(const ArrayX<Scalar>& pressure, Workspace& workspace) const noexcept {
         workspace.bound_ = friction_.friction_coefficient / shear_modulus_ * pressure.head(size()).matrix();
     }
+    /// Those of a stage within a step, at its `progress` from one load to the next.
+    void press(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress,
+               Workspace& workspace) const noexcept {
+        workspace.bound_ =
+            friction_.friction_coefficient / shear_modulus_ * (from + progress * (to.head(size()) - from)).matrix();
+    }
 
-    /// The tractions p/G that a step starts from.
-    void remember(const State& from, Workspace& workspace) const noexcept {
-        workspace.memory_ = from.traction / shear_modulus_;
+    /// Starts a step from tractions at the half-length `half_length` in a_0, that `grows` in it or not.
+    void remember(const State& from, const RollingSystem<Scalar>& system, Scalar half_length, bool grows,
+                  Workspace& workspace) const noexcept {
+        workspace.memory_.begin(system, from.traction / shear_modulus_, half_length, grows);
     }
-    /// Those that the last stage starts from: `ratio` times as far from them as the first stage has come.
-    void extrapolate_memory(Scalar ratio, Workspace& workspace) const noexcept {
-        workspace.memory_ += ratio * (workspace.solver_.traction() - workspace.memory_);
+    /// After the first of two stages.
+    void extrapolate_memory(const RollingSystem<Scalar>& system, Scalar ratio, Workspace& workspace) const noexcept {
+        workspace.memory_.extrapolate(system, workspace.solver_.traction(), workspace.stage_.half_length, ratio);
     }
-    /// c = imposed - U, the displacement that the tractions in memory have caused at a half-length.
-    void impose(Scalar imposed, const RollingSystem<Scalar>& system, Scalar half_length,
-                Workspace& workspace) const noexcept {
-        VectorX<Scalar>& constant = workspace.solver_.constant();
-        find_displacement(system, half_length, workspace.memory_, constant);
-        constant = VectorX<Scalar>::Constant(size(), imposed) - constant;
+    void impose(Scalar imposed, const RollingSystem<Scalar>& system, Workspace& workspace) const noexcept {
+        workspace.memory_.impose(system, imposed, workspace.solver_.constant());
     }
 
     /// The first of two stages, from the zones of `from`; its slip counts `weight` times.
@@ -148,7 +170,7 @@ public:
             workspace.carried_revision_ = solver.revision();
             workspace.tangent_revision_ = Workspace::never;
         }
-        return {.zones = solver.zones(),
+        return {.zones = &solver.zones(),
                 .residual = outcome.residual,
                 .rounds = outcome.rounds,
                 .pivots = outcome.pivots,
@@ -160,13 +182,13 @@ public:
     Step solve_last(const State& from, const Before& before, const Gain& gain, const Load& load, Scalar slip_unit,
                     State& to, Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
-        const bool only = &before.zones == &from.zones;
+        const bool only = before.zones == &from.zones;
         if (only) {
             workspace.work_.setZero();
         } else {
             workspace.response_ = workspace.slip_;
         }
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, before.zones);
+        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, *before.zones);
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
         slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
@@ -205,6 +227,41 @@ public:
         step.pivots = before.pivots + outcome.pivots;
         step.status = before.solved ? outcome.status : StepStatus::no_solution;
         return step;
+    }
+
+    /// Of a step that is about to begin,
+    void begin_tangents(const LoadTangentsAsked& asked, Workspace& workspace) const noexcept {
+        workspace.load_tangents_.clear();
+        if (!asked.by_load()) return;
+        workspace.load_tangents_.bound_change() =
+            friction_.friction_coefficient / shear_modulus_ * asked.pressure_rate.head(size()).matrix();
+    }
+    /// the first of two stages solved,
+    void carry_tangents(const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
+                        const StagePlace<Scalar>& place, Scalar ratio, Workspace& workspace) const noexcept {
+        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, asked.by_load(), asked.by_half_length,
+                                       workspace.solver_);
+    }
+    /// and the last.
+    LoadedStep with_tangents(const Step& step, const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
+                             const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
+        LoadedStep loaded{step};
+        if (is_nan(step.tangent_per_width)) return loaded;  // nor are there any by the load
+        LoadTangents<Scalar>& tangents = workspace.load_tangents_;
+        ActiveSet<Scalar>& solver = workspace.solver_;
+        if (asked.by_load()) {
+            const Scalar change = widths_.dot(tangents.respond_to_load(place, solver));
+            loaded.tangent_by_load_per_width = load.half_length * shear_modulus_ * change;
+            loaded.tangent_by_load = width_ * loaded.tangent_by_load_per_width;
+        }
+        if (asked.by_half_length) {
+            const Scalar change = widths_.dot(tangents.respond_to_half_length(system, workspace.stage_, place, solver));
+            const Scalar force = widths_.dot(solver.traction());
+            loaded.tangent_by_half_length_per_width =
+                shear_modulus_ * (force + load.half_length / half_length_ * change);
+            loaded.tangent_by_half_length = width_ * loaded.tangent_by_half_length_per_width;
+        }
+        return loaded;
     }
 
 private:

@@ -48,6 +48,14 @@ public:
         for (Index i = 0; i < size(); ++i) work[i] -= half_length * widths_[i] * traction[i] * at_centre(i, slip);
     }
 
+    /// Sum of p u dx of all elements: with u the displacements in all equations, twice the elastic energy.
+    template <class Traction, class Displacement>
+    Scalar product(const Traction& traction, const Displacement& displacement) const {
+        Scalar sum = 0;
+        for (Index i = 0; i < size(); ++i) sum += widths_[i] * traction[i] * at_centre(i, displacement);
+        return sum;
+    }
+
     /// Ends a sum: no element gains energy. Where the slip turns round or ends within an element, interpolation may say
     /// so, by an amount of second order.
     static void end(VectorX<Scalar>& work) { work = work.cwiseMax(Scalar(0)); }

@@ -107,6 +107,18 @@ public:
         for (Index k = 0; k < count_; ++k) x[list_[at(k)]] = solution_[k];
     }
 
+    Index count() const { return count_; }                ///< elements of S
+    Index listed(Index k) const { return list_[at(k)]; }  ///< the k-th of them, from the leading edge
+    /// Overwrites x, one entry an element of S in the list's order, with M(S, S)^-1 x.
+    void solve_listed(VectorRef<Scalar> x) {
+        if (uses_pivoted_) {
+            solve_in_place<Scalar>(pivoted_.topLeftCorner(count_, count_), swaps_.data(), x);
+        } else {
+            solution_.head(count_).noalias() = lower_.topLeftCorner(count_, count_) * x;
+            x.noalias() = upper_.topLeftCorner(count_, count_) * solution_.head(count_);
+        }
+    }
+
     /// Changes whenever M, S or the kind of factors does.
     unsigned long revision() const { return revision_; }
 

@@ -1,0 +1,71 @@
+// The rows of a creep curve, whichever way they are computed: by elements in one direction or in both, or with the exact
+// border of stick.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rollbem/status.hpp>
+
+#include "pressure.hpp"
+#include "profiles.hpp"
+#include "support/csv.hpp"
+#include "support/scenes.hpp"
+#include "support/table.hpp"
+
+namespace friction {
+
+/// What all rows need.
+struct CreepCurve {
+    const study::Options& options;
+    const Pressure& pressure;
+    std::vector<CreepPoint> points;
+    double layer;
+    Profiles* profiles;  ///< null where none are wanted
+
+    bool timed() const;
+
+    /// Force ratios where there is a closed form: Carter's, along the creepage where nu = 0, and in either direction
+    /// alone.
+    struct Exact {
+        std::optional<double> longitudinal{}, lateral{};
+    };
+    Exact exact(const study::Scene& scene, const CreepPoint& point) const;
+};
+
+/// What was found at a point, in the units of the columns. Forces and what follows from them are not a number where
+/// there is no solution.
+struct CreepResult {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    std::string mesh_name;
+    std::optional<double> alpha_L, alpha_T;
+    double force_ratio = none, tangent_ratio = none, slip_work = none, complementarity_residual = none;
+    std::optional<double> lateral_force_ratio{}, lateral_tangent_ratio{};
+    std::ptrdiff_t stick_count = 0;
+    int rounds = 0;
+    std::optional<int> pivots{};
+    study::Cell time_us{}, assembly_us{};
+    std::string status{};
+};
+
+const std::vector<std::string>& creep_columns();
+
+study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const CreepPoint& point,
+                     const CreepResult& result);
+
+/// Emits the rows of `range`, each solved from scratch: a row does not depend on the rows before.
+using CreepRows = void(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
+                       const study::Emit& emit);
+CreepRows element_rows, border_rows, combined_rows;
+
+/// One row per element of every profile, and the companion file.
+void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file);
+
+/// `consistent` is whether steady rolling of the same scheme in full adhesion is.
+std::string status_of(rollbem::StepStatus status, bool consistent);
+
+}  // namespace friction

@@ -1,0 +1,152 @@
+// Creep curves by elements, in one direction and in both.
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/friction/combined.hpp>
+
+#include "creep_curve.hpp"
+#include "support/timing.hpp"
+#include "surface.hpp"
+
+namespace friction {
+
+namespace {
+
+/// Slip hides what is wrong with a scheme that does not converge; in full adhesion it shows.
+bool is_consistent(const Eigen::MatrixXd& G_prime, const Eigen::ArrayXd& widths) {
+    return rollbem::solve_steady<double>(G_prime, widths).status != rollbem::Status::inconsistent;
+}
+
+/// Elements beyond the solution's, at the leading edge, carry nothing and slip.
+Profile empty_profile(const study::Scene& scene, const CreepPoint& point, std::string status,
+                      const Eigen::ArrayXd& means) {
+    Profile profile{.scene = &scene,
+                    .mesh_name = scene.mesh_name,
+                    .alpha_L = scene.alpha_L,
+                    .alpha_T = scene.alpha_T,
+                    .point = point,
+                    .status = std::move(status),
+                    .mesh = *scene.mesh,
+                    .traction = Eigen::VectorXd::Zero(scene.n()),
+                    .bound = means.matrix(),
+                    .slip = Eigen::VectorXd::Zero(scene.n())};
+    profile.sticks.resize(std::size_t(scene.n()), false);
+    return profile;
+}
+
+struct OneDirection {
+    using Model = rollbem::SteadyFrictionModel<double>;
+
+    static double creepage(const study::Scene& scene, const CreepPoint& point) {
+        return friction::creepage(scene, point.longitudinal);
+    }
+    static void read(const Model::Step& step, double unit, CreepResult& result) {
+        result.force_ratio = 0 - step.force_per_width / mu_N;
+        result.tangent_ratio = -step.tangent_per_width * unit / mu_N;
+    }
+    static void read_counts(const Model::Step& step, CreepResult& result) { result.pivots = step.pivots; }
+    static void fill(const Model::State& state, const Eigen::VectorXd& slip, Profile& profile) {
+        profile.traction.head(slip.size()) = state.traction;
+        profile.slip.head(slip.size()) = slip;
+        for (std::size_t i = 0; i < state.zones.size(); ++i) {
+            profile.sticks[i] = state.zones[i] == rollbem::Zone::stick;
+        }
+    }
+};
+
+struct BothDirections {
+    using Model = rollbem::SteadyCombinedModel<double>;
+
+    static rollbem::Creepage<double> creepage(const study::Scene& scene, const CreepPoint& point) {
+        return {friction::creepage(scene, point.longitudinal), friction::creepage(scene, point.lateral.value_or(0))};
+    }
+    static void read(const Model::Step& step, double unit, CreepResult& result) {
+        result.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
+        result.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
+        result.tangent_ratio = -step.tangent_per_width.by_longitudinal.longitudinal * unit / mu_N;
+        result.lateral_tangent_ratio = -step.tangent_per_width.by_lateral.lateral * unit / mu_N;
+    }
+    static void read_counts(const Model::Step&, CreepResult&) {}
+    static void fill(const Model::State& state, const rollbem::ElementVectors<double>& slip, Profile& profile) {
+        profile.lateral_traction = Eigen::VectorXd::Zero(profile.traction.size());
+        profile.lateral_slip = profile.lateral_traction;
+        profile.traction.head(slip.rows()) = state.traction.col(0);
+        profile.lateral_traction.head(slip.rows()) = state.traction.col(1);
+        profile.slip.head(slip.rows()) = slip.col(0);
+        profile.lateral_slip.head(slip.rows()) = slip.col(1);
+        for (std::size_t i = 0; i < state.zones.size(); ++i) {
+            profile.sticks[i] = state.zones[i] == rollbem::CombinedZone::stick;
+        }
+    }
+};
+
+/// The rows of a model; `assemble` is timed and does what its making costs.
+template <class Directions, class Assemble>
+void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
+             const study::Emit& emit, const typename Directions::Model& model, const Eigen::ArrayXd& means,
+             bool consistent, const Assemble& assemble) {
+    CreepResult frame{.mesh_name = scene.mesh_name, .alpha_L = scene.alpha_L, .alpha_T = scene.alpha_T};
+    if (curve.timed()) frame.assembly_us = study::median_time_us(assemble);
+    const auto rest = model.at_rest();
+    auto state = rest;
+    const auto fresh = model.workspace();
+    auto workspace = fresh;
+    for (std::size_t i = range.first; i < range.last; ++i) {
+        const CreepPoint& point = curve.points[i];
+        const auto creepage = Directions::creepage(scene, point);
+        const auto solve = [&] {
+            workspace = fresh;  // without factors
+            return model.solve(rest, creepage, state, workspace);
+        };
+        const auto step = solve();
+        CreepResult result = frame;
+        if (curve.timed()) result.time_us = study::median_time_us([&] { return solve().slip_work_per_width; });
+        result.status = status_of(step.status, consistent);
+        result.stick_count = step.stick_count;
+        result.rounds = step.rounds;
+        result.complementarity_residual = step.complementarity_residual;
+        Directions::read_counts(step, result);
+        if (consistent && step.status == rollbem::StepStatus::ok) {
+            Directions::read(step, friction::creepage(scene, 1), result);
+            result.slip_work = step.slip_work_per_width / mu_N;
+        }
+        emit(creep_row(curve, scene, point, result));
+        if (curve.profiles != nullptr) {
+            Profile profile = empty_profile(scene, point, result.status, means);
+            Directions::fill(state, workspace.slip(), profile);
+            curve.profiles->keep(task, i, std::move(profile));
+        }
+    }
+}
+
+}  // namespace
+
+void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
+                  const study::Emit& emit) {
+    const Surface surface{scene, curve.layer};
+    const auto [G_prime, widths] = surface.gradient(Direction::longitudinal);
+    const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
+    rows_of<OneDirection>(curve, scene, task, range, emit, surface.steady_model({1, means}), means,
+                          is_consistent(G_prime, widths),
+                          [&] { return surface.gradient(Direction::longitudinal).first(0, 0); });
+}
+
+void combined_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
+                   const study::Emit& emit) {
+    const Surface surface{scene, curve.layer};
+    const auto [along, widths] = surface.gradient(Direction::longitudinal);
+    const Eigen::MatrixXd across = surface.gradient(Direction::lateral).first;
+    const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
+    rows_of<BothDirections>(curve, scene, task, range, emit, surface.combined_model({1, means}), means,
+                            is_consistent(along, widths) && is_consistent(across, widths), [&] {
+                                return surface.gradient(Direction::longitudinal).first(0, 0) +
+                                       surface.gradient(Direction::lateral).first(0, 0);
+                            });
+}
+
+}  // namespace friction

@@ -1,0 +1,36 @@
+// A load that varies over the distance rolled, for runs in time. Units of the columns: N by N_0, q and lengths by a_0,
+// the half-length under N_0.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <rollbem/normal/hertz_load.hpp>
+
+#include "support/options.hpp"
+
+namespace friction {
+
+/// N/N_0 = 1 + amplitude sin(2 pi q/length), or linear between the knots of a table.
+struct LoadHistory {
+    double amplitude = 0, length = 1;
+    std::vector<double> knots{}, ratios{};  ///< of a table: ascending places [a_0] and N/N_0 there
+    bool breathing = false;                 ///< the mesh follows the half-length; else it covers the largest contact
+
+    double at(double q) const;
+
+    /// Half-length of the mesh that covers the contact all the way [a_0].
+    double largest_half_length() const;
+
+    /// The first knot between two places, where a step has to end; else the second place.
+    double next_stop(double from, double to) const;
+};
+
+/// --load-sine or --load, and --breathing; nothing where the load does not vary. The run is `until` long [a_0]. Throws
+/// BadInput.
+std::optional<LoadHistory> read_load(const study::Options& options, double until);
+
+/// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the history asks for.
+rollbem::HertzLoad<double> hertz_load(const LoadHistory& history, const rollbem::Mesh<double>& mesh);
+
+}  // namespace friction

@@ -1,0 +1,61 @@
+// A contact that rolls in time, whichever model of the library it is: one direction or both, a load that varies or not.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <rollbem/adhesion/integrator.hpp>
+#include <rollbem/status.hpp>
+
+#include "load.hpp"
+#include "pressure.hpp"
+#include "support/options.hpp"
+#include "support/scenes.hpp"
+
+namespace friction {
+
+/// Creepage ratios, or shifts in mu p0 a_0/G.
+struct Ratios {
+    double longitudinal = 0;
+    std::optional<double> lateral{};  ///< nothing in one direction
+};
+
+/// What a step has come to, in the units of the columns.
+struct Moment {
+    double force_ratio = std::numeric_limits<double>::quiet_NaN();
+    std::optional<double> lateral_force_ratio{};  ///< nothing in one direction
+    double slip_work = 0;                         ///< of the step
+    double complementarity_residual = std::numeric_limits<double>::quiet_NaN();
+    std::ptrdiff_t stick_count = 0;
+    int rounds = 0;
+    std::optional<int> pivots{};
+    rollbem::StepStatus status = rollbem::StepStatus::not_finite;
+};
+
+/// Starts at rest under the first load. What fails leaves it where it was. Lengths in a_0; load_ratio is N/N_0 at the
+/// end of a step and has no effect where the load does not vary.
+class Rolling {
+public:
+    virtual ~Rolling() = default;
+    virtual Moment settle(const Ratios& creepage) = 0;  ///< steady rolling under the present load
+    virtual Moment shift(const Ratios& shift) = 0;      ///< a rigid shift
+    virtual Moment advance(double dq, const Ratios& from, const Ratios& to, double load_ratio) = 0;
+};
+
+/// Models are made once and shared by threads; each run has a Rolling of its own.
+class RollingMaker {
+public:
+    virtual ~RollingMaker() = default;
+    virtual std::unique_ptr<Rolling> start() const = 0;
+};
+
+/// Throws BadInput where the scene's scheme is not fit to be stepped, or to breathe.
+std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
+                                           const Pressure& pressure, const std::optional<LoadHistory>& load,
+                                           bool both_directions, rollbem::Integrator integrator);
+
+}  // namespace friction

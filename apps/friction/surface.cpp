@@ -1,0 +1,83 @@
+#include "surface.hpp"
+
+#include <cmath>
+#include <variant>
+
+#include <rollbem/elasticity/layered_kernel.hpp>
+
+#include "support/errors.hpp"
+
+namespace friction {
+
+namespace {
+
+/// function(mesh, scheme, kernels...) with the kernels of the directions, under a layer where there is one.
+template <class Function, class... Directions>
+auto visit(const Surface& surface, const Function& function, Directions... directions) {
+    const rollbem::Contact<double> contact = surface.contact();
+    return surface.scene.visit([&](const auto& mesh, const auto& scheme, const auto& any) {
+        using Kernel = std::remove_cvref_t<decltype(any)>;
+        const auto kernel = [&](Direction direction) {
+            return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
+        };
+        if (surface.layer == 0) return function(mesh, scheme, kernel(directions)...);
+        return function(mesh, scheme,
+                        rollbem::LayeredKernel(kernel(directions), surface.layer / surface.half_length)...);
+    });
+}
+
+}  // namespace
+
+rollbem::Contact<double> Surface::contact() const {
+    return rollbem::Contact<double>({.half_length = half_length,
+                                     .half_width = scene.contact.half_width(),
+                                     .shear_modulus = 1,
+                                     .poisson_ratio = scene.contact.poisson_ratio()});
+}
+
+rollbem::ElementSystem<double> Surface::system(Direction direction) const {
+    return visit(
+        *this,
+        [](const auto& mesh, const auto& scheme, const auto& kernel) {
+            return rollbem::rolling_system(mesh, scheme, kernel);
+        },
+        direction);
+}
+
+std::pair<Eigen::MatrixXd, Eigen::ArrayXd> Surface::gradient(Direction direction) const {
+    return visit(
+        *this,
+        [](const auto& mesh, const auto& scheme, const auto& kernel) {
+            return std::pair<Eigen::MatrixXd, Eigen::ArrayXd>(rollbem::assemble_G_prime(mesh, scheme, kernel),
+                                                              rollbem::unknown_widths(mesh, scheme));
+        },
+        direction);
+}
+
+rollbem::SteadyFrictionModel<double> Surface::steady_model(const rollbem::CoulombFriction<double>& law) const {
+    return visit(
+        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<double>(contact(), parts..., law); },
+        Direction::longitudinal);
+}
+
+rollbem::SteadyCombinedModel<double> Surface::combined_model(const rollbem::CoulombFriction<double>& law) const {
+    return visit(
+        *this, [&](const auto&... parts) { return rollbem::SteadyCombinedModel<double>(contact(), parts..., law); },
+        Direction::longitudinal, Direction::lateral);
+}
+
+double read_layer(const study::Options& options) {
+    const double layer = options.number(
+        "layer", {[](double value) { return std::isfinite(value) && value >= 0; }, "be finite and not negative"});
+    if (layer == 0) return 0;
+    const bool quadrature = options.text("method") == "galerkin" && options.text("quadrature") != "exact";
+    const bool analytic = options.given("derivative") && options.text("derivative") == "analytic";
+    if (analytic && (quadrature || options.text("method") != "galerkin")) {
+        throw study::BadInput(options.said("derivative") +
+                              " must be fd with --layer: the layer's displacement jumps with the traction, and only "
+                              "differences of it exist");
+    }
+    return layer;
+}
+
+}  // namespace friction

@@ -1,0 +1,76 @@
+// The rational function of an integrator, and the way that a step goes.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "../../scene/rigid_motion.hpp"
+#include "../integrator.hpp"
+
+namespace rollbem::detail {
+
+/// r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are Laguerre
+/// polynomials of 1/gamma. It is cut off after `stages` terms, where 1/gamma is a zero of the Laguerre polynomial of
+/// that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
+template <class Scalar>
+struct RationalExponential {
+    explicit RationalExponential(Integrator integrator) {
+        const Scalar inverse_gamma = integrator == Integrator::implicit_euler ? Scalar(1)
+                                     : integrator == Integrator::sdirk2
+                                         ? 2 + std::sqrt(Scalar(2))
+                                         : static_cast<Scalar>(4.266700170287658793649421826900639634482L);
+        stages = integrator == Integrator::implicit_euler ? 1 : integrator == Integrator::sdirk2 ? 2 : 8;
+        gamma = 1 / inverse_gamma;
+        Scalar before = 1;
+        b_[1] = inverse_gamma;
+        for (int j = 1; j < stages; ++j) {
+            const Scalar next = ((inverse_gamma - Scalar(2 * j)) * b(j) - Scalar(j - 1) * before) / Scalar(j + 1);
+            before = b(j);
+            b_[static_cast<std::size_t>(j + 1)] = next;
+        }
+    }
+
+    Scalar b(int j) const { return b_[static_cast<std::size_t>(j)]; }  ///< 1 <= j <= stages, and 0 behind
+
+    /// Coefficients of (r(w) - 1)/w - 1 in y^j: the response to linear creepage.
+    Scalar ramp_weight(int j) const { return gamma * (b(j) + b(j + 1)); }
+
+    int stages = 1;
+    Scalar gamma = 1;
+
+private:
+    std::array<Scalar, 10> b_{};
+};
+
+/// Shift at constant creepage, what a linear change adds, and what the tangent is taken by.
+template <class Scalar>
+struct Travel {
+    Travel(const RigidMotion<Scalar>& motion, Scalar dq) noexcept
+        : shift(motion.is_shift() ? motion.start() : motion.start() * dq) {
+        if (motion.is_shift()) {
+            shift_per_end = 1;
+        } else if (motion.is_linear()) {
+            ramp = (motion.end() - motion.start()) * dq;
+            ramp_per_end = dq;
+        } else {
+            shift_per_end = dq;
+        }
+    }
+
+    Travel scaled(Scalar factor) const noexcept {
+        Travel result = *this;
+        result.shift *= factor;
+        result.ramp *= factor;
+        result.shift_per_end *= factor;
+        result.ramp_per_end *= factor;
+        return result;
+    }
+
+    Scalar shift, ramp = 0;                      ///< [m]
+    Scalar shift_per_end = 0, ramp_per_end = 0;  ///< derivatives by the motion's end value
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,61 @@
+// The delta of a kernel that has one, integrated: what a layer's compliance adds to G and G'.
+// A matter of which points lie in which elements.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "entries.hpp"
+
+namespace rollbem::detail {
+
+/// The integrals of compliance delta(x). Without an average, that of the displacement is 1 inside the element, 0
+/// outside and 1/2 on an edge; each average over +-delta makes it the share of the interval that lies inside, and the
+/// slope is a difference of those. Of the slope at a point there is none. Refers to the entries.
+template <class Scalar>
+class DeltaPart {
+public:
+    DeltaPart(const Entries<Scalar>& entries, Scalar compliance) : entries_(entries), compliance_(compliance) {}
+
+    /// Adds every entry to result(l, m).
+    void add(MatrixX<Scalar>& result) const {
+        for (Eigen::Index m = 0; m < result.cols(); ++m) {
+            const Scalar h = entries_.columns.half[m];
+            const Scalar from = std::min(entries_.columns.from_trailing[m], entries_.columns.from_leading[m]);
+            for (Eigen::Index l = 0; l < result.rows(); ++l) {
+                const Scalar d = entries_.distance(l, m), delta = entries_.rows.half[l];
+                const Scalar reach = h + Scalar(entries_.averages) * delta;
+                if (std::abs(d) > 2 * reach) continue;
+                // distances are as exact as positions are, counted from the nearer edge of the contact
+                const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * (from + reach);
+                result(l, m) += compliance_ * entry(d, h, delta, std::min(rounding, h / 8));
+            }
+        }
+    }
+
+private:
+    Scalar entry(Scalar d, Scalar h, Scalar delta, Scalar rounding) const {
+        const int differences = entries_.slope() ? 1 : 0, averages = entries_.averages - differences;
+        const auto share = [&](Scalar x) {
+            if (averages == 0) return inside(x, h, rounding);
+            return std::max(Scalar(0), std::min(x + delta, h) - std::max(x - delta, -h)) / (2 * delta);
+        };
+        return differences == 0 ? share(d) : (share(d + delta) - share(d - delta)) / (2 * delta);
+    }
+
+    static Scalar inside(Scalar x, Scalar h, Scalar rounding) {
+        const Scalar beyond = std::abs(x) - h;
+        return beyond < -rounding ? Scalar(1) : beyond > rounding ? Scalar(0) : Scalar(0.5);
+    }
+
+    const Entries<Scalar>& entries_;
+    Scalar compliance_;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,19 @@
+// Chebyshev states compiled for double and both kernels: in place of spectral/chebyshev.hpp, with rollbem::compiled.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../spectral/chebyshev.hpp"
+
+namespace rollbem {
+
+extern template ChebyshevSystem<double> rolling_system<PlaneKernel<double>>(const Chebyshev&,
+                                                                            const PlaneKernel<double>&);
+extern template ChebyshevSystem<double> rolling_system<StripKernel<double>>(const Chebyshev&,
+                                                                            const StripKernel<double>&);
+extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<PlaneKernel<double>>(
+    const Chebyshev&, const PlaneKernel<double>&);
+extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<StripKernel<double>>(
+    const Chebyshev&, const StripKernel<double>&);
+
+}  // namespace rollbem

@@ -1,0 +1,31 @@
+// The parameters of a kernel of a contact 2b wide: what they have to be, and those of a given contact.
+// No user includes this by itself.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include "../../detail/finite.hpp"
+#include "../../detail/require.hpp"
+#include "../../scene/contact.hpp"
+
+namespace rollbem::detail {
+
+/// What a kernel of a contact 2b wide asks of its parameters.
+template <class Scalar>
+void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2) {
+    require(!is_nan(half_width) && half_width > 0, who, "half_width", half_width, "be positive");
+    require(is_finite(c1), who, "c1", c1, "be finite");
+    require(is_finite(c2), who, "c2", c2, "be finite");
+}
+
+/// The kernel of a contact, with (c1, c2) for either direction of creepage.
+template <class Kernel>
+Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact) {
+    return Kernel(contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
+}
+template <class Kernel>
+Kernel lateral_kernel(const Contact<typename Kernel::Scalar>& contact) {
+    return Kernel(contact.aspect(), typename Kernel::Scalar(1), -contact.poisson_ratio());
+}
+
+}  // namespace rollbem::detail

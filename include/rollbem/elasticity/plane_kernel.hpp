@@ -1,0 +1,79 @@
+// PlaneKernel: the line kernel of a contact far wider than long, b >> a.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "../closed_form/plane_lambda.hpp"
+#include "../detail/array_functions.hpp"
+#include "../detail/logarithms.hpp"
+#include "../scene/contact.hpp"
+#include "../types.hpp"
+#include "detail/parameters.hpp"
+#include "kernel_concepts.hpp"
+
+namespace rollbem {
+
+/// Limit b >> a of the strip, the kernel of Eq. (20): g = (1/(pi G)) [c1 ln(4 b^2/x^2) + 2 c2]. b stays a parameter;
+/// for b = inf only g' exists, hence only steady problems do.
+template <class Scalar_ = double>
+class PlaneKernel {
+public:
+    using Scalar = Scalar_;
+    using Array = ArrayX<Scalar>;
+
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
+    /// finite.
+    PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
+        : b_(half_width),
+          lambda_(detail::plane_lambda_of(half_width, c2 / c1)),
+          strength_(2 * c1 / std::numbers::pi_v<Scalar>),
+          constant_(2 / std::numbers::pi_v<Scalar> * (c1 * std::log(2 * half_width) + c2)) {
+        detail::check_line_kernel("PlaneKernel", half_width, c1, c2);
+    }
+
+    static PlaneKernel longitudinal(const Contact<Scalar>& contact) {
+        return detail::longitudinal_kernel<PlaneKernel>(contact);
+    }
+    static PlaneKernel lateral(const Contact<Scalar>& contact) { return detail::lateral_kernel<PlaneKernel>(contact); }
+
+    Scalar half_width() const { return b_; }  ///< b in units of a
+
+    /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance of a constant
+    /// displacement over that of the first harmonic. All modes of the plane model decay where Lambda > 0, one of them
+    /// grows where Lambda < 0: the kernel is then used far outside b >> a.
+    Scalar lambda() const { return lambda_; }
+
+    Array g(const Array& x) const {
+        Array result(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = std::abs(x[i]);
+        detail::log_in_place(result);
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = constant_ - strength_ * result[i];
+        return result;
+    }
+    Array H(const Array& x) const {
+        Array result = detail::finite_log(x);
+        const Scalar sum = constant_ + strength_;
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * (sum - strength_ * result[i]);
+        return result;
+    }
+    Array H_integral(const Array& x) const {
+        Array result = detail::finite_log(x);
+        const Scalar sum = (2 * constant_ + 3 * strength_) / 4;
+        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * x[i] * (sum - strength_ / 2 * result[i]);
+        return result;
+    }
+    std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
+    SmoothSplit<Scalar> smooth_split() const { return {constant_, strength_, std::numeric_limits<Scalar>::infinity()}; }
+    Array smooth_part(const Array& x) const { return detail::constant_array(x.size(), Scalar(0)); }
+    Scalar smooth_slope(Scalar) const { return 0; }
+
+private:
+    Scalar b_, lambda_, strength_, constant_;
+};
+
+}  // namespace rollbem

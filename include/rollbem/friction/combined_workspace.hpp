@@ -1,0 +1,47 @@
+// The factors and the scratch memory of a friction problem with both creepages: what makes steps fast and changes no
+// result.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <Eigen/Core>
+
+#include "../types.hpp"
+#include "combined_state.hpp"
+#include "detail/combined_memory.hpp"
+
+namespace rollbem {
+
+namespace detail {
+template <class Scalar>
+class CombinedCore;
+}
+
+/// Made by a model, and usable with any model of as many elements. Factors are kept for as long as the model and the
+/// distance rolled stay the same: contacts that take turns each want one of their own. Threads never share one at once.
+template <class Scalar_>
+class CombinedFrictionWorkspace {
+public:
+    using Scalar = Scalar_;
+
+    /// For n unknown elements.
+    explicit CombinedFrictionWorkspace(Eigen::Index n) : memory_(n) {}
+
+    Eigen::Index size() const { return memory_.work.size(); }
+
+    /// Slip of body 1 on body 2 in the equations of each element, where the scheme has its point, in what was solved
+    /// last: in a step or a rigid shift the distance slid meanwhile [m]; in a steady solution the slip velocity over
+    /// the rolling velocity, s/V [-].
+    const ElementVectors<Scalar>& slip() const { return memory_.slip; }
+
+    /// The terms of slip_work_per_width that each element contributes to the sum, none negative: per unit width [J/m],
+    /// of a steady solution per unit width and unit distance rolled [J/m^2].
+    const VectorX<Scalar>& slip_work() const { return memory_.work; }
+
+private:
+    friend class detail::CombinedCore<Scalar>;
+
+    detail::CombinedMemory<Scalar> memory_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,125 @@
+// The border that belongs to a creepage, and how fine a problem it takes.
+// No user includes this by itself.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../elasticity/kernel_concepts.hpp"
+#include "angular_points.hpp"
+#include "stick_zone_problem.hpp"
+
+namespace rollbem::detail {
+
+/// The narrowest strip, d/a of its smooth part, that these orders resolve.
+template <class Scalar>
+inline constexpr Scalar least_distance = Scalar(0.01);
+
+/// Accuracy of the stick border, level by level: the points of the pressure, and what a smooth part takes that is
+/// analytic up to a distance d. All rates are the slowest ones, those of a zone of half-length 1.
+///
+/// N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), r the logarithm of the
+/// Bernstein ellipse through there, cosh r = (sqrt(4 + d^2) + d)/2; the force converges twice as fast. N starts where
+/// the sum has e^-14 and doubles, with which the force has rounding in any scalar type.
+/// P points for the integrals of the unknowns, whose integrands are singular at a distance d from any point of the
+/// zone: rounding at 2P - N = ln(1/eps)/asinh(d).
+/// K points for the integrals of the known tractions, which may have kinks: they grow with the points of the pressure.
+template <class Scalar>
+void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scalar>& points, Scalar distance) {
+    if (!is_finite(distance)) return rule.set(points, 0, 0, 0);
+    const Scalar digits = -std::log(std::numeric_limits<Scalar>::epsilon());
+    const Scalar ellipse = std::acosh((std::sqrt(4 + distance * distance) + distance) / 2), line = std::asinh(distance);
+    const auto N = static_cast<Eigen::Index>(4 + 14 / ellipse) * (std::min(level, 2) + 2) / 2;
+    const auto P = std::max(2 * N, (N + static_cast<Eigen::Index>(digits / line)) / 2 + 5);
+    const auto K = std::min<Eigen::Index>(static_cast<Eigen::Index>(4 + 12 / line) * (level + 2) / 2, 1000);
+    rule.set(points, N, P, std::max(std::min<Eigen::Index>(points.size(), 512), K));
+}
+
+/// The border whose creepage is `creepage` > 0, from `y` on: secant steps within a bracket, bisection where they leave
+/// it or do not halve it in three steps. Full sliding where the creepage suffices for it.
+template <class Scalar, class Problem>
+std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const StickZoneRule<Scalar>& rule,
+                                                       Scalar creepage, Scalar y, int& evaluations) {
+    // x/a is rounded, which is felt where the distance y to the trailing edge is small
+    const Scalar small = 4 * std::numeric_limits<Scalar>::epsilon();
+    ++evaluations;
+    typename Problem::Point point = problem.evaluate(2, rule);
+    if (creepage >= point.creepage) return {Scalar(2), point};
+    Scalar low = 0, high = 2, low_excess = -creepage, high_excess = point.creepage - creepage;
+    if (!(y > 0 && y < 2)) y = 2 * creepage / point.creepage;
+    Scalar y_before = high, excess_before = high_excess;
+    Scalar width_before = 2;
+    for (int iteration = 0; iteration < 100; ++iteration) {
+        if (!(y > low && y < high)) y = low + (high - low) / 2;
+        ++evaluations;
+        point = problem.evaluate(y, rule);
+        const Scalar excess = point.creepage - creepage;
+        if (!is_finite(excess) || std::abs(excess) <= small * (1 + 1 / y) * creepage) break;
+        (excess < 0 ? low : high) = y;
+        (excess < 0 ? low_excess : high_excess) = excess;
+        if (high - low <= small * std::min(high, Scalar(1))) break;
+        Scalar next = y - excess * (y - y_before) / (excess - excess_before);
+        if (!(next > low && next < high)) next = low - low_excess * (high - low) / (high_excess - low_excess);
+        if (iteration % 3 == 2) {
+            if (high - low > width_before / 2) next = low + (high - low) / 2;
+            width_before = high - low;
+        }
+        y_before = y;
+        excess_before = excess;
+        y = next;
+    }
+    return {y, point};
+}
+
+/// A border that more points and unknowns do not move.
+template <class Scalar, class Problem>
+struct SettledBorder {
+    Scalar y = -1;
+    typename Problem::Point point{};                         // its force is that at the creepage sought
+    Scalar error = std::numeric_limits<Scalar>::infinity();  // of the force: what the last level changed
+    StickZoneRule<Scalar> rule;
+};
+
+/// Goes from level to level until the force at `creepage` >= 0 settles to the rounding of `load`.
+template <class Scalar, class Problem>
+SettledBorder<Scalar, Problem> settle_border(Problem& problem, PointsOfLevels<Scalar>& levels,
+                                             const SmoothSplit<Scalar>& split, Scalar creepage, Scalar load,
+                                             int& evaluations) {
+    SettledBorder<Scalar, Problem> settled;
+    set_level<Scalar>(settled.rule, 0, levels[0], split.distance);
+    Scalar& y = settled.y;
+    typename Problem::Point& point = settled.point;
+    const auto force_at_creepage = [&] {
+        return y < 2 ? point.force + point.tangent * (creepage - point.creepage) : point.force;
+    };
+    for (int level = 1; level < levels.count; ++level) {
+        if (creepage > 0) {
+            std::tie(y, point) = find_border(problem, settled.rule, creepage, y, evaluations);
+        } else {
+            y = 0;
+            point = problem.evaluate(y, settled.rule);
+        }
+        const Scalar coarse = force_at_creepage(), coarse_creepage = point.creepage;
+        set_level<Scalar>(settled.rule, level, levels[level], split.distance);
+        ++evaluations;
+        point = problem.evaluate(y, settled.rule);
+        settled.error = std::abs(force_at_creepage() - coarse);
+        // the creepage of full sliding must settle too: it is infinite for a pressure that does not end at zero
+        if (y == 2 && creepage < point.creepage + std::abs(point.creepage - coarse_creepage)) {
+            settled.error += std::abs(point.creepage - coarse_creepage) / split.strength;
+        }
+        point.force = force_at_creepage();
+        if (!is_finite(settled.error) || settled.error <= 64 * std::numeric_limits<Scalar>::epsilon() * load) break;
+    }
+    return settled;
+}
+
+}  // namespace rollbem::detail

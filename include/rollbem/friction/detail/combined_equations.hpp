@@ -1,0 +1,240 @@
+// The linear equations of a Newton step for friction in two directions: elements that stick, elements that slip.
+// What it computes depends on its arguments alone, to the last bit, never on what was solved before.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../detail/in_place_lu.hpp"
+#include "../../types.hpp"
+#include "../combined_state.hpp"
+#include "stick_equations.hpp"
+
+namespace rollbem::detail {
+
+/// Finds the change dp of tractions that meets, with ds = M dp,
+/// - where elements stick:  s + ds = 0;
+/// - where they slip:       dp = tau t and t.(s + ds) + k tau = 0, t the unit vector across the traction;
+/// - where they are free:   dp = 0.
+/// M acts on each direction by a matrix of its own, so that the elements that stick are eliminated one direction at a
+/// time; what is left are the tau, by LU with pivoting. Where the elements that stick are singular by themselves, as a
+/// leading one without influence on its own slip is, all equations are factorised together. Everything is allocated by
+/// the constructor.
+template <class Scalar>
+class CombinedEquations {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Matrix = MatrixX<Scalar>;
+
+    explicit CombinedEquations(Index n)
+        : side_{Side(n), Side(n)},
+          factors_(n, n),
+          whole_(2 * n, 2 * n),
+          right_(2 * n),
+          tangent_(ElementVectors<Scalar>::Zero(n, 2)),
+          swaps_(static_cast<std::size_t>(2 * n)) {
+        slipping_.reserve(static_cast<std::size_t>(n));
+        sticking_.reserve(static_cast<std::size_t>(n));
+        eliminated_for_.reserve(static_cast<std::size_t>(n));
+    }
+
+    Index size() const { return factors_.rows(); }
+    /// M of direction 0 (longitudinal) or 1 (lateral).
+    const Matrix& matrix(std::size_t direction) const { return side_[direction].sticking.matrix(); }
+    /// The same, to be filled anew: the factors are void.
+    Matrix& new_matrix(std::size_t direction) { return side_[direction].sticking.new_matrix(); }
+
+    /// Factorises for the elements with stick = 1 and those with slip = 1; those with neither are free. `traction` is
+    /// the unit vector along the traction of each element that slips, `stiffness` its k. False where the equations are
+    /// singular to working precision.
+    bool factorise(const Vector& stick, const Vector& slip, const ElementVectors<Scalar>& traction,
+                   const Vector& stiffness) {
+        list(slip, slipping_);
+        for (Index k = 0; k < slip_count(); ++k) {
+            tangent_(k, 0) = -traction(slipping(k), 1);
+            tangent_(k, 1) = traction(slipping(k), 0);
+        }
+        is_whole_ = !eliminate(stick);
+        return is_whole_ ? factorise_whole(stick, stiffness) : factorise_reduced(stiffness);
+    }
+
+    /// dp for the slip s.
+    void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
+        change.setZero();
+        if (is_whole_) {
+            solve_whole(s, change);
+        } else {
+            solve_reduced(s, change);
+        }
+    }
+
+private:
+    // One direction. With S the elements that stick and L those that slip:
+    struct Side {
+        explicit Side(Index n)
+            : sticking(n), answer(n, n), reduced(n, n), across(n, n), stuck(n), amplitude(n), induced(n) {}
+
+        // what slipping elements do to sticking ones, and through them to each other
+        void eliminate(const std::vector<Index>& slipping) {
+            const Index sticks = sticking.count(), slips = static_cast<Index>(slipping.size());
+            const Matrix& M = sticking.matrix();
+            for (Index k = 0; k < sticks; ++k) {
+                const Index own = sticking.listed(k);
+                for (Index l = 0; l < slips; ++l) across(l, k) = M(slipping[static_cast<std::size_t>(l)], own);
+            }
+            for (Index l = 0; l < slips; ++l) {
+                const Index own = slipping[static_cast<std::size_t>(l)];
+                for (Index k = 0; k < sticks; ++k) answer(k, l) = M(sticking.listed(k), own);
+                for (Index k = 0; k < slips; ++k) reduced(k, l) = M(slipping[static_cast<std::size_t>(k)], own);
+                sticking.solve_listed(answer.col(l).head(sticks));
+                reduced.col(l).head(slips).noalias() -=
+                    across.topLeftCorner(slips, sticks) * answer.col(l).head(sticks);
+            }
+        }
+        // dp of S while the elements of L keep their tractions, and the slip that it induces on them
+        template <class Column>
+        void start(const Column& s, Index slips) {
+            const Index sticks = sticking.count();
+            for (Index k = 0; k < sticks; ++k) stuck[k] = -s[sticking.listed(k)];
+            sticking.solve_listed(stuck.head(sticks));
+            induced.head(slips).noalias() = across.topLeftCorner(slips, sticks) * stuck.head(sticks);
+        }
+        void finish(Index slips) {
+            const Index sticks = sticking.count();
+            stuck.head(sticks).noalias() -= answer.topLeftCorner(sticks, slips) * amplitude.head(slips);
+        }
+
+        StickEquations<Scalar> sticking;
+        Matrix answer;   // M(S, S)^-1 M(S, L)
+        Matrix reduced;  // M(L, L) - M(L, S) M(S, S)^-1 M(S, L)
+        Matrix across;   // M(L, S)
+        Vector stuck, amplitude, induced;
+    };
+
+    static Index column(std::size_t direction) { return static_cast<Index>(direction); }
+    Index slip_count() const { return static_cast<Index>(slipping_.size()); }
+    Index slipping(Index k) const { return slipping_[static_cast<std::size_t>(k)]; }
+    Index sticking(Index k) const { return sticking_[static_cast<std::size_t>(k)]; }
+
+    static void list(const Vector& chosen, std::vector<Index>& elements) {
+        elements.clear();
+        for (Index i = 0; i < chosen.size(); ++i) {
+            if (chosen[i] != 0) elements.push_back(i);
+        }
+    }
+
+    bool eliminate(const Vector& stick) {
+        for (Side& side : side_) {
+            if (!side.sticking.factorise(stick)) return false;
+        }
+        const std::array<unsigned long, 2> revisions{side_[0].sticking.revision(), side_[1].sticking.revision()};
+        if (revisions == eliminated_revisions_ && slipping_ == eliminated_for_) return true;
+        for (Side& side : side_) side.eliminate(slipping_);
+        eliminated_for_ = slipping_;
+        eliminated_revisions_ = revisions;
+        return true;
+    }
+
+    bool factorise_reduced(const Vector& stiffness) {
+        const Index count = slip_count();
+        const auto across = [&](Index d) { return tangent_.col(d).head(count); };
+        for (Index k = 0; k < count; ++k) {
+            factors_.col(k).head(count) = tangent_(k, 0) * across(0).cwiseProduct(side_[0].reduced.col(k).head(count)) +
+                                          tangent_(k, 1) * across(1).cwiseProduct(side_[1].reduced.col(k).head(count));
+            factors_(k, k) += stiffness[slipping(k)];
+        }
+        return factorise_first(factors_, count);
+    }
+
+    void solve_reduced(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
+        const Index count = slip_count();
+        right_.head(count).setZero();
+        for (std::size_t d = 0; d < 2; ++d) {
+            side_[d].start(s.col(column(d)), count);
+            for (Index k = 0; k < count; ++k) {
+                right_[k] -= tangent_(k, column(d)) * (s(slipping(k), column(d)) + side_[d].induced[k]);
+            }
+        }
+        solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
+        for (std::size_t d = 0; d < 2; ++d) {
+            Side& side = side_[d];
+            side.amplitude.head(count) = tangent_.col(column(d)).head(count).cwiseProduct(right_.head(count));
+            for (Index k = 0; k < count; ++k) change(slipping(k), column(d)) = side.amplitude[k];
+            side.finish(count);
+            for (Index k = 0; k < side.sticking.count(); ++k) {
+                change(side.sticking.listed(k), column(d)) = side.stuck[k];
+            }
+        }
+    }
+
+    // Unknowns and equations of sticking elements longitudinal and lateral, then of slipping ones.
+    bool factorise_whole(const Vector& stick, const Vector& stiffness) {
+        list(stick, sticking_);
+        const Index sticks = static_cast<Index>(sticking_.size()), slips = slip_count(), size = 2 * sticks + slips;
+        whole_.topLeftCorner(size, size).setZero();
+        for (std::size_t d = 0; d < 2; ++d) {
+            const Index first = column(d) * sticks, last = 2 * sticks;
+            for (Index k = 0; k < sticks; ++k) {
+                const auto influence = matrix(d).col(sticking(k));
+                for (Index j = 0; j < sticks; ++j) whole_(first + j, first + k) = influence[sticking(j)];
+                for (Index j = 0; j < slips; ++j) {
+                    whole_(last + j, first + k) = tangent_(j, column(d)) * influence[slipping(j)];
+                }
+            }
+            for (Index k = 0; k < slips; ++k) {
+                const auto influence = matrix(d).col(slipping(k));
+                const Scalar share = tangent_(k, column(d));
+                for (Index j = 0; j < sticks; ++j) whole_(first + j, last + k) = share * influence[sticking(j)];
+                for (Index j = 0; j < slips; ++j) {
+                    whole_(last + j, last + k) += share * tangent_(j, column(d)) * influence[slipping(j)];
+                }
+            }
+        }
+        for (Index k = 0; k < slips; ++k) whole_(2 * sticks + k, 2 * sticks + k) += stiffness[slipping(k)];
+        return factorise_first(whole_, size);
+    }
+
+    void solve_whole(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
+        const Index sticks = static_cast<Index>(sticking_.size()), slips = slip_count(), size = 2 * sticks + slips;
+        for (Index k = 0; k < sticks; ++k) {
+            right_[k] = -s(sticking(k), 0);
+            right_[sticks + k] = -s(sticking(k), 1);
+        }
+        for (Index k = 0; k < slips; ++k) {
+            const Index i = slipping(k);
+            right_[2 * sticks + k] = -(tangent_(k, 0) * s(i, 0) + tangent_(k, 1) * s(i, 1));
+        }
+        solve_in_place<Scalar>(whole_.topLeftCorner(size, size), swaps_.data(), right_.head(size));
+        for (Index d = 0; d < 2; ++d) {
+            for (Index k = 0; k < sticks; ++k) change(sticking(k), d) = right_[d * sticks + k];
+            for (Index k = 0; k < slips; ++k) change(slipping(k), d) = tangent_(k, d) * right_[2 * sticks + k];
+        }
+    }
+
+    // The leading part of a matrix. False where it is singular to working precision.
+    bool factorise_first(Matrix& A, Index count) {
+        factorise_in_place<Scalar>(A.topLeftCorner(count, count), swaps_.data());
+        for (Index k = 0; k < count; ++k) {
+            if (!is_finite(A(k, k)) || A(k, k) == 0) return false;
+        }
+        return true;
+    }
+
+    std::array<Side, 2> side_;
+    Matrix factors_, whole_;
+    Vector right_;
+    ElementVectors<Scalar> tangent_;  // of the elements that slip, in their order
+    std::vector<Index> slipping_, sticking_, eliminated_for_;
+    std::vector<Index> swaps_;
+    bool is_whole_ = false;
+    std::array<unsigned long, 2> eliminated_revisions_{0, 0};  // 0: of no matrix yet
+};
+
+}  // namespace rollbem::detail

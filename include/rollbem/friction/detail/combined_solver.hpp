@@ -1,0 +1,388 @@
+// Stick or slip, element by element, in two directions: tractions within a circle whose slip opposes them.
+// The core of the friction problems with both creepages; knows neither rolling nor units.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../status.hpp"
+#include "../../types.hpp"
+#include "../combined_state.hpp"
+#include "combined_equations.hpp"
+#include "complementary_path.hpp"
+
+namespace rollbem::detail {
+
+/// Finds p and s with s_d = M_d p_d + c_d in both directions d, |p_i| <= bound_i, s_i = 0 where |p_i| < bound_i, and
+/// s_i = -v_i p_i, v_i >= 0, where |p_i| = bound_i; p_i and s_i are vectors.
+///
+/// Newton's method on the natural map p_i = P(p_i - rho_i s_i), P the projection onto the circle of the bound
+/// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
+/// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
+/// two. Steps are halved where the residual of the map would grow. As M may be any matrix, that can get stuck. Further
+/// attempts then halve nothing, and start from full sliding or from what ComplementaryPath finds for each direction by
+/// itself. When all have failed, the best point is returned with what it violates. At most `longest` steps each.
+///
+/// The result depends on M, c, the bounds and the point to start from, to the last bit, and on nothing that was solved
+/// before. Everything is allocated by the constructor.
+template <class Scalar>
+class CombinedSolver {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Matrix = MatrixX<Scalar>;
+    using Zones = std::vector<CombinedZone>;
+
+    struct Outcome {
+        int rounds = 0;  ///< Newton steps, of all attempts
+        /// Largest violation of a bound, or traction below it where there is slip (over the largest bound), and of the
+        /// slip: of stick, of its direction, against the traction (over the largest |c|).
+        Scalar residual = 0;
+        bool tangent_exists = false;
+        StepStatus status = StepStatus::not_finite;
+    };
+
+    explicit CombinedSolver(Index n)
+        : equations_(n),
+          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          stick_(Vector::Ones(n)),
+          slide_(Vector::Zero(n)),
+          stiffness_(Vector::Zero(n)),
+          reach_(Vector::Zero(n)),
+          direction_(Vectors::Zero(n, 2)),
+          traction_(Vectors::Zero(n, 2)),
+          slip_(Vectors::Zero(n, 2)),
+          constant_(Vectors::Zero(n, 2)),
+          trial_(n, 2),
+          trial_slip_(n, 2),
+          change_(n, 2),
+          best_(n, 2),
+          path_(n),
+          split_(n, 2),
+          split_zones_(zones_),
+          share_(n),
+          column_(n) {}
+
+    Index size() const { return equations_.size(); }
+
+    /// M of direction 0 (longitudinal) or 1 (lateral), to be filled before the first solve and whenever it changes.
+    Matrix& new_matrix(std::size_t direction) {
+        reach_is_known_ = false;
+        return equations_.new_matrix(direction);
+    }
+    const Matrix& matrix(std::size_t direction) const { return equations_.matrix(direction); }
+    /// c, to be filled before each solve.
+    ElementVectors<Scalar>& constant() { return constant_; }
+
+    const ElementVectors<Scalar>& traction() const { return traction_; }
+    /// s, exactly zero where elements stick and against the traction where they slip.
+    const ElementVectors<Scalar>& slip() const { return slip_; }
+    const Zones& zones() const { return zones_; }
+    Index stick_count() const { return stick_count_; }
+
+    /// Solves for bounds >= 0, all finite, starting from tractions and zones that hold for other c and bounds.
+    Outcome solve(const Vector& bound, const ElementVectors<Scalar>& traction, const Zones& zones) noexcept {
+        imposed_ = 0;
+        for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+        find_reach();
+        least_ = std::numeric_limits<Scalar>::max();
+        Outcome outcome;
+        bool settled = false;
+        for (const Start start : {Start::given, Start::sliding, Start::split}) {
+            if (start == Start::split && !settled) find_split(bound);
+            for (const bool careful : {true, false}) {
+                if (settled) break;
+                if (start == Start::given) start_from(bound, traction, zones);
+                if (start == Start::sliding) start_sliding(bound);
+                if (start == Start::split) start_from(bound, split_, split_zones_);
+                settled = settle(bound, careful, outcome);
+            }
+        }
+        if (!settled) return_to_best(bound);
+        outcome.residual = publish(bound);
+        outcome.tangent_exists = settled && equations_.factorise(stick_, slide_, direction_, stiffness_);
+        const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
+        outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
+        return outcome;
+    }
+
+    /// dp that follows a change dc while no element changes between stick and slip. Only where the last outcome says
+    /// that a tangent exists.
+    void respond(const ElementVectors<Scalar>& change, ElementVectors<Scalar>& traction_change) {
+        equations_.solve(change, traction_change);
+    }
+    /// Unit vector along the traction of each element that slips, zero for others: how it follows a change of its
+    /// bound.
+    const ElementVectors<Scalar>& direction() const { return direction_; }
+
+private:
+    using Vectors = ElementVectors<Scalar>;
+
+    enum class Start { given, sliding, split };
+
+    static constexpr int longest = 60;  // steps of an attempt; scenes of rolling take at most 16
+    static constexpr Scalar stiffest = std::numeric_limits<Scalar>::max() / 1000;
+    static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+
+    Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
+
+    // rho: the largest influence on an element. Its own may vanish, as under central differences about its centre.
+    void find_reach() {
+        if (reach_is_known_) return;
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar largest =
+                std::max(matrix(0).row(i).cwiseAbs().maxCoeff(), matrix(1).row(i).cwiseAbs().maxCoeff());
+            reach_[i] = largest > 0 ? 1 / largest : Scalar(1);
+        }
+        reach_is_known_ = true;
+    }
+
+    // M p + c, and how much of it is rounding
+    void find_slip(const Vectors& p, Vectors& s) {
+        s.col(0).noalias() = matrix(0) * p.col(0);
+        s.col(1).noalias() = matrix(1) * p.col(1);
+        slip_scale_ = rounding() * (s.cwiseAbs().maxCoeff() + imposed_);
+        s += constant_;
+    }
+
+    void let_stick(Index i) { set_zone(i, 1, 0); }
+    // no pressure, no traction
+    void let_go(Index i) {
+        set_zone(i, 0, 0);
+        traction_.row(i).setZero();
+    }
+    void set_zone(Index i, Scalar sticks, Scalar slides) {
+        stick_[i] = sticks;
+        slide_[i] = slides;
+        direction_.row(i).setZero();
+        stiffness_[i] = 0;
+    }
+    // direction along (x, y) of length `norm`
+    void let_slide(Index i, Scalar x, Scalar y, Scalar norm, Scalar stiffness) {
+        stick_[i] = 0;
+        slide_[i] = 1;
+        direction_(i, 0) = x / norm;
+        direction_(i, 1) = y / norm;
+        stiffness_[i] = std::min(stiffness, stiffest);  // finite, however small the bound
+    }
+    // where the natural map puts an element
+    void place(Index i, Scalar bound) {
+        const Scalar x = traction_(i, 0) - reach_[i] * slip_(i, 0), y = traction_(i, 1) - reach_[i] * slip_(i, 1);
+        const Scalar norm = std::hypot(x, y);
+        if (bound == 0) {
+            let_go(i);
+        } else if (norm > (1 + 4 * rounding()) * bound) {
+            let_slide(i, x, y, norm, (norm - bound) / (bound * reach_[i]));
+        } else {
+            let_stick(i);
+        }
+    }
+
+    void start_from(const Vector& bound, const Vectors& traction, const Zones& zones) {
+        traction_ = traction;
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
+            if (zones[static_cast<std::size_t>(i)] == CombinedZone::slip && norm > 0)
+                traction_.row(i) *= bound[i] / norm;
+        }
+        find_slip(traction_, slip_);
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar x = traction_(i, 0), y = traction_(i, 1), norm = std::hypot(x, y);
+            if (bound[i] == 0) {
+                let_go(i);
+            } else if (zones[static_cast<std::size_t>(i)] == CombinedZone::stick) {
+                let_stick(i);
+            } else if (norm > 0) {
+                const Scalar against = -(x * slip_(i, 0) + y * slip_(i, 1));
+                let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
+            } else {
+                place(i, bound[i]);
+            }
+        }
+    }
+
+    void start_sliding(const Vector& bound) {
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar x = -constant_(i, 0), y = -constant_(i, 1), norm = std::hypot(x, y);
+            if (bound[i] == 0 || norm == 0) {
+                let_go(i);
+                if (bound[i] > 0) let_stick(i);
+            } else {
+                let_slide(i, x, y, norm, norm / bound[i]);
+            }
+        }
+        traction_ = bound.asDiagonal() * direction_;
+    }
+
+    // Each direction by itself under its share of the bounds, at the angle of the constant: what a path with a proof
+    // finds. Where the constants of all elements are along one direction, that is a solution.
+    void find_split(const Vector& bound) {
+        for (Index d = 0; d < 2; ++d) {
+            for (Index i = 0; i < size(); ++i) {
+                const Scalar norm = std::hypot(constant_(i, 0), constant_(i, 1));
+                share_[i] = norm > 0 ? bound[i] * (std::abs(constant_(i, d)) / norm) : Scalar(0);
+            }
+            column_ = constant_.col(d);
+            path_.follow(matrix(static_cast<std::size_t>(d)), column_, share_);
+            split_.col(d) = path_.traction();
+        }
+        for (Index i = 0; i < size(); ++i) {
+            const bool at_bound = std::hypot(split_(i, 0), split_(i, 1)) >= (1 - 4 * rounding()) * bound[i];
+            split_zones_[static_cast<std::size_t>(i)] = at_bound ? CombinedZone::slip : CombinedZone::stick;
+        }
+        find_slip(split_, trial_slip_);
+        note(split_, natural_residual(bound, split_, trial_slip_));
+    }
+
+    // The best point so far.
+    void note(const Vectors& p, Scalar residual) {
+        if (!(residual < least_)) return;
+        least_ = residual;
+        best_ = p;
+    }
+
+    // Newton steps. False when they do not settle; `careful`: halved where the residual grows.
+    bool settle(const Vector& bound, bool careful, Outcome& outcome) {
+        Scalar before = std::numeric_limits<Scalar>::max();
+        for (int step = 0; step < longest; ++step) {
+            if (!equations_.factorise(stick_, slide_, direction_, stiffness_)) return false;
+            ++outcome.rounds;
+            take_step(bound);
+            Scalar residual = natural_residual(bound, trial_, trial_slip_);
+            const bool done = settled(bound, Scalar(1));
+            const bool stalls = !(residual < before);
+            if (!done && stalls && careful && !settled(bound, Scalar(1000))) residual = shorten(bound, before);
+            if (!is_finite(residual)) return false;
+            traction_ = trial_;
+            slip_ = trial_slip_;
+            note(traction_, residual);
+            if (done || (stalls && settled(bound, Scalar(1000)))) return true;
+            before = residual;
+            for (Index i = 0; i < size(); ++i) place(i, bound[i]);
+        }
+        return false;
+    }
+
+    // The whole step, to trial_: what slips goes back to its circle.
+    void take_step(const Vector& bound) {
+        trial_ = traction_;
+        for (Index i = 0; i < size(); ++i) {
+            if (slide_[i] != 0) trial_.row(i) = bound[i] * direction_.row(i);
+        }
+        find_slip(trial_, trial_slip_);
+        equations_.solve(trial_slip_, change_);
+        trial_ += change_;
+        for (Index i = 0; i < size(); ++i) {
+            if (slide_[i] != 0) trial_.row(i) *= bound[i] / std::hypot(trial_(i, 0), trial_(i, 1));
+        }
+        find_slip(trial_, trial_slip_);
+    }
+
+    // Halves the step until the residual falls below what it was, or is as small as it may get.
+    Scalar shorten(const Vector& bound, Scalar before) {
+        change_ = trial_ - traction_;
+        Scalar residual = before;
+        for (Scalar part = Scalar(0.5); part > Scalar(1) / 300; part /= 2) {
+            trial_ = traction_ + part * change_;
+            find_slip(trial_, trial_slip_);
+            residual = natural_residual(bound, trial_, trial_slip_);
+            if (residual <= (1 - Scalar(1e-4) * part) * before) break;
+        }
+        return residual;
+    }
+
+    Scalar natural_residual(const Vector& bound, const Vectors& p, const Vectors& s) const {
+        Scalar sum = 0;
+        for (Index i = 0; i < size(); ++i) {
+            if (bound[i] == 0) continue;
+            const Scalar x = p(i, 0) - reach_[i] * s(i, 0), y = p(i, 1) - reach_[i] * s(i, 1);
+            const Scalar norm = std::hypot(x, y), share = norm > bound[i] ? bound[i] / norm : Scalar(1);
+            const Scalar dx = p(i, 0) - share * x, dy = p(i, 1) - share * y;
+            sum += std::hypot(dx, dy);
+        }
+        return sum;
+    }
+
+    // Whether the trial meets all conditions to `factor` times rounding, in the zones that it was sought with.
+    bool settled(const Vector& bound, Scalar factor) const {
+        const Scalar slip_limit = 4 * factor * slip_scale_, share = 4 * factor * rounding();
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar x = trial_(i, 0), y = trial_(i, 1), u = trial_slip_(i, 0), v = trial_slip_(i, 1);
+            const Scalar norm = std::hypot(x, y);
+            if (stick_[i] != 0) {
+                if (!(norm <= (1 + share) * bound[i])) return false;
+                if (!(std::hypot(u, v) <= slip_limit)) return false;
+            } else if (slide_[i] != 0) {
+                if (!(std::abs(norm - bound[i]) <= share * bound[i])) return false;
+                if (!(std::abs(x * v - y * u) <= slip_limit * bound[i])) return false;
+                if (!(x * u + y * v <= slip_limit * bound[i])) return false;
+            }
+        }
+        return true;
+    }
+
+    void return_to_best(const Vector& bound) {
+        if (least_ < std::numeric_limits<Scalar>::max()) traction_ = best_;
+        find_slip(traction_, slip_);
+        for (Index i = 0; i < size(); ++i) {
+            place(i, bound[i]);
+            const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
+            if (norm > bound[i] || slide_[i] != 0) traction_.row(i) *= norm > 0 ? bound[i] / norm : Scalar(0);
+        }
+        find_slip(traction_, slip_);
+    }
+
+    // Zones, and slip without what rounding has left of it: the largest violation. Leaves direction and stiffness of
+    // what slips as they are at the solution.
+    Scalar publish(const Vector& bound) {
+        Scalar slip = 0, excess = 0;
+        stick_count_ = 0;
+        for (Index i = 0; i < size(); ++i) {
+            zones_[static_cast<std::size_t>(i)] = stick_[i] != 0 ? CombinedZone::stick : CombinedZone::slip;
+            const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
+            const Scalar norm = std::hypot(x, y);
+            excess = std::max(excess, norm - bound[i]);
+            if (stick_[i] != 0) {
+                ++stick_count_;
+                slip = std::max(slip, std::hypot(u, v));
+                slip_.row(i).setZero();
+            } else if (slide_[i] != 0) {
+                excess = std::max(excess, bound[i] - norm);
+                let_slide(i, x, y, norm > 0 ? norm : Scalar(1), 0);
+                const Scalar along = direction_(i, 0) * u + direction_(i, 1) * v;
+                slip = std::max({slip, std::abs(direction_(i, 0) * v - direction_(i, 1) * u), along});
+                slip_.row(i) = std::min(along, Scalar(0)) * direction_.row(i);
+                stiffness_[i] = std::min(std::max(-along, Scalar(0)) / bound[i], stiffest);
+            }
+            if (!is_finite(u) || !is_finite(v) || !is_finite(norm)) slip = std::numeric_limits<Scalar>::quiet_NaN();
+        }
+        const Scalar largest = bound.maxCoeff();
+        return std::max(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
+    }
+
+    CombinedEquations<Scalar> equations_;
+    Zones zones_;
+    Vector stick_, slide_;  // 1 for the elements that do; those without pressure do neither
+    Vector stiffness_;      // slip over traction of an element that slides
+    Vector reach_;          // rho
+    Vectors direction_, traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
+    ComplementaryPath<Scalar> path_;
+    Vectors split_;  // where the last attempts start
+    Zones split_zones_;
+    Vector share_, column_;
+    Scalar imposed_ = 0;     // max |c|
+    Scalar slip_scale_ = 0;  // rounding of the slip
+    Scalar least_ = 0;       // residual of the natural map at best_
+    Index stick_count_ = 0;
+    bool reach_is_known_ = false;
+};
+
+}  // namespace rollbem::detail

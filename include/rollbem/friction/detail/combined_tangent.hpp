@@ -1,0 +1,100 @@
+// How the tractions of a stage that has been solved in two directions follow a change: of a creepage, of the load, of
+// the half-length, and of what an earlier stage has left.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "../../assembly/rolling_system.hpp"
+#include "../../types.hpp"
+#include "../combined_state.hpp"
+#include "combined_memory.hpp"
+#include "load_tangents.hpp"
+#include "rolling_stage.hpp"
+
+namespace rollbem::detail {
+
+/// What tangents are taken by: the place of each in CombinedMemory::carried.
+enum class Parameter : unsigned char { longitudinal, lateral, load, half_length };
+
+template <class Scalar>
+using SystemPair = std::array<ElementSystem<Scalar>, 2>;
+
+/// Derivatives of the stage that memory.solver has solved last by one parameter. Each leaves dp in memory.response.
+template <class Scalar>
+class CombinedTangent {
+public:
+    /// `carried`: what a stage before has left in memory.carried shifts the equations.
+    CombinedTangent(CombinedMemory<Scalar>& memory, Parameter parameter, bool carried)
+        : memory_(memory), parameter_(parameter) {
+        if (carried) {
+            memory.right = memory.carried[place(parameter)];
+        } else {
+            memory.right.setZero();
+        }
+    }
+
+    /// By a creepage, on which part dq xi depends by `imposed`.
+    void by_creepage(Scalar imposed) {
+        memory_.right.col(parameter_ == Parameter::longitudinal ? 0 : 1).array() += imposed;
+        memory_.solver.respond(memory_.right, memory_.response);
+    }
+
+    /// By the load: bounds change by `progress` times memory.bound_rate, and what slips follows its bound.
+    void by_load(Scalar progress) {
+        const ElementVectors<Scalar>& direction = memory_.solver.direction();
+        for (std::size_t d = 0; d < 2; ++d) {
+            memory_.column = progress * memory_.bound_rate.cwiseProduct(direction.col(column(d)));
+            memory_.right.col(column(d)).noalias() += memory_.solver.matrix(d) * memory_.column;
+        }
+        memory_.solver.respond(memory_.right, memory_.response);
+        for (Eigen::Index d = 0; d < 2; ++d) {
+            memory_.response.col(d) += progress * memory_.bound_rate.cwiseProduct(direction.col(d));
+        }
+    }
+
+    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p.
+    void by_half_length(const SystemPair<Scalar>& systems, const StagePlace<Scalar>& stage) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            add_displacement_rate(systems[d], d, stage.progress, memory_.right);
+            memory_.product.noalias() = systems[d].G_prime() * memory_.column;
+            memory_.right.col(column(d)).array() -= stage.part * *systems[d].points() * memory_.product.array();
+        }
+        memory_.solver.respond(memory_.right, memory_.response);
+    }
+
+    /// To the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, and what
+    /// the half-length itself does by `progress`, where that is the parameter.
+    void carry(const SystemPair<Scalar>& systems, Scalar ratio, Scalar progress) {
+        ElementVectors<Scalar>& carried = memory_.carried[place(parameter_)];
+        for (std::size_t d = 0; d < 2; ++d) {
+            memory_.column = memory_.response.col(column(d));
+            find_displacement(systems[d], memory_.stage.half_length, memory_.column, memory_.product);
+            carried.col(column(d)) = memory_.product;
+            if (parameter_ == Parameter::half_length) add_displacement_rate(systems[d], d, progress, carried);
+        }
+        carried *= -ratio;
+    }
+
+private:
+    static Eigen::Index column(std::size_t direction) { return static_cast<Eigen::Index>(direction); }
+    static std::size_t place(Parameter parameter) { return static_cast<std::size_t>(parameter); }
+
+    // Adds progress dU/da; leaves the tractions of the direction in memory.column.
+    void add_displacement_rate(const ElementSystem<Scalar>& system, std::size_t d, Scalar progress,
+                               ElementVectors<Scalar>& sum) {
+        memory_.column = memory_.solver.traction().col(column(d));
+        find_displacement(system, memory_.stage.half_length, memory_.column, memory_.product);
+        find_displacement_rate(system, memory_.stage.half_length, memory_.column, memory_.product, memory_.rate);
+        sum.col(column(d)) += progress * memory_.rate;
+    }
+
+    CombinedMemory<Scalar>& memory_;
+    Parameter parameter_;
+};
+
+}  // namespace rollbem::detail

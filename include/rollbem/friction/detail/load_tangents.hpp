@@ -1,0 +1,90 @@
+// How the force at the end of a step answers the load and the half-length there, stage by stage.
+// Knows neither units nor what the load is.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <Eigen/Core>
+
+#include "../../assembly/rolling_system.hpp"
+#include "../../types.hpp"
+#include "active_set.hpp"
+#include "rolling_stage.hpp"
+
+namespace rollbem::detail {
+
+/// Where a stage lies in its step, for what goes evenly from the start of the step to its end.
+template <class Scalar>
+struct StagePlace {
+    Scalar part;      ///< of the step that the stage takes
+    Scalar progress;  ///< part of the step that is done at its end
+};
+
+/// Tractions of a stage by a change at the end of the step, while no element changes its zone: by bounds that change,
+/// and by the half-length. What the first of two stages answers shifts the equations of the second. All is allocated by
+/// the constructor.
+template <class Scalar>
+class LoadTangents {
+public:
+    using Vector = VectorX<Scalar>;
+
+    explicit LoadTangents(Eigen::Index n)
+        : bound_change_(Vector::Zero(n)),
+          carried_by_load_(Vector::Zero(n)),
+          carried_by_length_(Vector::Zero(n)),
+          response_(Vector::Zero(n)),
+          displacement_(Vector::Zero(n)),
+          rate_(Vector::Zero(n)),
+          change_(Vector::Zero(n)) {}
+
+    /// At the start of a step: no stage has answered yet.
+    void clear() {
+        carried_by_load_.setZero();
+        carried_by_length_.setZero();
+    }
+
+    /// d bound at the end of the step, to be filled before it.
+    Vector& bound_change() { return bound_change_; }
+
+    /// The first of two stages, solved in `solver`; the second starts from U + ratio (U_1 - U).
+    void carry(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage, const StagePlace<Scalar>& place,
+               Scalar ratio, bool by_load, bool by_length, ActiveSet<Scalar>& solver) {
+        if (by_load) {
+            respond_to_load(place, solver);
+            find_displacement(system, stage.half_length, response_, carried_by_load_);
+            carried_by_load_ *= -ratio;
+        }
+        if (by_length) {
+            respond_to_half_length(system, stage, place, solver);
+            find_displacement(system, stage.half_length, response_, carried_by_length_);
+            carried_by_length_ += place.progress * rate_;
+            carried_by_length_ *= -ratio;
+        }
+    }
+
+    /// dp of the last stage by the load,
+    const Vector& respond_to_load(const StagePlace<Scalar>& place, ActiveSet<Scalar>& solver) {
+        displacement_ = place.progress * bound_change_;
+        solver.respond(carried_by_load_, displacement_, response_);
+        return response_;
+    }
+
+    /// and by the half-length in a_0: dM p = progress dU/da - part zeta G' p.
+    const Vector& respond_to_half_length(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage,
+                                         const StagePlace<Scalar>& place, ActiveSet<Scalar>& solver) {
+        find_displacement(system, stage.half_length, solver.traction(), displacement_);
+        find_displacement_rate(system, stage.half_length, solver.traction(), displacement_, rate_);
+        change_.noalias() = system.G_prime() * solver.traction();
+        change_.array() = place.progress * rate_.array() - place.part * *system.points() * change_.array();
+        change_ += carried_by_length_;
+        solver.respond(change_, response_);
+        return response_;
+    }
+
+private:
+    Vector bound_change_;
+    Vector carried_by_load_, carried_by_length_;  // what the first stage adds to the constants of the second
+    Vector response_, displacement_, rate_, change_;
+};
+
+}  // namespace rollbem::detail

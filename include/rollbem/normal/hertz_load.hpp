@@ -1,0 +1,147 @@
+// Hertz's line contact under a load that varies: half-length and pressures of the elements for each load.
+// On a mesh that breathes with the contact, or on one that stays while the contact grows and shrinks on it.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../status.hpp"
+#include "../types.hpp"
+#include "hertz.hpp"
+#include "load.hpp"
+
+namespace rollbem {
+
+/// Makes the NormalLoad of a load per width P [N/m], for two cylinders whose radius and moduli a HertzLine knows.
+///
+///     const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
+///     NormalLoad<double> load = hertz.at(line.load_per_width());
+///     hertz.set(load_per_width, load);                                   // no allocation
+///     const auto step = model.advance(now, dq, motion, load, next, workspace);
+///     const double by_load = step.tangent_by_load_per_width +
+///                            step.tangent_by_half_length_per_width * hertz.half_length_rate(load_per_width);
+template <class Scalar_ = double>
+class HertzLoad {
+public:
+    using Scalar = Scalar_;
+
+    /// The mesh follows the contact: half-length a(P), pressures of one shape.
+    static HertzLoad breathing(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh) {
+        return HertzLoad(line, mesh, std::nullopt);
+    }
+
+    /// The mesh covers -half_length ... half_length [m], and the contact lies in its middle. Elements at its edges may be
+    /// covered in part; each carries its exact mean. Throws std::invalid_argument unless 0 < half_length < inf.
+    static HertzLoad fixed(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh, Scalar half_length) {
+        detail::require(detail::is_finite(half_length) && half_length > 0, "HertzLoad", "half_length", half_length,
+                        "be positive and finite");
+        return HertzLoad(line, mesh, half_length);
+    }
+
+    bool breathes() const { return !fixed_; }
+
+    /// a [m] of the contact under P [N/m] >= 0.
+    Scalar half_length(Scalar load_per_width) const {
+        return line_.half_length() * std::sqrt(load_per_width / line_.load_per_width());
+    }
+
+    /// d NormalLoad::half_length / dP [m^2/N]: da/dP where the mesh breathes, 0 where it is fixed.
+    Scalar half_length_rate(Scalar load_per_width) const {
+        return fixed_ ? Scalar(0) : half_length(load_per_width) / (2 * load_per_width);
+    }
+
+    /// Pressures, their rates by P, and the half-length of the mesh. Without load, P = 0, a fixed mesh has no pressure
+    /// and a breathing one no length: there, and where P is negative or not finite or a fixed mesh does not cover the
+    /// contact, the status is invalid_load, and so is that of a step under what is left in `load`.
+    StepStatus set(Scalar load_per_width, NormalLoad<Scalar>& load) const noexcept {
+        const Scalar a = half_length(load_per_width);
+        const bool possible = detail::is_finite(load_per_width) && detail::is_finite(a) && load_per_width >= 0 &&
+                              (fixed_ ? a <= *fixed_ * (1 + 4 * std::numeric_limits<Scalar>::epsilon()) : a > 0);
+        const bool sized = load.normal_pressure.size() == size() && load.pressure_rate.size() == size();
+        load.half_length = possible && sized ? fixed_.value_or(a) : std::numeric_limits<Scalar>::quiet_NaN();
+        if (!possible || !sized) return StepStatus::invalid_load;
+        if (fixed_) {
+            cover(load_per_width, a, load);
+        } else {
+            const Scalar peak = 2 / std::numbers::pi_v<Scalar> * load_per_width / a;
+            load.normal_pressure = peak * mean_;
+            load.pressure_rate = peak / (2 * load_per_width) * mean_;
+        }
+        return StepStatus::ok;
+    }
+
+    /// A load to keep and to rewrite. Throws std::invalid_argument where there is none.
+    NormalLoad<Scalar> at(Scalar load_per_width) const {
+        NormalLoad<Scalar> load{ArrayX<Scalar>::Zero(size()), 0, ArrayX<Scalar>::Zero(size())};
+        const StepStatus status = set(load_per_width, load);
+        detail::require(
+            status == StepStatus::ok, "HertzLoad", "load_per_width", load_per_width,
+            breathes() ? "be positive and finite" : "be finite, not negative, and have a contact that the mesh covers");
+        return load;
+    }
+
+private:
+    HertzLoad(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh, const std::optional<Scalar>& half_length)
+        : line_(line), mesh_(mesh), mean_(mean_hertz_pressure(mesh)), fixed_(half_length) {}
+
+    Eigen::Index size() const { return mesh_.size(); }
+
+    // Of a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
+    void cover(Scalar load_per_width, Scalar a, NormalLoad<Scalar>& load) const noexcept {
+        const Scalar radius = a / *fixed_, beside = 1 - radius;  // of the contact and beside it, in units of the mesh
+        const Scalar peak_times_a = 2 / std::numbers::pi_v<Scalar> * load_per_width;
+        const auto& trailing = mesh_.edges_from_trailing();
+        const auto& leading = mesh_.edges_from_leading();
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const detail::UnitStretch<Scalar> element{trailing[i] - beside, leading[i] - beside,
+                                                      trailing[i + 1] - beside, leading[i + 1] - beside,
+                                                      mesh_.widths()[i]};
+            const detail::SemicircleIntegrals<Scalar> integrals =
+                radius > 0 ? integrate_covered(element, radius) : integrate_beginning(element);
+            const Scalar width = *fixed_ * mesh_.widths()[i];
+            load.normal_pressure[i] = peak_times_a * integrals.area / width;
+            load.pressure_rate[i] = integrals.angle / (std::numbers::pi_v<Scalar> * width);
+        }
+    }
+
+    // Of a contact that is about to begin in the middle of the mesh: all lies in one element, or on the edge of two.
+    static detail::SemicircleIntegrals<Scalar> integrate_beginning(const detail::UnitStretch<Scalar>& element) {
+        const auto angle = [](Scalar trailing, Scalar leading) {
+            const Scalar pi = std::numbers::pi_v<Scalar>;
+            return trailing < leading ? Scalar(0) : trailing > leading ? pi : pi / 2;
+        };
+        return {0, angle(element.trailing_2, element.leading_2) - angle(element.trailing_1, element.leading_1)};
+    }
+
+    // Over the part of an element that lies within a contact of half-length `radius`; distances from the ends of the
+    // contact, negative where the element reaches beyond.
+    static detail::SemicircleIntegrals<Scalar> integrate_covered(const detail::UnitStretch<Scalar>& element,
+                                                                 Scalar radius) {
+        if (element.trailing_2 <= 0 || element.leading_1 <= 0) return {0, 0};
+        const bool begins = element.trailing_1 < 0, ends = element.leading_2 < 0;
+        const Scalar whole = 2 * radius;
+        const Scalar width = begins && ends ? whole
+                             : begins       ? element.trailing_2
+                             : ends         ? element.leading_1
+                                            : element.width;
+        return detail::integrate_semicircle<Scalar>({std::max(element.trailing_1, Scalar(0)) / radius,
+                                                     std::min(element.leading_1, whole) / radius,
+                                                     std::min(element.trailing_2, whole) / radius,
+                                                     std::max(element.leading_2, Scalar(0)) / radius, width / radius});
+    }
+
+    HertzLine<Scalar> line_;
+    Mesh<Scalar> mesh_;
+    ArrayX<Scalar> mean_;
+    std::optional<Scalar> fixed_;  // half-length of a mesh that stays [m]
+};
+
+}  // namespace rollbem

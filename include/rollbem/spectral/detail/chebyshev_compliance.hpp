@@ -1,0 +1,155 @@
+// Displacements of Chebyshev tractions: the logarithm in closed form, the kernel's smooth part by quadrature.
+// No user includes this by itself.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "../../detail/finite.hpp"
+#include "../../detail/require.hpp"
+#include "../../elasticity/kernel_concepts.hpp"
+#include "../../types.hpp"
+
+namespace rollbem::detail {
+
+/// The circle in 4 count equal steps: cosines and sines of k pi/(2 count).
+template <class Scalar>
+class CircleTable {
+public:
+    explicit CircleTable(Eigen::Index count) : cosines_(static_cast<std::size_t>(4 * count)), quarter_(count) {
+        const Scalar step = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * count);
+        for (Eigen::Index k = 0; k <= count;
+             ++k) {  // the smaller of two angles, so that small cosines keep their digits
+            const Scalar value = 2 * k <= count ? std::cos(static_cast<Scalar>(k) * step)
+                                                : std::sin(static_cast<Scalar>(count - k) * step);
+            set(k, value);
+            set(2 * count - k, -value);
+            set(2 * count + k, -value);
+            if (k > 0) set(4 * count - k, value);
+        }
+    }
+
+    Eigen::Index size() const { return 4 * quarter_; }
+    Scalar cosine(Eigen::Index k) const { return cosines_[static_cast<std::size_t>(k)]; }  ///< 0 <= k < size()
+    Scalar sine(Eigen::Index k) const { return cosine(k >= quarter_ ? k - quarter_ : k + 3 * quarter_); }
+
+private:
+    void set(Eigen::Index k, Scalar value) { cosines_[static_cast<std::size_t>(k)] = value; }
+
+    std::vector<Scalar> cosines_;
+    Eigen::Index quarter_;
+};
+
+/// Checks the number of states and the kernel; returns the kernel's split. The points of its smooth part grow like a/b,
+/// and what they cost like (a/b)^2, seconds at the least b/a, where some hundred states are needed besides.
+template <SmoothSplitKernel Kernel>
+SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const Kernel& kernel) {
+    using Scalar = typename Kernel::Scalar;
+    require(states >= 1, "Chebyshev", "states", states, "be at least 1");
+    require(states <= 10000, "Chebyshev", "states", states, "be at most 10000");
+    const SmoothSplit<Scalar> split = kernel.smooth_split();
+    require(is_finite(split.strength) && split.strength > 0, "Chebyshev", "strength of the kernel's logarithm",
+            split.strength, "be positive and finite");
+    require(!is_nan(split.distance) && split.distance >= Scalar(0.001), "Chebyshev",
+            "b/a of the kernel (distance of its smooth part's singularity)", split.distance,
+            "be at least 0.001: take elements for so narrow a strip");
+    return split;
+}
+
+/// How many Gauss-Chebyshev points take the smooth part against T_0 ... T_m to rounding.
+///
+/// For x in [-1, 1], e(x - y) as a function of y is analytic but for x +-ib and beyond. The ellipse with foci +-1 and
+/// the minor half-axis b, the Bernstein ellipse of rho = b + sqrt(1 + b^2), leaves all of them outside or on it, so
+/// that the coefficient of T_n(y) falls off like rho^-n (the singularities are integrable). N points do not tell T_n
+/// from T_k where n = 2N - k or higher: what they make of the integral against T_k, k <= m, is wrong by some rho^-(2N -
+/// m). The same holds for the coefficient of T_j(x), j <= m. It is below rounding from 2N - m = ln(1/eps)/ln(rho) on,
+/// and ln(rho) = asinh(b); N > m keeps the T_k apart. Ten more make up for the factor before rho^-n.
+template <class Scalar>
+Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
+    if (!is_finite(b)) return m + 1;
+    const Scalar extra = -std::log(std::numeric_limits<Scalar>::epsilon()) / std::asinh(b) + 10;
+    return std::max(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
+}
+
+/// Entry (j, k), j and k from 0 to m: the coefficient of T_j(x) in the integral of e(x - y) T_k(y)/sqrt(1 - y^2), e the
+/// smooth part, from `points` Gauss-Chebyshev points in x and y. As e is even, entries with odd j + k vanish, and half
+/// of the x do.
+template <SmoothSplitKernel Kernel>
+MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::Index m, Eigen::Index points) {
+    using Scalar = typename Kernel::Scalar;
+    const CircleTable<Scalar> circle(points);
+    const auto angle = [&](Eigen::Index k, Eigen::Index point) { return k * (2 * point + 1) % circle.size(); };
+    MatrixX<Scalar> polynomials(points, m + 1);  // T_k at the points
+    for (Eigen::Index k = 0; k <= m; ++k) {
+        for (Eigen::Index q = 0; q < points; ++q) polynomials(q, k) = circle.cosine(angle(k, q));
+    }
+    MatrixX<Scalar> compliance = MatrixX<Scalar>::Zero(m + 1, m + 1);
+    ArrayX<Scalar> distance(points);
+    VectorX<Scalar> displacement(m + 1);
+    for (Eigen::Index p = 0; 2 * p < points; ++p) {
+        for (Eigen::Index q = 0; q < points; ++q) distance[q] = polynomials(p, 1) - polynomials(q, 1);
+        const ArrayX<Scalar> smooth = kernel.smooth_part(distance);
+        displacement.noalias() = polynomials.transpose() * smooth.matrix();
+        const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // of -x, too
+        for (Eigen::Index k = 0; k <= m; ++k) {
+            for (Eigen::Index j = k % 2; j <= m; j += 2) {
+                compliance(j, k) += share * polynomials(p, j) * displacement[k];
+            }
+        }
+    }
+    const Scalar count = static_cast<Scalar>(points);
+    compliance *= 2 * std::numbers::pi_v<Scalar> / count / count;
+    compliance.row(0) /= 2;
+    return compliance;
+}
+
+/// K of u = K a, row j >= 1 times j/(pi S), row 0 over pi S, S the strength: for j >= 1 the identity and a smooth rest.
+template <SmoothSplitKernel Kernel>
+MatrixX<typename Kernel::Scalar> scaled_compliance(const Kernel& kernel,
+                                                   const SmoothSplit<typename Kernel::Scalar>& split, Eigen::Index m) {
+    using Scalar = typename Kernel::Scalar;
+    MatrixX<Scalar> K;
+    if (is_finite(split.distance)) {
+        K = smooth_compliance(kernel, m, smooth_quadrature_points(m, split.distance));
+        const Scalar scale = std::numbers::pi_v<Scalar> * split.strength;
+        for (Eigen::Index j = 0; j <= m; ++j) K.row(j) *= static_cast<Scalar>(std::max<Eigen::Index>(j, 1)) / scale;
+    } else {
+        K.setZero(m + 1, m + 1);
+    }
+    K(0, 0) += split.constant / split.strength + std::numbers::ln2_v<Scalar>;
+    for (Eigen::Index j = 1; j <= m; ++j) K(j, j) += 1;
+    return K;
+}
+
+/// K^-1.
+template <SmoothSplitKernel Kernel>
+MatrixX<typename Kernel::Scalar> chebyshev_stiffness(const Kernel& kernel,
+                                                     const SmoothSplit<typename Kernel::Scalar>& split,
+                                                     Eigen::Index m) {
+    using Scalar = typename Kernel::Scalar;
+    const Scalar scale = std::numbers::pi_v<Scalar> * split.strength;
+    MatrixX<Scalar> stiffness;
+    if (is_finite(split.distance)) {
+        stiffness = Eigen::PartialPivLU<MatrixX<Scalar>>(scaled_compliance(kernel, split, m)).inverse();
+    } else {
+        stiffness.setZero(m + 1, m + 1);
+        stiffness(0, 0) = 1 / (split.constant / split.strength + std::numbers::ln2_v<Scalar>);
+        for (Eigen::Index j = 1; j <= m; ++j) stiffness(j, j) = 1;
+    }
+    for (Eigen::Index j = 0; j <= m; ++j) {
+        const Scalar factor = static_cast<Scalar>(std::max<Eigen::Index>(j, 1)) / scale;
+        for (Eigen::Index i = 0; i <= m; ++i) stiffness(i, j) *= factor;
+    }
+    return stiffness;
+}
+
+}  // namespace rollbem::detail

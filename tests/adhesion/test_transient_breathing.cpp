@@ -1,0 +1,561 @@
+// rollbem/adhesion/transient.hpp: a contact whose length changes from step to step
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+
+#include "support/catch.hpp"
+#include "support/dense.hpp"
+#include "support/observed_order.hpp"
+#include "support/scalars.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Model = TransientModel<double>;
+using Motion = RigidMotion<double>;
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double pi = std::numbers::pi, nu = 0.28;
+constexpr std::array breathing_integrators{Integrator::implicit_euler, Integrator::sdirk2};
+const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+
+/// a/a_0 that varies by a sine of the load: a^2 is proportional to it.
+struct Sine {
+    double amplitude, length;
+    double operator()(double q) const { return std::sqrt(1 + amplitude * std::sin(2 * pi * q / length)); }
+    double slope(double q) const { return amplitude * std::cos(2 * pi * q / length) * pi / length / (*this)(q); }
+};
+
+PlaneKernel<double> plane(double aspect) { return {aspect, 1 - nu, nu}; }
+Contact<double> unit_contact(double aspect) { return Contact<double>::dimensionless(aspect, nu); }
+
+ElementSystem<double> elements(Eigen::Index n, double aspect) {
+    return rolling_system(cosine_mesh<double>(n), halves, plane(aspect));
+}
+ChebyshevSystem<double> states(Eigen::Index m, double aspect) {
+    return rolling_system(Chebyshev{.states = m}, plane(aspect));
+}
+
+/// -F_bar at the end of every step, from steady rolling at unit creepage and the length at q_0.
+std::vector<double> series(const Model& model, const Sine& a, double q_0, double dq, int steps) {
+    Model::State now = model.steady(1);
+    now.half_length = a(q_0);  // the unknowns of steady rolling do not depend on it
+    Model::State next = now;
+    std::vector<double> forces;
+    for (int k = 1; k <= steps; ++k) {
+        const BreathingTransientStep<double> step = model.advance(now, dq, 1.0, a(q_0 + k * dq), next);
+        REQUIRE(step.status == StepStatus::ok);
+        forces.push_back(-step.force_per_width);
+        std::swap(now, next);
+    }
+    return forces;
+}
+
+/// The largest difference where both series have a value every `way`.
+double largest_difference(const std::vector<double>& one, double dq, const std::vector<double>& other, double other_dq,
+                          double way) {
+    const std::size_t step = static_cast<std::size_t>(std::lround(way / dq)),
+                      other_step = static_cast<std::size_t>(std::lround(way / other_dq));
+    double largest = 0;
+    for (std::size_t i = 1; i * step <= one.size(); ++i) {
+        largest = std::max(largest, std::abs(one[i * step - 1] - other[i * other_step - 1]));
+    }
+    return largest;
+}
+
+/// The stages' equations solved for the tractions themselves, lengths in units of a_0. Where the lengths at the stages
+/// are not the ones on a straight way, the step's own a_1, d_1 and d_2.
+struct Dense {
+    explicit Dense(const RollingSystem<double>& system)
+        : G(system.G()),
+          G_prime(system.G_prime()),
+          w(system.weights()),
+          zeta(*system.points()),
+          S(*system.log_strength()) {}
+
+    MatrixXd M(double a) const { return a * (G - S * std::log(a) * VectorXd::Ones(w.size()) * w.transpose()); }
+    VectorXd stage(double part, double dq, double d, double a, double shift, const VectorXd& right) const {
+        const MatrixXd carried = (dq + d * zeta.array()).matrix().asDiagonal() * G_prime;
+        return dense::solve(M(a) - part * carried, right - VectorXd::Constant(w.size(), part * shift));
+    }
+    VectorXd euler(const VectorXd& p, double a_old, double a_new, double dq, double shift) const {
+        return stage(1, dq, a_new - a_old, a_new, shift, M(a_old) * p);
+    }
+    VectorXd sdirk2(const VectorXd& p, double a_old, double a_1, double a_new, double dq, double shift_1,
+                    double shift_2) const {
+        const double g = 1 - 1 / std::sqrt(2.0), d_1 = (a_1 - a_old) / g, d_2 = (a_new - a_old - (1 - g) * d_1) / g;
+        const VectorXd U = M(a_old) * p;
+        const VectorXd U_1 = M(a_1) * stage(g, dq, d_1, a_1, shift_1, U);
+        return stage(g, dq, d_2, a_new, shift_2, U + (1 - g) / g * (U_1 - U));
+    }
+
+    MatrixXd G, G_prime;
+    VectorXd w, zeta;
+    double S;
+};
+
+TEST_CASE("A step on a contact that breathes is what the equations of its stages say", "[breathing]") {
+    const double a_0 = 4e-3, G = 8e10, g = 1 - 1 / std::sqrt(2.0);
+    const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
+    const ElementSystem<double> of_elements = elements(20, 100);
+    const ChebyshevSystem<double> of_states = states(9, 100);
+    for (const RollingSystem<double>* system : {static_cast<const RollingSystem<double>*>(&of_elements),
+                                                static_cast<const RollingSystem<double>*>(&of_states)}) {
+        const Dense exact(*system);
+        for (const Integrator integrator : breathing_integrators) {
+            const Model model(contact, *system, unchecked, integrator);
+            REQUIRE(model.can_breathe());
+            for (const double a_old : {1.0, 0.3, 2.5}) {
+                for (const double da : {0.0, 0.19, -0.19, 1e-9}) {
+                    Model::State from = model.steady(1e-3), to = from;
+                    from.half_length = a_0 * a_old;
+                    const VectorXd p = from.traction / G;
+                    for (const auto& [motion, shift_1, shift_2] :
+                         {std::tuple(Motion(2e-3), 4e-4, 4e-4), std::tuple(Motion::shift(4e-4 * a_0), 4e-4, 4e-4),
+                          std::tuple(Motion::linear(1e-3, 4e-3), 0.2 * (1e-3 + 3e-3 * g), 8e-4)}) {
+                        const double dq = 0.2, a_new = a_old + da;
+                        const BreathingTransientStep<double> step =
+                            model.advance(from, dq * a_0, motion, a_new * a_0, to);
+                        REQUIRE(step.status == StepStatus::ok);
+                        const VectorXd expected =
+                            integrator == Integrator::sdirk2
+                                ? exact.sdirk2(p, a_old, a_old + g * da, a_new, dq, shift_1, shift_2)
+                                : exact.euler(p, a_old, a_new, dq, shift_2);
+                        CAPTURE(system->size(), name(integrator), a_old, da, shift_1);
+                        CHECK((to.traction / G - expected).norm() < 1e-12 * expected.norm());
+                        const double force = G * a_0 * a_new * exact.w.dot(expected);
+                        CHECK(step.force_per_width == Approx(force).epsilon(1e-12));
+                        CHECK(step.force == Approx(0.8 * force).epsilon(1e-12));
+                        CHECK(model.force(to) == Approx(step.force).epsilon(1e-14));
+                        CHECK(to.half_length == a_new * a_0);
+                        CHECK(to.system == model.fingerprint());
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Rolling in adhesion on a breathing mesh is of second order in dq", "[breathing]") {
+    // over one period, from steady rolling at the smallest length; errors in units of the force at a_0
+    const Sine a{0.5, 8};
+    const double q_0 = 6, full = pi / (2 * (1 - nu)), fine = 0.2 / 512;
+    const ElementSystem<double> system = elements(20, 1000);
+    const Model model(unit_contact(1000), system, unchecked),
+        first(unit_contact(1000), system, unchecked, Integrator::implicit_euler);
+    const std::vector<double> reference = series(model, a, q_0, fine, 40 * 512);
+    std::vector<double> counts, errors, first_errors;
+    for (const int k : {1, 2, 4, 8, 16}) {
+        const double dq = 0.2 / k;
+        counts.push_back(k);
+        errors.push_back(largest_difference(series(model, a, q_0, dq, 40 * k), dq, reference, fine, 0.2) / full);
+        first_errors.push_back(largest_difference(series(first, a, q_0, dq, 40 * k), dq, reference, fine, 0.2) / full);
+    }
+    CAPTURE(errors, first_errors);
+    CHECK(std::abs(support::observed_order(counts, errors) - 2) < 0.05);
+    CHECK(std::abs(support::observed_order(counts, first_errors) - 1) < 0.05);
+    CHECK(errors[0] < 9e-5);
+    CHECK(std::abs(first_errors[0] / 3.6e-3 - 1) < 0.05);
+    CHECK(std::abs(first_errors[4] / 2.3e-4 - 1) < 0.05);
+
+    // where the length at the stages is known, too, the same scheme is three times as good
+    const Dense exact(system);
+    const double g = 1 - 1 / std::sqrt(2.0);
+    const std::array known{3.1e-5, 9.1e-6, 2.3e-6, 5.8e-7};
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const int k = 1 << i;
+        const double dq = 0.2 / k;
+        VectorXd p = dense::solve(exact.G_prime, VectorXd::Ones(20));
+        std::vector<double> forces;
+        for (int step = 0; step < 40 * k; ++step) {
+            const double q = q_0 + step * dq;
+            p = exact.sdirk2(p, a(q), a(q + g * dq), a(q + dq), dq, dq, dq);
+            forces.push_back(-a(q + dq) * exact.w.dot(p));
+        }
+        const double error = largest_difference(forces, dq, reference, fine, 0.2) / full;
+        CAPTURE(dq, error);
+        CHECK(std::abs(error / known[i] - 1) < 0.03);
+        CHECK(errors[i] / error > 2);
+        CHECK(errors[i] / error < 3);
+    }
+}
+
+TEST_CASE("A handful of Chebyshev states breathes as well as many elements", "[breathing]") {
+    const Sine a{0.3, 6};
+    const double dq = 0.01;
+    const auto last_force = [&](const auto& system) {
+        return series(Model(unit_contact(100), system, unchecked), a, 0, dq, 600).back();
+    };
+    const double fine = last_force(states(40, 100));
+    const auto error = [&](const auto& system) { return std::abs(last_force(system) / fine - 1); };
+    const double by_4 = error(states(4, 100)), by_6 = error(states(6, 100)), by_8 = error(states(8, 100)),
+                 by_12 = error(states(12, 100));
+    CAPTURE(by_4, by_6, by_8, by_12);
+    CHECK(by_4 < 1.6e-5);
+    CHECK(by_4 > 1e-6);
+    CHECK(by_6 < 2.2e-7);
+    CHECK(by_8 < 3e-8);
+    CHECK(by_12 < 2.5e-9);
+    CHECK(by_12 > 1e-10);
+    // elements tend to the same
+    std::vector<double> counts{20, 40, 80}, errors;
+    for (const double n : counts) errors.push_back(error(elements(static_cast<Eigen::Index>(n), 100)));
+    CAPTURE(errors);
+    CHECK(std::abs(support::observed_order(counts, errors) - 2) < 0.1);
+    CHECK(std::abs(4 * errors[2] - errors[1]) / 3 < 1e-6);
+}
+
+TEST_CASE("Chebyshev states at their points take the step of the tau method", "[breathing]") {
+    // the coefficients of T_0 ... T_{m-1} in U_new - U_old = (dq + da zeta) (1/a) dU/dzeta - xi dq, and sum a_k = 0
+    const Eigen::Index m = 7;
+    const double a_old = 1.2, a_new = 1.05, dq = 0.4, xi = 1;
+    const PlaneKernel<double> kernel = plane(100);
+    const ChebyshevSystem<double> system = states(m, 100);
+    const double S = kernel.smooth_split().strength, constant = kernel.smooth_split().constant;
+    const auto compliance = [&](double a) {
+        VectorXd K(m + 1);
+        K[0] = pi * a * (constant + S * std::log(2.0) - S * std::log(a));
+        for (Eigen::Index k = 1; k <= m; ++k) K[k] = pi * a * S / static_cast<double>(k);
+        return MatrixXd(K.asDiagonal());
+    };
+    MatrixXd D = MatrixXd::Zero(m + 1, m + 1), Z = D;
+    for (Eigen::Index k = 0; k <= m; ++k) {
+        for (Eigen::Index j = k - 1; j >= 0; j -= 2) D(j, k) = static_cast<double>(j == 0 ? k : 2 * k);
+        if (k > 0) Z(k - 1, k) += 0.5;
+        if (k < m) Z(k + 1, k) += k == 0 ? 1 : 0.5;
+    }
+    const Model model(unit_contact(100), system, unchecked, Integrator::implicit_euler);
+    Model::State from = model.at_rest(), to = from;
+    from.traction << 0.3, -0.2, 0.1, 0.05, -0.3, 0.2, 0.07;
+    from.half_length = a_old;
+    REQUIRE(model.advance(from, dq, xi, a_new, to).status == StepStatus::ok);
+
+    const MatrixXd K = compliance(a_new), identity = MatrixXd::Identity(m + 1, m + 1);
+    MatrixXd equations = K - (dq * identity + (a_new - a_old) * Z) * D * K / a_new;
+    const VectorXd before = system.traction<double>(from.traction).coefficients;
+    VectorXd right = compliance(a_old) * before;
+    right[0] -= xi * dq;
+    equations.row(m).setOnes();
+    right[m] = 0;
+    const VectorXd expected = dense::solve(equations, right);
+    const VectorXd found = system.traction<double>(to.traction).coefficients;
+    CHECK((found - expected).norm() < 1e-13 * expected.norm());
+}
+
+TEST_CASE("A half-length that stays is an ordinary step", "[breathing]") {
+    for (const Integrator integrator : breathing_integrators) {
+        const Model model(unit_contact(100), elements(30, 100), unchecked, integrator);
+        for (const double dq : {1e-9, 1e-3, 0.3, 1e4}) {
+            for (const Motion& motion : {Motion(0.5), Motion::linear(0.5, -2), Motion::shift(0.1)}) {
+                const Model::State from = model.steady(1);
+                Model::State one = from, other = from;
+                const TransientStep<double> step = model.advance(from, dq, motion, one);
+                const BreathingTransientStep<double> breathing = model.advance(from, dq, motion, 1.0, other);
+                CAPTURE(name(integrator), dq, step.force, breathing.force);
+                REQUIRE(step.status == StepStatus::ok);
+                REQUIRE(breathing.status == StepStatus::ok);
+                CHECK((one.traction - other.traction).norm() < 1e-12 * from.traction.norm());
+                // what a short step changes keeps its digits
+                const VectorXd change = one.traction - from.traction;
+                CHECK((other.traction - from.traction - change).norm() <
+                      1e-10 * change.norm() + 1e-15 * from.traction.norm());
+                CHECK(breathing.tangent == Approx(step.tangent).epsilon(1e-10));
+                CHECK(other.half_length == 1);
+            }
+        }
+    }
+}
+
+TEST_CASE("A state is never scaled: at another length, a step is that of a contact of this length", "[breathing]") {
+    const double a_0 = 5e-3, a = 6.5e-3, b = 0.2, G = 8e10;
+    const auto contact = [&](double half_length) {
+        return Contact<double>({.half_length = half_length, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
+    };
+    const auto check = [&](const auto& system_of, bool tractions) {
+        for (const Integrator integrator : breathing_integrators) {
+            const Model model(contact(a_0), system_of(b / a_0), unchecked, integrator);
+            const Model other(contact(a), system_of(b / a), unchecked, integrator);
+            Model::State now = model.at_rest(), next = now, prepared_next = now, by_length = now;
+            now.half_length = a;
+            Model::State there = other.at_rest(), there_next = there;
+            const Model::Prepared prepared = model.prepare(1e-3);
+            for (int k = 0; k < 12; ++k) {
+                const Motion motion = Motion::linear(1e-4 * k, 1e-4 * (k + 1));
+                const TransientStep<double> expected = other.advance(there, 1e-3, motion, there_next);
+                const TransientStep<double> step = model.advance(now, 1e-3, motion, next);
+                REQUIRE(step.status == StepStatus::ok);
+                CHECK(step.force == Approx(expected.force).epsilon(1e-11));
+                CHECK(step.tangent == Approx(expected.tangent).epsilon(1e-11));
+                CHECK(next.half_length == a);
+                if (tractions) CHECK((next.traction - there_next.traction).norm() < 1e-11 * next.traction.norm());
+                // to the last bit, in whatever way it is asked for
+                CHECK(model.advance(now, prepared, motion, prepared_next).force == step.force);
+                CHECK(model.advance(now, 1e-3, motion, a, by_length).force == step.force);
+                CHECK(prepared_next.traction == next.traction);
+                CHECK(by_length.traction == next.traction);
+                std::swap(now, next);
+                std::swap(there, there_next);
+            }
+            // a rigid shift without rolling: M(a) (p - p_old) = -W
+            REQUIRE(model.advance(now, 0.0, Motion::shift(1e-6), next).status == StepStatus::ok);
+            const TransientStep<double> shifted = other.advance(there, 0.0, Motion::shift(1e-6), there_next);
+            CHECK(model.force(next) == Approx(shifted.force).epsilon(1e-11));
+        }
+    };
+    check([](double aspect) { return elements(24, aspect); }, true);
+    check([](double aspect) { return states(10, aspect); }, false);
+}
+
+TEST_CASE("Tangents by the motion and by the half-length are derivatives of the force", "[breathing]") {
+    const double a_0 = 4e-3;
+    const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = 8e10, .poisson_ratio = nu});
+    const auto check = [&](const auto& system) {
+        for (const Integrator integrator : breathing_integrators) {
+            const Model model(contact, system, unchecked, integrator);
+            Model::State from = model.steady(1e-3), to = from;
+            from.half_length = 1.1 * a_0;
+            const double dq = 0.3 * a_0, h = 1e-5 * a_0;
+            for (const double a : {1.1 * a_0, 1.3 * a_0, 0.85 * a_0}) {
+                const auto force = [&](const Motion& motion, double half_length) {
+                    const BreathingTransientStep<double> step = model.advance(from, dq, motion, half_length, to);
+                    REQUIRE(step.status == StepStatus::ok);
+                    return step.force;
+                };
+                const auto slope = [&](const Motion& low, const Motion& high, double distance) {
+                    return (force(high, a) - force(low, a)) / distance;
+                };
+                CAPTURE(model.size(), name(integrator), a);
+                const Motion linear = Motion::linear(1e-3, 3e-3);
+                CHECK(model.advance(from, dq, 2e-3, a, to).tangent == Approx(slope(1e-3, 3e-3, 2e-3)).epsilon(1e-9));
+                CHECK(model.advance(from, dq, linear, a, to).tangent ==
+                      Approx(slope(Motion::linear(1e-3, 2e-3), Motion::linear(1e-3, 4e-3), 2e-3)).epsilon(1e-9));
+                CHECK(model.advance(from, dq, Motion::shift(1e-6), a, to).tangent ==
+                      Approx(slope(Motion::shift(0), Motion::shift(2e-6), 2e-6)).epsilon(1e-9));
+                for (const Motion& motion : {Motion(2e-3), linear, Motion::shift(1e-6)}) {
+                    const double by_length = (8 * (force(motion, a + h) - force(motion, a - h)) -
+                                              force(motion, a + 2 * h) + force(motion, a - 2 * h)) /
+                                             (12 * h);
+                    const double tangent = model.advance(from, dq, motion, a, to).tangent_by_half_length;
+                    CHECK(tangent == Approx(by_length).epsilon(1e-8));
+                }
+            }
+        }
+    };
+    check(elements(16, 100));
+    check(states(8, 100));
+}
+
+TEST_CASE("In full adhesion the trailing edge releases what work does not store", "[breathing]") {
+    // -xi F = dE/dq + (1 - a') pi c1 P^2, p = P/sqrt(a + x) at the trailing edge, over a period
+    const Sine a{0.3, 6};
+    const double c1 = 1 - nu;
+    const auto residual = [&](Eigen::Index m, int steps) {
+        const ChebyshevSystem<double> system = states(m, 100);
+        const Model model(unit_contact(100), system, unchecked);
+        const auto energy = [&](const Model::State& state) {
+            const VectorXd p = system.traction<double>(state.traction).coefficients;
+            const double length = state.half_length;
+            const double first = 2 * (c1 * std::log(400 / length) + nu);
+            double sum = pi * first * p[0] * p[0];
+            for (Eigen::Index k = 1; k <= m; ++k) sum += pi * c1 / static_cast<double>(k) * p[k] * p[k];
+            return length * length / 2 * sum;
+        };
+        const auto release = [&](const Model::State& state, double q) {
+            const VectorXd p = system.traction<double>(state.traction).coefficients;
+            double at_edge = 0;
+            for (Eigen::Index k = 0; k <= m; ++k) at_edge += k % 2 == 0 ? p[k] : -p[k];
+            return (1 - a.slope(q)) * pi * c1 * at_edge * at_edge * state.half_length / 2;
+        };
+        Model::State now = model.steady(1), next = now;
+        const double dq = 6.0 / steps, start = energy(now);
+        double work = 0, released = 0, force = model.force(now) / 200, rate = release(now, 0);
+        for (int k = 1; k <= steps; ++k) {
+            const BreathingTransientStep<double> step = model.advance(now, dq, 1.0, a(k * dq), next);
+            REQUIRE(step.status == StepStatus::ok);
+            const double next_rate = release(next, k * dq);
+            work -= dq * (force + step.force_per_width) / 2;
+            released += dq * (rate + next_rate) / 2;
+            force = step.force_per_width;
+            rate = next_rate;
+            std::swap(now, next);
+        }
+        return (work - released - (energy(now) - start)) / work;
+    };
+    // the trapezoidal rule and the steps are of second order: taken twice and extrapolated
+    const auto limit = [&](Eigen::Index m) { return std::abs(4 * residual(m, 2400) - residual(m, 1200)) / 3; };
+    const double by_6 = limit(6), by_12 = limit(12), by_24 = limit(24);
+    CAPTURE(by_6, by_12, by_24);
+    CHECK(by_6 > 5e-8);
+    CHECK(by_12 < 1.2e-8);
+    CHECK(by_24 < 3.5e-9);
+}
+
+TEST_CASE("Where the length varies slowly, the force is that of steady rolling", "[breathing]") {
+    const Model model(unit_contact(100), states(10, 100), unchecked);
+    std::vector<double> lengths, errors;
+    for (const double length : {1e3, 1e4, 1e5}) {
+        const Sine a{0.5, length};
+        const double dq = length / 500;
+        const std::vector<double> forces = series(model, a, 0, dq, 500);
+        double error = 0;
+        for (std::size_t k = 250; k < 500; ++k) {
+            const double steady = a(static_cast<double>(k + 1) * dq) * pi / (2 * (1 - nu));
+            error = std::max(error, std::abs(forces[k] / steady - 1));
+        }
+        lengths.push_back(length);
+        errors.push_back(error);
+    }
+    CAPTURE(errors);
+    CHECK(std::abs(support::observed_order(lengths, errors) - 1) < 0.1);
+    CHECK(errors[2] < 1e-3);
+}
+
+TEST_CASE("What a contact cannot do is a status and touches nothing", "[breathing]") {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    const Contact<double> contact = unit_contact(100);
+    const auto check_refusals = [&](const Model& model, const auto& ask, StepStatus expected) {
+        Model::State from = model.steady(1), to = model.at_rest();
+        to.traction.setConstant(7);
+        to.half_length = 11;
+        const BreathingTransientStep<double> step = ask(model, from, to);
+        CAPTURE(name(step.status), name(expected));
+        CHECK(step.status == expected);
+        CHECK(std::isnan(step.force));
+        CHECK(std::isnan(step.tangent));
+        CHECK(std::isnan(step.tangent_by_half_length));
+        CHECK((to.traction.array() == 7).all());
+        CHECK(to.half_length == 11);
+    };
+    const auto to_length = [](double dq, double half_length, const Motion& motion = 1.0) {
+        return [=](const Model& model, const Model::State& from, Model::State& to) {
+            return model.advance(from, dq, motion, half_length, to);
+        };
+    };
+    for (const Integrator integrator : breathing_integrators) {
+        const Model model(contact, elements(10, 100), unchecked, integrator);
+        for (const double bad : {0.0, -1.0, nan, infinity, -infinity}) {
+            check_refusals(model, to_length(0.1, bad), StepStatus::invalid_load);
+            // nor is a state at such a length one of the model's
+            check_refusals(
+                model,
+                [&](const Model& m, Model::State& from, Model::State& to) {
+                    from.half_length = bad;
+                    CHECK(m.advance(from, 0.1, 1.0, to).status == StepStatus::wrong_state);
+                    CHECK(m.advance(from, m.prepare(0.1), 1.0, to).status == StepStatus::wrong_state);
+                    return m.advance(from, 0.1, 1.0, 1.0, to);
+                },
+                StepStatus::wrong_state);
+        }
+        for (const double change : {0.25, -0.25, 0.5, -0.5}) {
+            check_refusals(model, to_length(0.25, 1 + change), StepStatus::needs_fixed_mesh);
+        }
+        check_refusals(model, to_length(0, 1.01, Motion::shift(0.1)), StepStatus::needs_fixed_mesh);
+        check_refusals(model, to_length(0, 1.01), StepStatus::invalid_step);
+        check_refusals(model, to_length(nan, 1.01), StepStatus::invalid_step);
+        check_refusals(model, to_length(0.1, 1.01, nan), StepStatus::not_finite);
+        Model::State from = model.steady(1), to = from;
+        CHECK(model.advance(from, 0.25, 1.0, 1.24, to).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.25, 1.0, 0.76, to).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.0, Motion::shift(0.1), 1.0, to).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.1, 1.0, 1.01, from).status == StepStatus::wrong_state);
+
+        // a result that overflows: `to` is then a copy of `from`
+        from.traction.setConstant(1.7e308);
+        CHECK(model.advance(from, 0.1, 1.0, 1.05, to).status == StepStatus::not_finite);
+        CHECK(to.traction == from.traction);
+        CHECK(to.half_length == 1);
+    }
+
+    // those that cannot breathe keep their length, and take a step at it
+    const auto rigid = [&](const Model& model, StepStatus at_its_length) {
+        CHECK_FALSE(model.can_breathe());
+        check_refusals(model, to_length(0.1, 1.01), StepStatus::needs_fixed_mesh);
+        check_refusals(
+            model,
+            [](const Model& m, Model::State& from, Model::State& to) {
+                from.half_length = 1.01;
+                CHECK(m.advance(from, 0.1, 1.0, to).status == StepStatus::needs_fixed_mesh);
+                CHECK(m.advance(from, m.prepare(0.1), 1.0, to).status == StepStatus::needs_fixed_mesh);
+                return m.advance(from, 0.1, 1.0, 1.0, to);
+            },
+            StepStatus::needs_fixed_mesh);
+        const Model::State from = model.steady(1);
+        Model::State to = from, other = from;
+        const BreathingTransientStep<double> step = model.advance(from, 0.1, 0.5, 1.0, to);
+        CHECK(step.status == at_its_length);
+        if (at_its_length != StepStatus::ok) return;
+        CHECK(step.force == model.advance(from, 0.1, 0.5, other).force);
+        CHECK(to.traction == other.traction);
+        CHECK(std::isnan(step.tangent_by_half_length));
+    };
+    const Mesh<double> mesh = cosine_mesh<double>(10);
+    const StripKernel<double> strip = StripKernel<double>::longitudinal(contact);
+    const ElementSystem<double> system = elements(10, 100);
+    rigid(Model(contact, rolling_system(mesh, halves, strip), unchecked), StepStatus::ok);
+    rigid(Model(contact, rolling_system(mesh, Galerkin{0.5, 0.5}, plane(100)), unchecked), StepStatus::ok);
+    rigid(Model(contact, rolling_system(Chebyshev{8}, strip), unchecked), StepStatus::ok);
+    rigid(Model(contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked),
+          StepStatus::ok);
+    rigid(Model(contact, system, unchecked, Integrator::matrix_exponential), StepStatus::needs_prepare);
+    rigid(Model(contact, elements(Model::largest_unprepared + 1, 100), unchecked), StepStatus::needs_prepare);
+}
+
+TEST_CASE("A state written as text goes on to the last bit", "[breathing]") {
+    const Sine a{0.4, 5};
+    const Model model(unit_contact(100), states(9, 100), unchecked);
+    const auto roll = [&](Model::State now, int first, int last) {
+        Model::State next = now;
+        for (int k = first; k < last; ++k) {
+            REQUIRE(model.advance(now, 0.05, 1.0, a((k + 1) * 0.05), next).status == StepStatus::ok);
+            std::swap(now, next);
+        }
+        return now;
+    };
+    const Model::State half = roll(model.at_rest(), 0, 50), whole = roll(half, 50, 100);
+    std::stringstream file;
+    file.precision(std::numeric_limits<double>::max_digits10);
+    for (const double u : half.traction) file << u << '\n';
+    file << half.half_length << ' ' << half.system;
+    Model::State read{VectorXd(9)};
+    for (double& u : read.traction) file >> u;
+    file >> read.half_length >> read.system;
+    const Model::State on = roll(read, 50, 100);
+    CHECK(on.traction == whole.traction);
+    CHECK(on.half_length == whole.half_length);
+}
+
+TEMPLATE_TEST_CASE("A contact that breathes in every scalar type", "[breathing]", float, double, long double) {
+    using Scalar = TestType;
+    const auto force = []<class Real>(Real) {
+        const Contact<Real> contact = Contact<Real>::dimensionless(100, Real(0.25));
+        const TransientModel<Real> model(
+            contact, rolling_system(Chebyshev{.states = 8}, PlaneKernel<Real>(100, Real(0.75), Real(0.25))), unchecked);
+        TransientState<Real> now = model.at_rest(), next = now;
+        BreathingTransientStep<Real> step;
+        for (int k = 1; k <= 64; ++k) {
+            step = model.advance(now, Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64, next);
+            if (step.status != StepStatus::ok) return std::pair(0.0L, 0.0L);
+            std::swap(now, next);
+        }
+        return std::pair(static_cast<long double>(step.force_per_width),
+                         static_cast<long double>(step.tangent_by_half_length));
+    };
+    const auto found = force(Scalar(1)), fine = force(1.0L);
+    const long double eps = std::numeric_limits<Scalar>::epsilon();
+    CHECK(fine.first < -0.5L);
+    CHECK(std::abs(found.first / fine.first - 1) < 100 * eps);
+    CHECK(std::abs(found.second / fine.second - 1) < 1000 * eps);
+}
+
+}  // namespace

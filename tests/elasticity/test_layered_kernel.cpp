@@ -1,0 +1,330 @@
+// rollbem/elasticity/layered_kernel.hpp and rollbem/assembly/detail/delta_part.hpp
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+
+#include "support/brute_force.hpp"
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+#include "support/refusal.hpp"
+#include "support/scalars.hpp"
+
+namespace {
+
+using namespace rollbem;
+using brute_force::Real;
+
+const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+
+// A kernel of one's own: the three functions and no more, so that nothing but differences is left to the assembly.
+struct Bare {
+    using Scalar = double;
+    StripKernel<double> strip{4.0, 0.75, 0.25};
+    ArrayX<double> g(const ArrayX<double>& x) const { return strip.g(x); }
+    ArrayX<double> H(const ArrayX<double>& x) const { return strip.H(x); }
+    ArrayX<double> H_integral(const ArrayX<double>& x) const { return strip.H_integral(x); }
+};
+
+static_assert(DeltaKernel<LayeredKernel<Bare>> && DeltaKernel<LayeredKernel<LayeredKernel<Bare>>>);
+static_assert(!DeltaKernel<PlaneKernel<double>> && !DeltaKernel<Bare>);
+static_assert(SmoothSplitKernel<PlaneKernel<double>> && !SmoothSplitKernel<LayeredKernel<PlaneKernel<double>>>);
+static_assert(SplitKernel<StripKernel<double>> && !SplitKernel<LayeredKernel<StripKernel<double>>>);
+static_assert(TaylorKernel<StripKernel<double>> && !TaylorKernel<LayeredKernel<StripKernel<double>>>);
+
+/// The share of [from, to] that lies in element m; of a point, 1/2 where it is one of its edges.
+Real share(const brute_force::Mesh& mesh, Eigen::Index m, brute_force::Place from, brute_force::Place to) {
+    const brute_force::Place trailing = brute_force::edge(mesh, m), leading = brute_force::edge(mesh, m + 1);
+    const Real rounding = mesh.widths()[m] * 1e-12L;
+    const Real length = to - from;
+    if (length == 0) {
+        const Real behind = from - trailing, ahead = leading - from;
+        if (behind < -rounding || ahead < -rounding) return 0;
+        return behind > rounding && ahead > rounding ? Real(1) : Real(0.5);
+    }
+    const Real start = std::max(from - from, trailing - from), end = std::min(to - from, leading - from);
+    return std::max(Real(0), end - start) / length;
+}
+
+brute_force::Place shifted(const brute_force::Place& place, Real distance) {
+    return {place.from_trailing + distance, place.from_leading - distance};
+}
+
+/// What the compliance 1 adds to row l of G, or of G' by differences.
+std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Rows& rows, bool slope, Eigen::Index l) {
+    const Eigen::Index n = mesh.size(), own = l + rows.first;
+    const Real along = (brute_force::centre(mesh, own) - brute_force::centre(mesh, 0)) /
+                       (brute_force::centre(mesh, n - 1) - brute_force::centre(mesh, 0));
+    const Real alpha = rows.alpha_T + along * (rows.alpha_L - rows.alpha_T), width = mesh.widths()[own];
+    const int averages = rows.averages - (slope ? 1 : 0);
+    std::vector<Real> result(static_cast<std::size_t>(n - rows.less), 0);
+    for (const auto& [node, weight] : rows.samples) {
+        const brute_force::Place point = shifted(brute_force::centre(mesh, own), (alpha + node / 2) * width);
+        const auto traction = [&](Eigen::Index m, Real distance) {
+            const brute_force::Place at = shifted(point, distance);
+            return averages == 0 ? share(mesh, m, at, at)
+                                 : share(mesh, m, shifted(at, -width / 2), shifted(at, width / 2));
+        };
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            const Eigen::Index m = static_cast<Eigen::Index>(i);
+            result[i] += weight * (slope ? (traction(m, width / 2) - traction(m, -width / 2)) / width : traction(m, 0));
+        }
+    }
+    return result;
+}
+
+TEST_CASE("g, H and H_integral gain the delta and its antiderivatives", "[layer]") {
+    const StripKernel<double> strip(2.0, 0.75, 0.25);
+    const LayeredKernel layered(strip, 0.5);
+    ArrayX<double> x(7);
+    x << -2, -1e-3, -1e-300, 0, 1e-300, 1e-3, 2;
+    ArrayX<double> sign(7);
+    sign << -1, -1, -1, 0, 1, 1, 1;
+    CHECK((layered.H(x) - strip.H(x) - 0.25 * sign).abs().maxCoeff() < 1e-15);
+    CHECK((layered.H_integral(x) - strip.H_integral(x) - 0.25 * x.abs()).abs().maxCoeff() < 1e-15);
+    for (Eigen::Index i = 0; i < 7; ++i) {
+        if (i != 3) CHECK(layered.g(x)[i] == strip.g(x)[i]);
+    }
+    CHECK(layered.g(x)[3] == std::numeric_limits<double>::infinity());
+    CHECK(layered.half_width() == 2);
+    CHECK(LayeredKernel(PlaneKernel<double>(2.0, 0.75, 0.25), 0.5).lambda() ==
+          PlaneKernel<double>(2.0, 0.75, 0.25).lambda());
+}
+
+TEST_CASE("A layer adds to every entry what geometry says, whatever way the rest is computed", "[layer]") {
+    const double L = 0.375;
+    const Eigen::Index n = 9;
+    const std::vector<brute_force::NamedMesh<double>> meshes = brute_force::every_mesh<double>(n);
+    const std::vector<brute_force::NamedMesh<Real>> exact = brute_force::every_mesh<Real>(n);
+    int refused = 0;
+    for (std::size_t k = 0; k < meshes.size(); ++k) {
+        for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
+            std::visit(
+                [&, &scheme_name = scheme_name](const auto& s) {
+                    const auto check = [&](const auto& kernel, const char* kernel_name) {
+                        const LayeredKernel layered(kernel, L);
+                        const Mesh<double>& mesh = meshes[k].mesh;
+                        CAPTURE(meshes[k].name, scheme_name, kernel_name);
+                        for (const bool slope : {false, true}) {
+                            const brute_force::Rows rows = brute_force::rows_of(s, slope);
+                            if (slope && rows.averages == 0) {
+                                CHECK_THROWS_AS(assemble_G_prime(mesh, s, layered), std::invalid_argument);
+                                ++refused;
+                                continue;
+                            }
+                            const MatrixX<double> with =
+                                slope ? assemble_G_prime(mesh, s, layered) : assemble_G(mesh, s, layered);
+                            const MatrixX<double> without =
+                                slope ? assemble_G_prime(mesh, s, kernel) : assemble_G(mesh, s, kernel);
+                            double largest = 0;
+                            for (Eigen::Index l = 0; l < with.rows(); ++l) {
+                                const std::vector<Real> row = delta_row(exact[k].mesh, rows, slope, l);
+                                const double scale =
+                                    without.row(l).cwiseAbs().maxCoeff() + L / mesh.widths().minCoeff();
+                                for (Eigen::Index m = 0; m < with.cols(); ++m) {
+                                    const double added = L * static_cast<double>(row[static_cast<std::size_t>(m)]);
+                                    largest = std::max(largest, std::abs(with(l, m) - without(l, m) - added) / scale);
+                                }
+                            }
+                            CAPTURE(slope, largest);
+                            CHECK(largest < 1e-14);
+                            // L = 0 is the kernel without a layer
+                            const LayeredKernel none(kernel, 0);
+                            CHECK((slope ? assemble_G_prime(mesh, s, none) : assemble_G(mesh, s, none)) == without);
+                        }
+                    };
+                    check(PlaneKernel<double>(16.0, 0.75, 0.25), "plane");         // a logarithm
+                    check(StripKernel<double>(1024.0, 0.75, 0.25), "strip 1024");  // a logarithm and a polynomial
+                    check(StripKernel<double>(4.0, 0.75, 0.25), "strip 4");        // Taylor's series
+                    check(Bare{}, "bare");                                         // differences alone
+                },
+                scheme);
+        }
+    }
+    CHECK(refused == 8 * 6 * 4);
+}
+
+TEST_CASE("Layers upon each other add up, and a product without a matrix has them", "[layer]") {
+    const Mesh<double> mesh = cosine_mesh<double>(50);
+    const PlaneKernel<double> plane(100.0, 0.72, 0.28);
+    const LayeredKernel once(plane, 0.75);
+    const LayeredKernel twice(LayeredKernel(plane, 0.25), 0.5);
+    const InfluenceMatrices<double> one = assemble(mesh, halves, once), two = assemble(mesh, halves, twice);
+    CHECK(one.G == two.G);
+    CHECK(one.G_prime == two.G_prime);
+    const VectorX<double> p = VectorX<double>::LinSpaced(50, 1, 3);
+    const VectorX<double> product = detail::influence_product<double>(
+        mesh, scheme_rows<double>(halves, Quantity::slope, 50), detail::KernelView<double>(once), Quantity::slope, p);
+    CHECK((product - one.G_prime * p).norm() < 1e-13 * product.norm());
+}
+
+TEST_CASE("Steady friction on a layer, as CONTACT has it", "[layer]") {
+    const double nu = 0.28, mu_p0 = 1e-3;
+    const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
+    const auto force = [&](double L, double delta, Eigen::Index n) {
+        const Mesh<double> mesh = uniform_mesh<double>(n);
+        const SteadyFrictionModel<double> model(contact, mesh, halves,
+                                                LayeredKernel(PlaneKernel<double>::longitudinal(contact), L),
+                                                {1, mu_p0 * mean_hertz_pressure(mesh)});
+        const FrictionState<double> rest = model.at_rest();
+        FrictionState<double> state = rest;
+        FrictionWorkspace<double> workspace = model.workspace();
+        const FrictionStep<double> step = model.solve(rest, 2 * (1 - nu) * mu_p0 * delta, state, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        return -step.force_per_width / (mu_p0 * std::numbers::pi / 2);
+    };
+    struct Row {
+        double L, delta, at[3], contact_160;
+    };
+    for (const Row& row :
+         {Row{0.5, 0.25, {0.3071, 0.3046, 0.3033}, 0.3034}, Row{0.5, 1, {0.8580, 0.8514, 0.8480}, 0.8481},
+          Row{2, 0.5, {0.3059, 0.3028, 0.3013}, 0.3014}}) {
+        const double found[] = {force(row.L, row.delta, 40), force(row.L, row.delta, 80), force(row.L, row.delta, 160)};
+        CAPTURE(row.L, row.delta, found[0], found[1], found[2]);
+        for (int k = 0; k < 3; ++k) CHECK(std::abs(found[k] - row.at[k]) < 6e-5);
+        CHECK(std::abs(found[2] - row.contact_160) < 1.6e-4);
+    }
+    // without the layer: Carter
+    CHECK(std::abs(force(0, 0.25, 160) - (0.5 - 0.0625)) < 2e-3);
+}
+
+TEST_CASE("A soft layer is a brush", "[layer]") {
+    const double nu = 0.28;
+    const PlaneKernel<double> plane(std::numeric_limits<double>::infinity(), 1 - nu, nu);
+    // an upwind difference makes each traction L p(x) = -xi (a - x + dx/2) exactly; the bodies add a share of 1/L
+    const Mesh<double> mesh = uniform_mesh<double>(40);
+    std::vector<double> softness, errors;
+    for (const double L : {1e2, 1e3, 1e4, 1e5}) {
+        const UnitSteadySolution<double> solution = solve_steady(mesh, halves, LayeredKernel(plane, L));
+        REQUIRE(solution.status == Status::ok);
+        softness.push_back(L);
+        double error = 0;
+        for (Eigen::Index l = 0; l < 40; ++l) {
+            const double brush = -(mesh.from_leading()[l] + mesh.widths()[l] / 2);
+            error = std::max(error, std::abs(L * solution.traction[l] - brush));
+        }
+        errors.push_back(error);
+        CHECK(std::abs(L * solution.c11 / (2 * (1 + 1 / 40.0)) - 1) < 10 / L);
+    }
+    CAPTURE(errors);
+    CHECK(errors[3] < 1e-4);
+    CHECK(std::abs(support::observed_order(softness, errors) - 1) < 0.1);
+    // first order in the elements
+    for (const bool cosine : {false, true}) {
+        std::vector<double> counts, c11_errors;
+        for (const Eigen::Index n : {20, 40, 80, 160}) {
+            const Mesh<double> of_n = cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
+            counts.push_back(static_cast<double>(n));
+            c11_errors.push_back(std::abs(1e7 * solve_steady(of_n, halves, LayeredKernel(plane, 1e7)).c11 / 2 - 1));
+        }
+        CAPTURE(cosine, c11_errors);
+        CHECK(std::abs(support::observed_order(counts, c11_errors) - 1) < 0.15);
+    }
+}
+
+TEST_CASE("With a layer rolling is stable and tends to the steady state", "[layer]") {
+    const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+    for (const Mesh<double>& mesh :
+         {uniform_mesh<double>(20), uniform_mesh<double>(60), cosine_mesh<double>(20), cosine_mesh<double>(60)}) {
+        for (const double L : {0.1, 0.5, 2.0, 10.0, 50.0}) {
+            const ElementSystem<double> system =
+                rolling_system(mesh, halves, LayeredKernel(StripKernel<double>::longitudinal(contact), L));
+            CAPTURE(mesh.is_uniform(), mesh.size(), L);
+            CHECK_FALSE(system.log_strength().has_value());
+            CHECK(system.aspect() == 100.0);
+            const TransientModel<double> model(contact, system, verdict(system));
+            TransientState<double> now = model.at_rest(), next = now;
+            const PreparedStep<double> step = model.prepare(0.5);
+            const double steady = model.force(model.steady(1));
+            double largest = 0, force = 0;
+            for (int k = 0; k < 400; ++k) {
+                force = model.advance(now, step, 1, next).force / steady;
+                largest = std::max(largest, force);
+                std::swap(now, next);
+            }
+            CHECK(std::abs(force - 1) < 1e-12);
+            CHECK(largest < 1.02);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE("A layer in every scalar type", "[layer]", float, double, long double) {
+    using Scalar = TestType;
+    const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+    const PlaneKernel<Scalar> plane(Scalar(100), Scalar(0.72), Scalar(0.28));
+    const PlaneKernel<Real> exact(100, Scalar(0.72), Scalar(0.28));
+    // on fine meshes, too, rounding moves no point to the other side of an edge
+    for (const Eigen::Index n : {8, 100, 800}) {
+        const auto difference = [&](const Mesh<Scalar>& mesh, const Mesh<Real>& fine, const Collocation& scheme) {
+            const MatrixX<Scalar> G = assemble_G(mesh, scheme, LayeredKernel(plane, Scalar(0.5)));
+            const MatrixX<Real> fine_G = assemble_G(fine, scheme, LayeredKernel(exact, Real(0.5)));
+            const MatrixX<Scalar> slope = assemble_G_prime(mesh, scheme, LayeredKernel(plane, Scalar(0.5)));
+            const MatrixX<Real> fine_slope = assemble_G_prime(fine, scheme, LayeredKernel(exact, Real(0.5)));
+            const Real least = fine.widths().minCoeff();
+            return std::max(
+                static_cast<double>((G.template cast<Real>() - fine_G).cwiseAbs().maxCoeff()),
+                static_cast<double>((slope.template cast<Real>() - fine_slope).cwiseAbs().maxCoeff() * least));
+        };
+        for (const Collocation& scheme : {halves, Collocation{0, 0}, Collocation{0, 0.5}}) {
+            CAPTURE(n, scheme.alpha_L, scheme.alpha_T);
+            CHECK(difference(uniform_mesh<Scalar>(n), uniform_mesh<Real>(n), scheme) < 2e3 * eps);
+            // where alpha varies, points of a fine cosine mesh come as near to an edge as rounding can tell
+            if (scheme.alpha_L != scheme.alpha_T) continue;
+            CHECK(difference(cosine_mesh<Scalar>(n), cosine_mesh<Real>(n), scheme) < 2e3 * eps);
+        }
+    }
+    const double c11 =
+        static_cast<double>(solve_steady(uniform_mesh<Scalar>(40), halves, LayeredKernel(plane, Scalar(0.5))).c11);
+    const double fine =
+        static_cast<double>(solve_steady(uniform_mesh<Real>(40), halves, LayeredKernel(exact, Real(0.5))).c11);
+    CHECK(std::abs(c11 / fine - 1) < 1e3 * eps);
+}
+
+TEST_CASE("What a layer cannot do is refused by name", "[layer]") {
+    const PlaneKernel<double> plane(100.0, 0.75, 0.25);
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(refusal([&] { LayeredKernel(plane, -0.5); }) ==
+          "LayeredKernel: compliance = -0.5 must be finite and not negative");
+    CHECK(refusal([&] { LayeredKernel(plane, std::numeric_limits<double>::quiet_NaN()); }) ==
+          "LayeredKernel: compliance = nan must be finite and not negative");
+    CHECK(refusal([&] { LayeredKernel(plane, infinity); }) ==
+          "LayeredKernel: compliance = inf must be finite and not negative");
+    CHECK_NOTHROW(LayeredKernel(plane, 0));
+
+    const Mesh<double> mesh = cosine_mesh<double>(10);
+    const LayeredKernel layered(plane, 0.5);
+    const std::string why =
+        "LayeredKernel: compliance = 0.5 must be 0 where the derivative is analytic: the layer's displacement jumps at "
+        "the edges of elements; take Derivative::finite_difference, or Galerkin in closed form";
+    const Collocation analytic{0.5, 0.5, Derivative::analytic};
+    CHECK(refusal([&] { solve_steady(mesh, analytic, layered); }) == why);
+    CHECK(refusal([&] { rolling_system(mesh, analytic, layered); }) == why);
+    CHECK(refusal([&] { rolling_system(mesh, KnotheBoundary{Derivative::analytic}, layered); }) == why);
+    CHECK(refusal([&] { rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic, 1, 7}, layered); }) == why);
+    CHECK_NOTHROW(rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic}, layered));
+    CHECK_NOTHROW(solve_steady(mesh, analytic, LayeredKernel(plane, 0)));
+
+    // the kernel's own conditions stay
+    CHECK(refusal([&] {
+              rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>(0.1, 0.75, 0.25), 5));
+          }).find("Lambda") != std::string::npos);
+    const Contact<double> other = Contact<double>::dimensionless(50, 0.25);
+    CHECK(refusal([&] {
+              TransientModel<double>(other, rolling_system(mesh, halves, layered), unchecked);
+          }).find("b/a of the kernel over that of the contact") != std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,230 @@
+// rollbem/friction/transient.hpp: elastic energy, and the balance of work, heat and elastic energy.
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/closed_form/friction.hpp>
+
+#include "scene.hpp"
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+
+namespace {
+
+using namespace friction_tests;
+
+// Of the tractions -mu p0 sqrt(1 - x^2/a^2), a = half_length, with G = 1. By Chebyshev polynomials: T_0 and T_2 alone,
+// and the plane kernel is diagonal in them.
+double sliding_energy(double half_length, double half_width) {
+    const double c1 = 1 - nu, c2 = nu;
+    const double mean = 2 * (c1 * std::log(4 * half_width / half_length) + c2), second = c1;
+    return std::numbers::pi / 8 * (mean + second / 2) * peak * peak * half_length * half_length;
+}
+
+TEST_CASE("elastic energy of full sliding against the exact one", "[friction]") {
+    std::vector<double> sizes, errors;
+    for (const Eigen::Index n : {20, 40, 80, 160}) {
+        const Scene scene(cosine_mesh<double>(n), half, 1, 50);
+        const FrictionModel<double> model = scene.transient();
+        FrictionState<double> state = model.at_rest();
+        CHECK(model.elastic_energy(state) == 0);
+        state.traction = -peak * mean_hertz_pressure(scene.mesh).matrix();
+        const double energy = model.elastic_energy_per_width(state);
+        CHECK(model.elastic_energy(state) == Approx(100 * energy).epsilon(1e-14));  // 2b = 100
+        sizes.push_back(static_cast<double>(n));
+        errors.push_back(energy / sliding_energy(1, 50) - 1);
+    }
+    CAPTURE(errors);
+    CHECK(std::abs(errors[1]) < 1e-3);
+    CHECK(support::observed_order(sizes, errors) > 1.8);
+}
+
+TEST_CASE("elastic energy of a contact that has grown, and in SI", "[friction]") {
+    const Mesh<double> mesh = cosine_mesh<double>(160);
+    const Scene scene(mesh, half, 1, 50);
+    const FrictionModel<double> model = scene.transient();
+    FrictionState<double> state = model.at_rest();
+    state.traction = -peak * mean_hertz_pressure(mesh).matrix();
+    for (const double half_length : {0.7, 1.0, 1.3}) {
+        state.half_length = half_length;
+        CAPTURE(half_length);
+        CHECK(std::abs(model.elastic_energy_per_width(state) / sliding_energy(half_length, 50) - 1) < 1e-4);
+    }
+
+    // a joule is a newton times a metre
+    const double a = 6e-3, G = 8e10;
+    const Contact<double> contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
+    const FrictionModel<double> in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
+    FrictionState<double> loaded = in_si.at_rest();
+    loaded.traction = G * state.traction;
+    loaded.half_length = a * state.half_length;
+    CHECK(in_si.elastic_energy_per_width(loaded) ==
+          Approx(G * a * a * model.elastic_energy_per_width(state)).epsilon(1e-12));
+    CHECK(in_si.elastic_energy(loaded) == Approx(100 * a * in_si.elastic_energy_per_width(loaded)).epsilon(1e-12));
+
+    // a strip knows one length only
+    const auto strip = rolling_system(mesh, half, StripKernel<double>::longitudinal(scene.contact));
+    const FrictionModel<double> rigid(scene.contact, strip, unchecked, scene.friction);
+    CHECK(std::isnan(rigid.elastic_energy(state)));
+    state.half_length = 1;
+    CHECK(rigid.elastic_energy(state) > 0);
+}
+
+// Over a creepage that rises, falls and turns round, from rest: what the rigid bodies lose, the heat
+// by slip times traction, and the elastic energy at the end.
+struct Balance {
+    double spent = 0, heat = 0, elastic = 0;
+
+    double gap() const { return (spent - heat - elastic) / heat; }
+};
+template <class Scheme>
+Balance roll(const Mesh<double>& mesh, const Scheme& scheme, Integrator integrator, int steps) {
+    const Scene scene(mesh, half, 1, 50);
+    const FrictionModel<double> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked,
+                                      scene.friction, integrator);
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
+    const double dq = 4.0 / steps;
+    const auto xi = [&](int k) { return creepage(1.5 * std::sin(dq * k)); };
+    Balance balance;
+    double force = 0;
+    for (int k = 0; k < steps; ++k) {
+        const FrictionStep<double> step =
+            model.advance(now, dq, RigidMotion<double>::linear(xi(k), xi(k + 1)), next, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        balance.spent -= dq * (xi(k) * force + xi(k + 1) * step.force_per_width) / 2;
+        balance.heat += step.slip_work_per_width;
+        force = step.force_per_width;
+        std::swap(now, next);
+    }
+    balance.elastic = model.elastic_energy_per_width(now);
+    return balance;
+}
+
+TEST_CASE("slip times traction balances to second order", "[friction]") {
+    std::vector<double> sizes, gaps;
+    for (const Eigen::Index n : {10, 20, 40, 80}) {
+        sizes.push_back(static_cast<double>(n));
+        gaps.push_back(roll(cosine_mesh<double>(n), half, Integrator::sdirk2, 1600).gap());
+    }
+    CAPTURE(gaps);
+    CHECK(std::abs(gaps[2]) < 3e-3);
+    CHECK(support::observed_order(sizes, gaps) > 1.8);
+    CHECK(support::observed_order(sizes, gaps) < 2.3);
+}
+
+TEST_CASE("Galerkin's method loses no energy but what slips", "[friction]") {
+    // in space on any mesh, and in time as the integrator does
+    for (const Mesh<double>& mesh : {cosine_mesh<double>(20), uniform_mesh<double>(15), geometric_mesh(12, 5.0)}) {
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            std::vector<double> sizes, gaps;
+            for (const int steps : {400, 800, 1600}) {
+                sizes.push_back(steps);
+                gaps.push_back(roll(mesh, Galerkin{.alpha_L = 0, .alpha_T = 0}, integrator, steps).gap());
+            }
+            CAPTURE(mesh.size(), name(integrator), gaps);
+            CHECK(support::observed_order(sizes, gaps) > (integrator == Integrator::sdirk2 ? 1.6 : 0.8));
+            CHECK(std::abs(gaps.back()) < (integrator == Integrator::sdirk2 ? 1e-4 : 2e-2));
+        }
+    }
+}
+
+// Creepage of half of full sliding, in steady rolling at first, under a load whose contact is half as long again and
+// back, a = sqrt(1 + 0.5 sin(2 pi q/8)), mu p0 = a: over one period.
+Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
+    const Contact<double> contact = Contact<double>::dimensionless(1000, 0.28);
+    const double covered = breathing ? 1 : 1.25;  // half-length of the mesh
+    const Contact<double> meshed(
+        {.half_length = covered, .half_width = 1000, .shear_modulus = 1, .poisson_ratio = 0.28});
+    const Mesh<double> mesh = breathing ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
+    const ElementSystem<double> system =
+        rolling_system(mesh, half, PlaneKernel<double>::longitudinal(breathing ? contact : meshed));
+    // of G = 1; a load of 1 per width gives a = 1 and a peak of 2/pi
+    const ElasticBody<double> body{2 * 1.28, 0.28};
+    const HertzLine<double> line(
+        {.load_per_width = 1, .combined_radius = std::numbers::pi / (4 * 0.72), .body_1 = body, .body_2 = body});
+    REQUIRE(std::abs(line.half_length() - 1) < 1e-14);
+    const HertzLoad<double> hertz =
+        breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, covered);
+    NormalLoad<double> load = hertz.at(1);
+
+    const double mu = std::numbers::pi / 2, xi = 0.72;
+    const FrictionModel<double> model(breathing ? contact : meshed, system, unchecked, {mu, load.normal_pressure});
+    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<double> workspace = model.workspace();
+    double force = model.steady(now, xi, next, workspace).force_per_width;
+    std::swap(now, next);
+    Balance balance;
+    balance.elastic = -model.elastic_energy_per_width(now);
+    const int steps = static_cast<int>(std::lround(8 / dq));
+    for (int k = 1; k <= steps; ++k) {
+        REQUIRE(hertz.set(1 + 0.5 * std::sin(2 * std::numbers::pi * k / steps), load) == StepStatus::ok);
+        const auto step = model.advance(now, dq, xi, load, next, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        balance.spent -= dq * xi * (force + step.force_per_width) / 2;
+        balance.heat += step.slip_work_per_width;
+        force = step.force_per_width;
+        std::swap(now, next);
+    }
+    balance.elastic += model.elastic_energy_per_width(now);
+    return balance;
+}
+
+TEST_CASE("balance under a load that varies, on a mesh that breathes with it", "[friction]") {
+    // -int xi F dq, slip work and gain of elastic energy of an independent discretisation (n = 160)
+    const Balance fine = roll_under_a_wave(160, 0.05, true);
+    CHECK(std::abs(fine.spent - 6.2501) < 3e-4);
+    CHECK(std::abs(fine.heat - 7.5715) < 3e-4);
+    CHECK(std::abs(fine.elastic + 1.3209) < 3e-4);
+    // the residual over the work
+    const std::vector<double> expected{6.5e-3, 1.6e-3, 4.0e-4};
+    std::vector<double> sizes, gaps;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Balance balance = roll_under_a_wave(20 << k, 0.05, true);
+        sizes.push_back(static_cast<double>(20 << k));
+        gaps.push_back(-balance.gap() * balance.heat / balance.spent);
+        CAPTURE(sizes.back(), gaps.back());
+        CHECK(std::abs(gaps.back() / expected[k] - 1) < 0.04);
+    }
+    CHECK(std::abs(support::observed_order(sizes, gaps) - 2) < 0.1);
+}
+
+TEST_CASE("balance under a load that varies, on a mesh that stays", "[friction]") {
+    for (const Eigen::Index n : {50, 100, 200}) {
+        const Balance balance = roll_under_a_wave(n, 0.05, false);
+        CAPTURE(n, balance.spent, balance.heat, balance.elastic, balance.gap());
+        CHECK(std::abs(balance.gap()) < 1e-4);
+        CHECK(std::abs(balance.heat / 7.5715 - 1) < 1.0 / static_cast<double>(n));
+    }
+}
+
+TEST_CASE("about the centres: no force in full adhesion, the right one with slip", "[friction]") {
+    std::vector<double> sizes, errors;
+    for (const Eigen::Index n : {20, 40, 80, 160}) {
+        const Scene scene(uniform_mesh<double>(n), half, 1, 50);
+        const Galerkin galerkin{.alpha_L = 0, .alpha_T = 0};
+        const ElementSystem<double> system = rolling_system(scene.mesh, galerkin, scene.kernel);
+        // w G' is antisymmetric, so that sum w p = p.(w G' p) = 0
+        const auto adhesion = solve_steady<double>(system.G_prime(), system.weights());
+        CHECK(adhesion.status == Status::inconsistent);
+        CHECK(std::abs(adhesion.c11) < 1e-12);
+
+        const FrictionModel<double> model(scene.contact, system, unchecked, scene.friction);
+        const FrictionState<double> rest = model.at_rest();
+        FrictionState<double> state = rest;
+        FrictionWorkspace<double> workspace = model.workspace();
+        const FrictionStep<double> point = model.steady(rest, creepage(0.5), state, workspace);
+        CHECK(point.status == StepStatus::ok);
+        CHECK(point.slip_work_per_width == Approx(-point.force_per_width * creepage(0.5)).epsilon(1e-11));
+        sizes.push_back(static_cast<double>(n));
+        errors.push_back(force_ratio(point) / carter_force_ratio(0.5) - 1);
+    }
+    CAPTURE(errors);
+    CHECK(std::abs(errors.back()) < 2e-3);
+    CHECK(std::abs(support::observed_order(sizes, errors) - 1) < 0.1);
+}
+
+}  // namespace
