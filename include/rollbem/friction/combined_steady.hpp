@@ -5,9 +5,9 @@
 #include "../detail/language.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "../assembly/influence.hpp"
@@ -102,18 +102,21 @@ private:
         : core_(contact, widths, points, std::move(friction), fingerprint_of(G_prime, widths)),
           G_prime_(std::move(G_prime)) {
         const Eigen::Index n = size();
-        static constexpr const char* names[2] = {"longitudinal G_prime", "lateral G_prime"};
-        for (std::size_t d = 0; d < 2; ++d) {
-            const MatrixX<Scalar>& matrix = G_prime_[d];
-            detail::require(matrix.rows() == n && matrix.cols() == n, "SteadyCombinedModel",
-                            d == 0 ? "rows of longitudinal G_prime" : "rows of lateral G_prime", matrix.rows(),
-                            "equal the number of widths, and the columns too");
-            detail::require_finite("SteadyCombinedModel", names[d], matrix);
-        }
+        require_entries("longitudinal G_prime", G_prime_[0], n);
+        require_entries("lateral G_prime", G_prime_[1], n);
         for (Eigen::Index i = 0; i < n; ++i) {
             detail::require(detail::is_finite(widths[i]) && widths[i] > 0, "SteadyCombinedModel", "width", widths[i],
                             "be positive and finite");
         }
+    }
+
+    static void require_entries(const char* name, const MatrixX<Scalar>& matrix, Eigen::Index n) {
+        const std::string of = std::string(" of ") + name;
+        detail::require(matrix.rows() == n, "SteadyCombinedModel", ("number of rows" + of).c_str(), matrix.rows(),
+                        "equal the number of widths");
+        detail::require(matrix.cols() == n, "SteadyCombinedModel", ("number of columns" + of).c_str(), matrix.cols(),
+                        "equal the number of widths");
+        detail::require_finite("SteadyCombinedModel", name, matrix);
     }
 
     static std::uint64_t fingerprint_of(const std::array<MatrixX<Scalar>, 2>& G_prime, const ArrayX<Scalar>& widths) {

@@ -70,7 +70,7 @@ public:
     }
 
     Eigen::Index size() const { return core_.size(); }                 ///< number of unknown elements
-    std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of G', widths and contact
+    std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of G', widths, contact and pressures
 
     /// No traction anywhere, everything sticks: the start of a first solution.
     State at_rest() const { return core_.at_rest(); }

@@ -68,8 +68,10 @@ public:
                         "be implicit_euler or sdirk2");
     }
 
-    Eigen::Index size() const { return core_.size(); }                 ///< number of unknown elements
-    std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of the system and the contact, not the law
+    Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
+    /// Of the system, the contact and the law's pressures, not of the coefficient of friction: a state goes on under
+    /// another load by the load that a step is given, never by a model of another pressure.
+    std::uint64_t fingerprint() const { return core_.fingerprint(); }
     Integrator integrator() const { return integrator_; }
 
     /// No traction anywhere, everything sticks.
@@ -159,7 +161,11 @@ private:
         typename Core::Gain gain{.first = 0, .last = travel};
         if (two_stages) {
             enter(Stage::within(part, dq, a, a_end), workspace);
-            core_.press(from.normal_pressure, load.pressure, part, workspace);
+            if constexpr (loaded) {
+                core_.press(from.normal_pressure, load.pressure, part, workspace);
+            } else {
+                core_.press(load.pressure, workspace);  // for both stages
+            }
             core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
             before = core_.solve_first(from, ratio, system_, workspace);
             if constexpr (loaded) core_.carry_tangents(asked, system_, first, ratio, workspace);
@@ -167,7 +173,7 @@ private:
             core_.extrapolate_memory(system_, ratio, workspace);
         }
         enter(Stage::last(part, dq, a, a_end), workspace);
-        core_.press(load.pressure, workspace);
+        if (loaded || !two_stages) core_.press(load.pressure, workspace);
         core_.impose(travel * motion.end(), system_, workspace);
         const Step step = core_.solve_last(from, before, gain, load, unit, to, workspace);
         if constexpr (loaded) {

@@ -1,0 +1,75 @@
+// What the tests of friction in two directions share: a scene in the units a = G = 1 under Hertz's pressure, and ways to
+// look at it.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include <rollbem/compiled/friction.hpp>
+
+namespace combined_tests {
+
+using namespace rollbem;
+
+constexpr double peak = 1e-3;  // mu p0, with a = G = 1
+constexpr double full_force = peak * std::numbers::pi / 2;
+constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
+
+using State = CombinedFrictionState<double>;
+using Step = CombinedFrictionStep<double>;
+using Workspace = CombinedFrictionWorkspace<double>;
+using Motion = RigidMotion<Creepage<double>>;
+
+struct Scene {
+    explicit Scene(Mesh<double> mesh_, double nu_ = 0.28, Collocation scheme_ = half, double aspect = 1000)
+        : nu(nu_),
+          contact(Contact<double>::dimensionless(aspect, nu)),
+          longitudinal(PlaneKernel<double>::longitudinal(contact)),
+          lateral(PlaneKernel<double>::lateral(contact)),
+          mesh(std::move(mesh_)),
+          scheme(scheme_),
+          friction{1, peak * mean_hertz_pressure(mesh)} {}
+
+    /// Creepage by its ratio to the one at which all of a Carter contact slips along, and its angle in degrees.
+    Creepage<double> creepage(double ratio, double degrees) const {
+        const double size = 2 * (1 - nu) * peak * ratio, angle = degrees * std::numbers::pi / 180;
+        return {size * std::cos(angle), size * std::sin(angle)};
+    }
+    ElementSystem<double> along() const { return rolling_system(mesh, scheme, longitudinal); }
+    ElementSystem<double> across() const { return rolling_system(mesh, scheme, lateral); }
+    SteadyCombinedModel<double> steady() const { return {contact, mesh, scheme, longitudinal, lateral, friction}; }
+    CombinedFrictionModel<double> transient(Integrator integrator = Integrator::sdirk2) const {
+        return {contact, along(), across(), unchecked, friction, integrator};
+    }
+
+    double nu;
+    Contact<double> contact;
+    PlaneKernel<double> longitudinal, lateral;
+    Mesh<double> mesh;
+    Collocation scheme;
+    CoulombFriction<double> friction;
+};
+
+/// The solution from rest, in a workspace that has seen nothing.
+inline Step from_scratch(const SteadyCombinedModel<double>& model, const Creepage<double>& creepage, State& state) {
+    const State rest = model.at_rest();
+    state = rest;
+    Workspace workspace = model.workspace();
+    return model.solve(rest, creepage, state, workspace);
+}
+inline Step from_scratch(const SteadyCombinedModel<double>& model, const Creepage<double>& creepage) {
+    State state;
+    return from_scratch(model, creepage, state);
+}
+
+/// Force against the creepage over mu N, and across.
+struct Ratios {
+    double longitudinal, lateral;
+};
+inline Ratios ratios(const Step& step) {
+    return {-step.force_per_width.longitudinal / full_force, -step.force_per_width.lateral / full_force};
+}
+
+}  // namespace combined_tests

@@ -1,0 +1,234 @@
+// rollbem/friction/detail/combined_solver.hpp, combined_equations.hpp
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <rollbem/compiled/friction.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+template <class Scalar>
+using Solver = detail::CombinedSolver<Scalar>;
+
+std::vector<CombinedZone> all_stick(Eigen::Index n) {
+    return std::vector<CombinedZone>(static_cast<std::size_t>(n), CombinedZone::stick);
+}
+
+struct Problem {
+    MatrixX<double> x, y;
+    ElementVectors<double> constant;
+    VectorX<double> bound;
+
+    Eigen::Index size() const { return bound.size(); }
+    template <class Scalar>
+    void put_into(Solver<Scalar>& solver) const {
+        solver.new_matrix(0) = x.cast<Scalar>();
+        solver.new_matrix(1) = y.cast<Scalar>();
+        solver.constant() = constant.cast<Scalar>();
+    }
+    template <class Scalar = double>
+    typename Solver<Scalar>::Outcome solve_from_rest(Solver<Scalar>& solver) const {
+        return solver.solve(bound.cast<Scalar>(), ElementVectors<Scalar>::Zero(size(), 2), all_stick(size()));
+    }
+    /// The largest violation of the conditions, from the definition.
+    double violation(const ElementVectors<double>& p) const {
+        ElementVectors<double> s(size(), 2);
+        s.col(0) = x * p.col(0) + constant.col(0);
+        s.col(1) = y * p.col(1) + constant.col(1);
+        double worst = 0;
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const double norm = p.row(i).norm(), slip = s.row(i).norm();
+            worst = std::max(worst, norm - bound[i]);
+            if (bound[i] == 0) continue;
+            // below the bound nothing may slip; at it slip is against the traction
+            const double inside = std::min(1 - norm / bound[i], slip);
+            const double across = std::abs(p(i, 0) * s(i, 1) - p(i, 1) * s(i, 0)) / bound[i];
+            worst = std::max({worst, inside, across, p.row(i).dot(s.row(i)) / bound[i]});
+        }
+        return worst;
+    }
+};
+
+enum class Kind { singular, definite, any };
+
+Problem random_problem(std::mt19937& generator, Eigen::Index n, Kind kind) {
+    std::normal_distribution<double> normal;
+    const auto vector = [&] {
+        return VectorX<double>(VectorX<double>::NullaryExpr(n, [&] { return normal(generator); }));
+    };
+    const auto matrix = [&] {
+        const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return normal(generator); });
+        if (kind == Kind::singular) return MatrixX<double>(vector() * vector().transpose());
+        // definite, and far from symmetric
+        const MatrixX<double> skew = any.transpose() - any;
+        if (kind == Kind::definite) {
+            return MatrixX<double>(any * any.transpose() + MatrixX<double>::Identity(n, n) + 2 * skew);
+        }
+        return any;
+    };
+    Problem problem{matrix(), matrix(), ElementVectors<double>(n, 2), vector().cwiseAbs()};
+    problem.constant.col(0) = vector();
+    problem.constant.col(1) = vector();
+    return problem;
+}
+
+TEST_CASE("Newton's method solves definite problems, and says of all others how far it came", "[friction]") {
+    std::mt19937 generator(11);
+    int unsolved = 0, several = 0, tangents = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Kind kind = trial % 3 == 0 ? Kind::singular : trial % 3 == 1 ? Kind::definite : Kind::any;
+        const Eigen::Index n = 1 + trial % 12;
+        Problem problem = random_problem(generator, n, kind);
+        if (trial % 5 == 0) problem.bound[0] = 0;
+        Solver<double> solver(n);
+        problem.put_into(solver);
+        const auto outcome = problem.solve_from_rest(solver);
+        const double violation = problem.violation(solver.traction());
+        CAPTURE(trial, n, outcome.rounds, outcome.residual, violation);
+        REQUIRE(outcome.rounds <= 360);
+        if (kind == Kind::definite) REQUIRE(outcome.status == StepStatus::ok);
+        if (outcome.status == StepStatus::ok) {
+            REQUIRE(violation < 1e-9);
+        } else {
+            ++unsolved;
+            REQUIRE(outcome.status == StepStatus::no_solution);
+            REQUIRE(outcome.residual > 1e-12);
+            REQUIRE(violation > 1e-12);
+            REQUIRE((solver.traction().rowwise().norm() - problem.bound).maxCoeff() < 1e-12);
+        }
+        several += outcome.rounds > 60 ? 1 : 0;
+        if (!outcome.tangent_exists) continue;
+        // a solution a little further is where the tangent points to
+        const double e = 1e-7;
+        ElementVectors<double> change = ElementVectors<double>::Zero(n, 2), response = change;
+        change.col(trial % 2).setOnes();
+        const ElementVectors<double> before = solver.traction();
+        solver.respond(change, response);
+        if (kind != Kind::definite) continue;
+        ++tangents;
+        const auto zones = solver.zones();
+        solver.constant() += e * change;
+        REQUIRE(solver.solve(problem.bound, before, zones).status == StepStatus::ok);
+        if (solver.zones() == zones) CHECK((solver.traction() - before - e * response).cwiseAbs().maxCoeff() < 1e-9);
+    }
+    CAPTURE(unsolved, several, tangents);
+    CHECK(unsolved < 100);
+    CHECK(several > 10);
+    CHECK(tangents > 900);
+}
+
+TEST_CASE("A definite problem has one solution, and a plain projected iteration finds it", "[friction]") {
+    std::mt19937 generator(5);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Eigen::Index n = 1 + trial % 9;
+        const Problem problem = random_problem(generator, n, Kind::definite);
+        Solver<double> solver(n);
+        problem.put_into(solver);
+        REQUIRE(problem.solve_from_rest(solver).status == StepStatus::ok);
+        // Korpelevich's extragradient
+        ElementVectors<double> p = ElementVectors<double>::Zero(n, 2);
+        const double step = 0.5 / std::max(problem.x.norm(), problem.y.norm());
+        const auto moved = [&](const ElementVectors<double>& at) {
+            ElementVectors<double> result = p - step * problem.constant;
+            result.col(0) -= step * (problem.x * at.col(0));
+            result.col(1) -= step * (problem.y * at.col(1));
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const double norm = result.row(i).norm();
+                if (norm > problem.bound[i]) result.row(i) *= problem.bound[i] / norm;
+            }
+            return result;
+        };
+        double change = 1;
+        for (int k = 0; k < 400000 && change > 1e-13; ++k) {
+            const ElementVectors<double> next = moved(moved(p));
+            change = (next - p).cwiseAbs().maxCoeff();
+            p = next;
+        }
+        CAPTURE(trial, n, change);
+        REQUIRE((p - solver.traction()).cwiseAbs().maxCoeff() < 1e-8);
+    }
+}
+
+TEST_CASE("A combined solver that has solved other problems gives what a fresh one gives", "[friction]") {
+    std::mt19937 generator(1);
+    const auto integer = [&](int count) { return static_cast<double>(generator() % static_cast<unsigned>(count)); };
+    int singular = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        const Eigen::Index n = 2 + trial % 4;
+        const auto entries = [&] {
+            return MatrixX<double>(MatrixX<double>::NullaryExpr(n, n, [&] { return integer(3) - 1; }));
+        };
+        Problem problem{entries(), entries(), ElementVectors<double>(n, 2),
+                        VectorX<double>::NullaryExpr(n, [&] { return integer(3); })};
+        Solver<double> fresh(n), used(n);
+        problem.put_into(fresh);
+        problem.put_into(used);
+        for (const double other : {1e6, 0.3}) {
+            used.constant().setConstant(other);
+            problem.solve_from_rest(used);
+        }
+        problem.constant = ElementVectors<double>::NullaryExpr(n, 2, [&] { return (integer(5) - 2) / 2; });
+        fresh.constant() = used.constant() = problem.constant;
+        const auto first = problem.solve_from_rest(fresh), again = problem.solve_from_rest(used);
+        CAPTURE(trial, n, first.rounds, again.rounds);
+        REQUIRE(first.residual == again.residual);
+        REQUIRE(first.status == again.status);
+        REQUIRE(first.rounds == again.rounds);
+        REQUIRE(fresh.traction() == used.traction());
+        REQUIRE(fresh.slip() == used.slip());
+        REQUIRE(fresh.zones() == used.zones());
+        REQUIRE(first.tangent_exists == again.tangent_exists);
+        if (!first.tangent_exists) ++singular;
+    }
+    CHECK(singular > 10);
+}
+
+TEST_CASE("A leading element without influence on itself", "[friction]") {
+    // central differences about the element's own centre: the diagonal vanishes, and one that sticks alone is singular
+    Problem problem{MatrixX<double>{{1, 0.5}, {-0.5, 0}}, MatrixX<double>{{1.2, 0.6}, {-0.6, 0}},
+                    ElementVectors<double>(2, 2), VectorX<double>{{1, 3}}};
+    problem.constant << 0.9, 0.7, 0.45, 0.36;
+    Solver<double> solver(2);
+    problem.put_into(solver);
+    std::vector<CombinedZone> zones{CombinedZone::slip, CombinedZone::stick};
+    ElementVectors<double> start(2, 2);
+    start << -0.8, -0.6, 0, 0;
+    const auto outcome = solver.solve(problem.bound, start, zones);
+    CHECK(outcome.status == StepStatus::ok);
+    CHECK(outcome.tangent_exists);
+    CHECK(problem.violation(solver.traction()) < 1e-13);
+}
+
+template <class Scalar>
+void check_scalar(Scalar tolerance) {
+    std::mt19937 generator(2);
+    for (int trial = 0; trial < 60; ++trial) {
+        const Eigen::Index n = 2 + trial % 6;
+        const Problem problem = random_problem(generator, n, Kind::definite);
+        Solver<double> reference(n);
+        problem.put_into(reference);
+        Solver<Scalar> solver(n);
+        problem.put_into(solver);
+        REQUIRE(problem.solve_from_rest(reference).status == StepStatus::ok);
+        const auto outcome = problem.solve_from_rest(solver);
+        CAPTURE(trial, n, outcome.rounds, outcome.residual);
+        REQUIRE(outcome.status == StepStatus::ok);
+        const MatrixX<double> difference = solver.traction().template cast<double>() - reference.traction();
+        REQUIRE(Scalar(difference.cwiseAbs().maxCoeff()) < tolerance);
+    }
+}
+
+TEST_CASE("Combined friction in float and long double", "[friction]") {
+    check_scalar<float>(2e-4F);
+    check_scalar<long double>(1e-12L);
+}
+
+}  // namespace
