@@ -25,7 +25,7 @@ namespace rollbem::detail {
 /// have come to it.
 template <class Scalar>
 struct FrictionPassage {
-    const VectorX<Scalar>& pressure;  ///< p_n/G
+    const VectorX<Scalar>& pressure;  ///< p_n/G; without pressure a coefficient is that at rest
     const VectorX<Scalar>& duration;  ///< [s]: how long a particle takes to come to the element
     const VectorX<Scalar>* before;  ///< mu it had there; null in steady rolling, where it is that of the element ahead
     Scalar velocity_per_slip;       ///< [m/s] by the solver's slip
@@ -60,12 +60,18 @@ public:
           kept_(n),
           response_(n),
           unit_(n),
+          slip_by_traction_(n, n),
           by_friction_(n, n),
           newton_(n, n),
           right_(n),
+          newton_slope_(n),
+          newton_gain_(n),
+          newton_kept_(n),
           swaps_(static_cast<std::size_t>(n)),
           slipping_(static_cast<std::size_t>(n)),
           zones_(static_cast<std::size_t>(n), Zone::stick) {}
+
+    Index size() const { return start_.size(); }
 
     /// From `zones` and the `friction` to start with, which becomes the result; matrix and constant of the solver are
     /// set. `friction` is finite and not negative.
@@ -105,6 +111,29 @@ public:
         return outcome;
     }
 
+    /// dp and d mu that follow a change dc, and `before_change` of passage.before (null where it stays), while no
+    /// element changes its zone; of what was solved last. `friction_change` must not be `before_change`.
+    template <class Law>
+    void respond(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                 ActiveSet<Scalar>& solver, const Vector& friction, const Vector& change, const Vector* before_change,
+                 Vector& traction_change, Vector& friction_change) {
+        factorise(law, memory, passage, solver, friction);
+        solver.respond(change, traction_change);
+        unit_ = change;
+        unit_.noalias() += solver.matrix() * traction_change;
+        Scalar ahead = 0;
+        for (Index i = size() - 1; i >= 0; --i) {
+            ahead = slope_[i] * passage.velocity_per_slip * solver.signs()[i] * unit_[i] + kept_[i] * ahead;
+            if (before_change != nullptr && passage.pressure[i] > 0) {
+                ahead += memory.kept(velocity_[i], passage.duration[i]) * (*before_change)[i];
+            }
+            friction_change[i] = ahead;
+        }
+        spread(friction_change);
+        tried_ = friction_change.cwiseProduct(passage.pressure);
+        solver.respond(change, tried_, traction_change);
+    }
+
 private:
     static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
 
@@ -117,14 +146,15 @@ private:
             const Scalar sign = solver.signs()[i];
             velocity_[i] = passage.velocity_per_slip * std::max(Scalar(0), sign * solver.slip()[i]);
             const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
-            ahead = passed(law, memory, passage.duration[i], before, velocity_[i]);
+            ahead = passage.pressure[i] > 0 ? passed(law, memory, passage.duration[i], before, velocity_[i])
+                                            : static_cast<Scalar>(law(Scalar(0)));
             residual_[i] = ahead - mu[i];
         }
     }
 
     template <class Law>
     static Scalar passed(const Law& law, const SlipMemory<Scalar>& memory, Scalar duration, Scalar before, Scalar v) {
-        const Scalar kept = memory.kept(v, duration), now = law(v);
+        const Scalar kept = memory.kept(v, duration), now = static_cast<Scalar>(law(v));
         return kept * before + (1 - kept) * now;
     }
 
@@ -177,57 +207,93 @@ private:
     template <class Law>
     void linearise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    ActiveSet<Scalar>& solver, const Vector& mu) {
-        const Index n = mu.size();
-        Scalar ahead = law(Scalar(0));
-        for (Index i = n - 1; i >= 0; --i) {
-            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i], v = velocity_[i];
-            const Scalar nearby = std::cbrt(std::numeric_limits<Scalar>::epsilon()) * (v + memory.least_velocity) +
-                                  std::numeric_limits<Scalar>::min();
-            const Scalar low = std::max(v - nearby, Scalar(0)), high = v + nearby;
-            const Scalar duration = passage.duration[i];
-            slope_[i] = (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
-                        (high - low);
-            kept_[i] = passage.before == nullptr ? memory.kept(v, duration) : Scalar(0);
-            ahead = residual_[i] + mu[i];
-        }
-        Index count = 0;
-        for (Index j = 0; j < n; ++j) {
-            if (solver.signs()[j] != 0) slipping_[static_cast<std::size_t>(count++)] = j;
-        }
-        for (Index k = 0; k < count; ++k) find_response(passage, solver, slipping_[static_cast<std::size_t>(k)], k);
-        for (Index k = 0; k < count; ++k) {
-            for (Index l = 0; l < count; ++l) {
-                newton_(k, l) = (k == l ? 1 : 0) - by_friction_(slipping_[static_cast<std::size_t>(k)], l);
-            }
-            step_[k] = residual_[slipping_[static_cast<std::size_t>(k)]];
-        }
-        factorise_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data());
-        solve_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data(), step_.head(count));
-        right_ = residual_;
-        right_.noalias() += by_friction_.leftCols(count) * step_.head(count);
-        step_ = right_;
+        factorise(law, memory, passage, solver, mu);
+        step_ = residual_;
+        spread(step_);
     }
 
-    // Column k: what the right-hand sides of all elements change by the mu of element j.
-    void find_response(const FrictionPassage<Scalar>& passage, ActiveSet<Scalar>& solver, Index j, Index k) {
-        const Scalar own = -solver.signs()[j] * passage.pressure[j];
-        unit_ = own * solver.matrix().col(j);
-        solver.respond(unit_, response_);
-        unit_.noalias() += solver.matrix() * response_;
-        Scalar ahead = 0;
-        for (Index i = unit_.size() - 1; i >= 0; --i) {
-            const Scalar change = passage.velocity_per_slip * solver.signs()[i] * unit_[i];
-            ahead = slope_[i] * change + kept_[i] * ahead;
-            by_friction_(i, k) = ahead;
+    // The derivatives of the right-hand sides by slip and by the coefficient ahead, and from them Newton's matrix,
+    // unless it is the one there is.
+    template <class Law>
+    void factorise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                   ActiveSet<Scalar>& solver, const Vector& mu) {
+        find_slip_by_traction(solver);
+        // differences as wide as the velocities at hand allow, for where an element hardly slips
+        const Scalar unit = memory.least_velocity + velocity_.maxCoeff() / 1000;
+        Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
+        for (Index i = size() - 1; i >= 0; --i) {
+            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i], v = velocity_[i];
+            const Scalar nearby =
+                std::cbrt(std::numeric_limits<Scalar>::epsilon()) * (v + unit) + std::numeric_limits<Scalar>::min();
+            const Scalar low = std::max(v - nearby, Scalar(0)), high = v + nearby;
+            const Scalar duration = passage.duration[i];
+            const bool pressed = passage.pressure[i] > 0;
+            slope_[i] =
+                pressed ? (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
+                              (high - low)
+                        : Scalar(0);
+            kept_[i] = pressed && passage.before == nullptr ? memory.kept(v, duration) : Scalar(0);
+            ahead = residual_[i] + mu[i];
+        }
+        step_ = passage.velocity_per_slip * solver.signs().cwiseProduct(slope_);
+        right_ = -solver.signs().cwiseProduct(passage.pressure);
+        if (newton_revision_ == slip_revision_ && newton_slope_ == step_ && newton_gain_ == right_ &&
+            newton_kept_ == kept_) {
+            return;
+        }
+        newton_revision_ = slip_revision_;
+        newton_slope_ = step_;
+        newton_gain_ = right_;
+        newton_kept_ = kept_;
+        for (Index k = 0; k < slipping_count_; ++k) {
+            const Scalar gain = right_[slipping_[static_cast<std::size_t>(k)]];
+            Scalar leading = 0;
+            for (Index i = size() - 1; i >= 0; --i) {
+                leading = step_[i] * gain * slip_by_traction_(i, k) + kept_[i] * leading;
+                by_friction_(i, k) = leading;
+            }
+            for (Index l = 0; l < slipping_count_; ++l) {
+                newton_(l, k) = (k == l ? 1 : 0) - by_friction_(slipping_[static_cast<std::size_t>(l)], k);
+            }
+        }
+        factorise_in_place<Scalar>(newton_.topLeftCorner(slipping_count_, slipping_count_), swaps_.data());
+    }
+
+    // What the coefficients change in all when by themselves they change by `change`, which it overwrites.
+    void spread(Vector& change) {
+        for (Index k = 0; k < slipping_count_; ++k) response_[k] = change[slipping_[static_cast<std::size_t>(k)]];
+        solve_in_place<Scalar>(newton_.topLeftCorner(slipping_count_, slipping_count_), swaps_.data(),
+                               response_.head(slipping_count_));
+        change.noalias() += by_friction_.leftCols(slipping_count_) * response_.head(slipping_count_);
+    }
+
+    // Column k: slip of all elements by the traction of the k-th that slips, while the others stick or keep theirs.
+    void find_slip_by_traction(ActiveSet<Scalar>& solver) {
+        if (slip_revision_ == solver.revision()) return;
+        slip_revision_ = solver.revision();
+        newton_revision_ = never;
+        slipping_count_ = 0;
+        for (Index j = 0; j < size(); ++j) {
+            if (solver.signs()[j] == 0) continue;
+            unit_ = solver.matrix().col(j);
+            solver.respond(unit_, response_);
+            unit_.noalias() += solver.matrix() * response_;
+            slip_by_traction_.col(slipping_count_) = unit_;
+            slipping_[static_cast<std::size_t>(slipping_count_++)] = j;
         }
     }
+
+    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
 
     Vector start_, residual_, tried_, step_;
     Vector velocity_, slope_, kept_;  // v; d right-hand side / d v; and by that of the element ahead
     Vector response_, unit_;
-    Matrix by_friction_, newton_;
+    Matrix slip_by_traction_, by_friction_, newton_;
     Vector right_;
+    Vector newton_slope_, newton_gain_, newton_kept_;  // what by_friction_ and newton_ were made of
+    unsigned long slip_revision_ = never, newton_revision_ = never;
     std::vector<Index> swaps_, slipping_;
+    Index slipping_count_ = 0;
     std::vector<Zone> zones_;
 };
 
