@@ -224,7 +224,7 @@ public:
         const Scalar force_per_width = load.half_length * shear_modulus_ * force;
         const Scalar work_per_width = workspace.work_.sum();
         if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
-            !all_finite(solver.slip())) {
+            outcome.status == StepStatus::not_finite || !all_finite(solver.slip())) {
             workspace.slip_.setZero();
             workspace.work_.setZero();
             to.traction = from.traction;

@@ -180,19 +180,24 @@ private:
         return outcome.change <= settled;
     }
 
-    /// mu = right-hand side, until the difference has risen and come down again. Where that has not helped, mu goes a
-    /// part of the way only.
+    /// mu = right-hand side, until the difference has risen and come down again. Where it hardly changes from round to
+    /// round, in the bottleneck, mu goes many rounds' way at once; where all that has not helped, a part of the way
+    /// only.
     template <class Find>
     Scalar follow(Scalar settled, Scalar scale, int restart, const Find& find, Vector& friction) {
         const Scalar part = restart < 2 ? Scalar(1) : restart < 4 ? Scalar(0.4) : Scalar(0.15);
         const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
         Scalar before = residual_.norm(), peak = before;
-        int falling = 0;
+        int falling = 0, flat = 0;
+        Scalar leap = 10;
         for (int round = 0; round < rounds; ++round) {
-            friction += part * residual_;
+            const bool leaps = flat >= 3;
+            friction = (friction + (leaps ? leap : part) * residual_).cwiseMax(Scalar(0));
             find(friction);
             const Scalar size = residual_.norm();
             if (!is_finite(size)) break;
+            leap = leaps ? 2 * leap : flat == 0 ? Scalar(10) : leap;
+            flat = !leaps && std::abs(size - before) < before / 100 ? flat + 1 : leaps ? 1 : 0;
             falling = size < before ? falling + 1 : 0;
             before = size;
             peak = std::max(peak, size);
