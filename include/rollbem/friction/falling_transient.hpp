@@ -136,9 +136,8 @@ private:
         const Scalar unit = model_.core_.half_length();
         Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.system_.points() : nullptr,
                       from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, workspace);
-        const ArrayX<Scalar> no_rates;
-        const Step step =
-            model_.template roll<loaded>(stages, from, dq / unit, motion, load, {no_rates, false}, to, workspace);
+        if constexpr (loaded) model_.core_.begin_tangents(ArrayX<Scalar>(), false, workspace);  // none by the load
+        const Step step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
         detail::hand_over(step, from, workspace.friction_, to);
         return step;
     }

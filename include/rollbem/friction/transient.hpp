@@ -115,7 +115,7 @@ public:
         const StepStatus possible = check(from, dq, motion, load, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
         detail::ConstantStages<Scalar> stages;
-        return roll<false>(stages, from, dq / core_.half_length(), motion, load, {load.pressure, false}, to, workspace);
+        return roll<false>(stages, from, dq / core_.half_length(), motion, load, to, workspace);
     }
 
     /// The same under a load that goes evenly from that of `from` to this one at the end of the step. `to` is left alone
@@ -128,10 +128,9 @@ public:
         const Load end{load.normal_pressure, load.half_length};
         if (possible == StepStatus::ok) possible = check(from, dq, motion, end, to, workspace);
         if (possible != StepStatus::ok) return {Core::failed(possible)};
-        const bool breathes = system_.log_strength() && dq > 0;
         detail::ConstantStages<Scalar> stages;
-        return roll<true>(stages, from, dq / core_.half_length(), motion, end, {load.pressure_rate, breathes}, to,
-                          workspace);
+        core_.begin_tangents(load.pressure_rate, system_.log_strength() && dq > 0, workspace);
+        return roll<true>(stages, from, dq / core_.half_length(), motion, end, to, workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling.
@@ -151,11 +150,11 @@ private:
     static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
 
-    // A step whose arguments have been checked; dq in a_0. With a load of its own it comes with the tangents by it.
-    // `stages` know how the bounds come about.
+    // A step whose arguments have been checked; dq in a_0. One that is loaded anew comes with the tangents by the load
+    // that have been begun. `stages` know how the bounds come about.
     template <bool loaded, class Stages>
     auto roll(Stages& stages, const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load,
-              const typename Core::LoadTangentsAsked& asked, State& to, Workspace& workspace) const noexcept {
+              State& to, Workspace& workspace) const noexcept {
         const Scalar unit = core_.half_length(), a = from.half_length / unit, a_end = load.half_length / unit;
         // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
         const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
@@ -163,7 +162,6 @@ private:
         const Scalar travel = motion.is_shift() ? part / unit : part * dq;
         const detail::StagePlace<Scalar> first{part, part}, last{part, 1};
         core_.remember(from, system_, a, a != a_end, workspace);
-        if constexpr (loaded) core_.begin_tangents(asked, workspace);
         typename Core::Before before{.zones = &from.zones};
         typename Core::Gain gain{.first = 0, .last = travel};
         if (two_stages) {
@@ -177,7 +175,7 @@ private:
             }
             core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
             before = core_.solve_first(stages, from, ratio, system_, workspace);
-            if constexpr (loaded) core_.carry_tangents(asked, system_, first, ratio, workspace);
+            if constexpr (loaded) core_.carry_tangents(system_, first, ratio, workspace);
             gain.first = motion.is_linear() ? gamma * travel : travel;
             core_.extrapolate_memory(system_, ratio, workspace);
         }
@@ -188,7 +186,7 @@ private:
         core_.impose(travel * motion.end(), system_, workspace);
         const Step step = core_.solve_last(stages, from, before, gain, load, unit, to, workspace);
         if constexpr (loaded) {
-            return core_.with_tangents(step, asked, system_, last, load, workspace);
+            return core_.with_tangents(step, system_, last, load, workspace);
         } else {
             return step;
         }

@@ -108,13 +108,6 @@ public:
         const ArrayX<Scalar>& pressure;
         Scalar half_length;
     };
-    /// The tangents by the load that a step is asked for: with pressure rates or without, by the half-length or not.
-    struct LoadTangentsAsked {
-        const ArrayX<Scalar>& pressure_rate;
-        bool by_half_length;
-
-        bool by_load() const { return pressure_rate.size() > 0; }
-    };
     /// What the last stage of a step starts from: zones, and what the first stage has left.
     struct Before {
         const std::vector<Zone>* zones;
@@ -255,32 +248,32 @@ public:
         return step;
     }
 
-    /// Of a step that is about to begin,
-    void begin_tangents(const LoadTangentsAsked& asked, Workspace& workspace) const noexcept {
-        workspace.load_tangents_.clear();
-        if (!asked.by_load()) return;
-        workspace.load_tangents_.bound_change() =
-            friction_.friction_coefficient / shear_modulus_ * asked.pressure_rate.head(size()).matrix();
+    /// The tangents by the load that a step is about to be asked for: by the half-length or not, by the load unless there
+    /// are no rates;
+    void begin_tangents(const ArrayX<Scalar>& pressure_rate, bool by_half_length, Workspace& workspace) const noexcept {
+        LoadTangents<Scalar>& tangents = workspace.load_tangents_;
+        tangents.begin(pressure_rate.size() > 0, by_half_length);
+        if (!tangents.by_load()) return;
+        tangents.bound_change() = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
     }
     /// the first of two stages solved,
-    void carry_tangents(const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
-                        const StagePlace<Scalar>& place, Scalar ratio, Workspace& workspace) const noexcept {
-        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, asked.by_load(), asked.by_half_length,
-                                       workspace.solver_);
+    void carry_tangents(const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place, Scalar ratio,
+                        Workspace& workspace) const noexcept {
+        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, workspace.solver_);
     }
     /// and the last.
-    LoadedStep with_tangents(const Step& step, const LoadTangentsAsked& asked, const RollingSystem<Scalar>& system,
-                             const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
+    LoadedStep with_tangents(const Step& step, const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place,
+                             const Load& load, Workspace& workspace) const noexcept {
         LoadedStep loaded{step};
         if (is_nan(step.tangent_per_width)) return loaded;  // nor are there any by the load
         LoadTangents<Scalar>& tangents = workspace.load_tangents_;
         ActiveSet<Scalar>& solver = workspace.solver_;
-        if (asked.by_load()) {
+        if (tangents.by_load()) {
             const Scalar change = widths_.dot(tangents.respond_to_load(place, solver));
             loaded.tangent_by_load_per_width = load.half_length * shear_modulus_ * change;
             loaded.tangent_by_load = width_ * loaded.tangent_by_load_per_width;
         }
-        if (asked.by_half_length) {
+        if (tangents.by_half_length()) {
             const Scalar change = widths_.dot(tangents.respond_to_half_length(system, workspace.stage_, place, solver));
             const Scalar force = widths_.dot(solver.traction());
             loaded.tangent_by_half_length_per_width =

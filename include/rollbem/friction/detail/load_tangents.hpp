@@ -37,24 +37,28 @@ public:
           rate_(Vector::Zero(n)),
           change_(Vector::Zero(n)) {}
 
-    /// At the start of a step: no stage has answered yet.
-    void clear() {
+    /// Starts a step: which tangents are asked for, no stage having answered yet.
+    void begin(bool by_load, bool by_half_length) {
+        by_load_ = by_load;
+        by_half_length_ = by_half_length;
         carried_by_load_.setZero();
         carried_by_length_.setZero();
     }
+    bool by_load() const { return by_load_; }
+    bool by_half_length() const { return by_half_length_; }
 
-    /// d bound at the end of the step, to be filled before it.
+    /// d bound at the end of the step by the load, to be filled where by_load().
     Vector& bound_change() { return bound_change_; }
 
     /// The first of two stages, solved in `solver`; the second starts from U + ratio (U_1 - U).
     void carry(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage, const StagePlace<Scalar>& place,
-               Scalar ratio, bool by_load, bool by_length, ActiveSet<Scalar>& solver) {
-        if (by_load) {
+               Scalar ratio, ActiveSet<Scalar>& solver) {
+        if (by_load_) {
             respond_to_load(place, solver);
             find_displacement(system, stage.half_length, response_, carried_by_load_);
             carried_by_load_ *= -ratio;
         }
-        if (by_length) {
+        if (by_half_length_) {
             respond_to_half_length(system, stage, place, solver);
             find_displacement(system, stage.half_length, response_, carried_by_length_);
             carried_by_length_ += place.progress * rate_;
@@ -85,6 +89,7 @@ private:
     Vector bound_change_;
     Vector carried_by_load_, carried_by_length_;  // what the first stage adds to the constants of the second
     Vector response_, displacement_, rate_, change_;
+    bool by_load_ = false, by_half_length_ = false;
 };
 
 }  // namespace rollbem::detail

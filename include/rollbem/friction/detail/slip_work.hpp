@@ -3,6 +3,7 @@
 
 #include "../../detail/language.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -25,7 +26,7 @@ public:
     /// `widths` of the elements with unknown tractions, which begin at the trailing edge; `points` x/a of their
     /// equations. Without points each slip is taken as it is.
     SlipWork(const ArrayX<Scalar>& widths, const std::optional<ArrayX<Scalar>>& points)
-        : widths_(widths), behind_(static_cast<std::size_t>(widths.size())), share_(ArrayX<Scalar>::Zero(size())) {
+        : widths_(widths), between_(static_cast<std::size_t>(widths.size())) {
         Scalar edge = 0;  // 1 + x/a of the trailing edge of element i
         for (Index i = 0; i < size(); ++i) {
             place(i, edge + widths[i] / 2, points);
@@ -38,8 +39,9 @@ public:
     /// Slip at the centre of an element from the slips of all equations.
     template <class Vector>
     Scalar at_centre(Eigen::Index element, const Vector& slip) const {
-        const Index j = behind_[static_cast<std::size_t>(element)];
-        return share_[element] == 0 ? slip[j] : slip[j] + share_[element] * (slip[j + 1] - slip[j]);
+        const Between& between = between_[static_cast<std::size_t>(element)];
+        const Scalar behind = slip[between.behind];
+        return behind + between.share * (slip[between.ahead] - behind);
     }
 
     /// Adds -p s dx of each element to `work`, on a contact of another half-length where one is given.
@@ -63,26 +65,28 @@ public:
 private:
     using Index = Eigen::Index;
 
-    // The two points about a centre, 1 + x/a = `centre`, are those that `behind` and share place it between.
+    // The equations about a centre, and the share of the way from the one to the other at which it lies.
+    struct Between {
+        Index behind, ahead;
+        Scalar share = 0;
+    };
+
+    // `centre` is its 1 + x/a.
     void place(Index element, Scalar centre, const std::optional<ArrayX<Scalar>>& points) {
-        Index& behind = behind_[static_cast<std::size_t>(element)];
-        behind = element;
+        Between& between = between_[static_cast<std::size_t>(element)];
+        between = {.behind = element, .ahead = element};
         if (!points || size() < 2) return;
         const auto point = [&](Index k) { return 1 + (*points)[k]; };
-        if (behind == size() - 1) --behind;
+        Index behind = std::min(element, size() - 2);
         while (behind > 0 && point(behind) > centre) --behind;
         while (behind < size() - 2 && point(behind + 1) <= centre) ++behind;
         const Scalar distance = point(behind + 1) - point(behind);
-        if (distance > 0) {
-            share_[element] = (centre - point(behind)) / distance;
-        } else {
-            behind = element;  // points of tiny elements may round to one number
-        }
+        if (!(distance > 0)) return;  // points of tiny elements may round to one number
+        between = {.behind = behind, .ahead = behind + 1, .share = (centre - point(behind)) / distance};
     }
 
     ArrayX<Scalar> widths_;
-    std::vector<Index> behind_;  // the equation behind each centre
-    ArrayX<Scalar> share_;       // of the way from there to the next equation
+    std::vector<Between> between_;
 };
 
 }  // namespace rollbem::detail
