@@ -28,6 +28,7 @@ struct Scene {
 
     Contact<double> contact = Contact<double>::dimensionless(1000, poisson_ratio);
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
+    StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     Mesh<double> mesh;
     CoulombFriction<double> friction;
@@ -251,6 +252,94 @@ void BM_FrictionSteadyWarm(benchmark::State& state) {
     state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
 }
 BENCHMARK(BM_FrictionSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// Both creepages. What they are measured in: a solution by LU of both directions' equations at once.
+void BM_CombinedLuSolve(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const Eigen::Index n = state.range(0);
+    MatrixX<double> matrix = MatrixX<double>::Zero(2 * n, 2 * n);
+    matrix.topLeftCorner(n, n) = assemble_G_prime(scene.mesh, scene.scheme, scene.kernel);
+    matrix.bottomRightCorner(n, n) = assemble_G_prime(scene.mesh, scene.scheme, scene.lateral);
+    const VectorX<double> right = VectorX<double>::Ones(2 * n);
+    Eigen::PartialPivLU<MatrixX<double>> lu(2 * n);
+    VectorX<double> solution(2 * n);
+    for (auto _ : state) {
+        lu.compute(matrix);
+        solution = lu.solve(right);
+        benchmark::DoNotOptimize(solution.data());
+        benchmark::ClobberMemory();
+    }
+    state.counters["n"] = static_cast<double>(n);
+}
+BENCHMARK(BM_CombinedLuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+SteadyCombinedModel<double> combined_steady_model(const Scene& scene) {
+    return {scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.lateral, scene.friction};
+}
+Creepage<double> creepage(double ratio, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
+}
+
+// One point from scratch, assembly apart, where it takes longest: the end of stick, obliquely.
+void BM_CombinedSteady(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const SteadyCombinedModel<double> model = combined_steady_model(scene);
+    const CombinedFrictionState<double> rest = model.at_rest();
+    CombinedFrictionState<double> next = rest;
+    const CombinedFrictionWorkspace<double> fresh = model.workspace();
+    CombinedFrictionWorkspace<double> workspace = fresh;
+    CombinedFrictionStep<double> step;
+    for (auto _ : state) {
+        workspace = fresh;  // without factors
+        step = model.solve(rest, creepage(1, 15), next, workspace);
+        benchmark::DoNotOptimize(step);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = step.rounds;
+}
+BENCHMARK(BM_CombinedSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// To and fro by 0.1 of the creepage ratio there.
+void BM_CombinedSteadyWarm(benchmark::State& state) {
+    const Scene scene(state.range(0));
+    const SteadyCombinedModel<double> model = combined_steady_model(scene);
+    CombinedFrictionState<double> now = model.at_rest(), next = now;
+    CombinedFrictionWorkspace<double> workspace = model.workspace();
+    int point = 0;
+    double rounds = 0;
+    for (auto _ : state) {
+        rounds += model.solve(now, creepage(++point % 2 == 0 ? 1 : 0.9, 15), next, workspace).rounds;
+        std::swap(now, next);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+}
+BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
+// A creepage that grows, shrinks and turns.
+void combined_steps(benchmark::State& state, Integrator integrator) {
+    const Scene scene(state.range(0));
+    const CombinedFrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel),
+                                              rolling_system(scene.mesh, scene.scheme, scene.lateral), unchecked,
+                                              scene.friction, integrator);
+    CombinedFrictionWorkspace<double> workspace = model.workspace();
+    CombinedFrictionState<double> now = model.at_rest(), next = now;
+    double q = 0, rounds = 0;
+    for (auto _ : state) {
+        const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
+        q += 0.05;
+        const auto motion = RigidMotion<Creepage<double>>::linear(before, creepage(0.9 * std::sin(q), 20 * q));
+        rounds += model.advance(now, 0.05, motion, next, workspace).rounds;
+        std::swap(now, next);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+}
+void BM_CombinedStep(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler); }
+BENCHMARK(BM_CombinedStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_CombinedStepSdirk2(benchmark::State& state) { combined_steps(state, Integrator::sdirk2); }
+BENCHMARK(BM_CombinedStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 }  // namespace
 

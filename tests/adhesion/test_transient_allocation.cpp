@@ -1,10 +1,11 @@
-// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp and steady.hpp: no step touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp and combined.hpp: no step touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 #include <utility>
+#include <vector>
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/transient.hpp>
@@ -270,6 +271,61 @@ TEST_CASE("A steady solution with friction does not allocate, its fallback inclu
         CHECK((point.pivots > 0 || n != 20));
         CHECK(after == before);
     }
+}
+
+TEST_CASE("Two directions with friction do not allocate, under any load and by any way to a solution", "[friction]") {
+    struct Case {
+        Eigen::Index n;
+        double alpha_L, alpha_T;
+    };
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        int several = 0;
+        for (const Case& c : {Case{1, 0.5, 0.5}, Case{40, 0.5, 0.5}, Case{40, 0, 0.5}, Case{200, 0.5, 0.5}}) {
+            const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
+            const Mesh<double> mesh = cosine_mesh<double>(c.n);
+            const Collocation scheme{.alpha_L = c.alpha_L, .alpha_T = c.alpha_T};
+            const CombinedFrictionModel<double> model(
+                contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
+                rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact)), unchecked,
+                {0.3, mean_hertz_pressure(mesh)}, integrator);
+            CombinedFrictionState<double> now = model.at_rest(), next = now;
+            const CombinedFrictionWorkspace<double> made = model.workspace();
+            CombinedFrictionWorkspace<double> workspace = made;  // a copy is as good
+            NormalLoad<double> load{now.normal_pressure, 1, now.normal_pressure};
+            bool ok = true;
+            const long before = allocations;
+            for (int k = 0; k < (c.n == 200 ? 12 : 80); ++k) {
+                const Creepage<double> creepage{(k % 13 - 6) * 0.08, (k % 7 - 3) * 0.15};
+                const double a = k % 8 < 4 ? 1 + 0.01 * (k % 4) : 1.04 - 0.01 * (k % 4);
+                load.normal_pressure = a * (load.pressure_rate);
+                load.half_length = a;
+                CombinedFrictionStep<double> step;
+                if (k % 5 == 4) step = model.steady(now, creepage, load, next, workspace);
+                if (k % 5 == 3) step = model.advance(now, 0.1, creepage, next, workspace);
+                if (k % 5 < 3) step = model.advance(now, 0.1 + 0.1 * (k % 2), creepage, load, next, workspace);
+                ok = ok && step.status == StepStatus::ok;
+                several += step.rounds > 60 ? 1 : 0;
+                std::swap(now, next);
+            }
+            const long after = allocations;
+            CAPTURE(c.n, c.alpha_L, name(integrator));
+            CHECK(ok);
+            CHECK(after == before);
+        }
+    }
+    // full sliding and each direction by itself, where the first attempts fail
+    detail::CombinedSolver<double> solver(2);
+    solver.new_matrix(0) << 0, 1, -1, 0;
+    solver.new_matrix(1) << 0, 0, 0, 0;
+    solver.constant() << 0.1, 0, -0.1, 0;
+    const VectorX<double> bound = VectorX<double>::Ones(2);
+    const std::vector<CombinedZone> zones(2, CombinedZone::stick);
+    const ElementVectors<double> start = ElementVectors<double>::Zero(2, 2);
+    const long before = allocations;
+    const auto outcome = solver.solve(bound, start, zones);
+    const long after = allocations;
+    CHECK(outcome.status == StepStatus::ok);
+    CHECK(after == before);
 }
 
 }  // namespace

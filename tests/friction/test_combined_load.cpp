@@ -171,6 +171,90 @@ TEST_CASE("A load that stays changes nothing", "[friction]") {
     }
 }
 
+TEST_CASE("Under a load that varies, a checkpoint and a fresh workspace go on to the last bit", "[friction]") {
+    for (const bool breathes : {true, false}) {
+        const Scene scene(breathes ? cosine_mesh<double>(18) : uniform_mesh<double>(18));
+        for (const Integrator integrator : integrators) {
+            const CombinedFrictionModel<double> model = scene.transient(integrator);
+            State now = model.at_rest(), next = now, copy = now;
+            Workspace used = model.workspace();
+            for (int k = 0; k < 50; ++k) {
+                const double a = half_length(0.3 * k), dq = k % 4 == 0 ? 0.3 : 0.4;
+                const NormalLoad<double> load = breathes ? breathing(scene, a) : fixed(scene, 0.7 * a);
+                const Creepage<double> creepage = scene.creepage(0.7, 8.0 * k);
+                // plain data: all of a state is in its fields
+                State checkpoint;
+                checkpoint.traction = now.traction;
+                checkpoint.zones = now.zones;
+                checkpoint.normal_pressure = now.normal_pressure;
+                checkpoint.half_length = now.half_length;
+                checkpoint.system = now.system;
+                Workspace fresh = model.workspace();
+                const auto step = model.advance(now, dq, creepage, load, next, used);
+                const auto again = model.advance(checkpoint, dq, creepage, load, copy, fresh);
+                CAPTURE(breathes, name(integrator), k);
+                REQUIRE(step.status == StepStatus::ok);
+                REQUIRE(copy.traction == next.traction);
+                REQUIRE(copy.zones == next.zones);
+                REQUIRE((copy.normal_pressure == next.normal_pressure).all());
+                REQUIRE(copy.half_length == next.half_length);
+                REQUIRE(used.slip() == fresh.slip());
+                REQUIRE(used.slip_work() == fresh.slip_work());
+                REQUIRE(step.tangent_by_load.lateral == again.tangent_by_load.lateral);
+                REQUIRE(step.tangent.by_longitudinal.lateral == again.tangent.by_longitudinal.lateral);
+                if (breathes) {
+                    REQUIRE(step.tangent_by_half_length.longitudinal == again.tangent_by_half_length.longitudinal);
+                }
+                // a trial that is rejected
+                model.advance(now, 2 * dq, scene.creepage(2, -50.0 * k), copy, used);
+                std::swap(now, next);
+            }
+        }
+    }
+}
+
+TEST_CASE("Newton's method on creepages and load at once converges quadratically", "[friction]") {
+    // The load per width P is an unknown: a(P) ~ sqrt(P), pressures ~ a. Both forces at the end of a step are given.
+    const Scene scene(cosine_mesh<double>(24));
+    const CombinedFrictionModel<double> model = scene.transient();
+    Workspace workspace = model.workspace();
+    State now = model.at_rest(), next = now;
+    model.steady(model.at_rest(), scene.creepage(0.6, 30), now, workspace);
+    const auto run = [&](double P, double lateral) {
+        // the load by which the rates are is a itself
+        const double a = std::sqrt(P);
+        const Creepage<double> creepage{scene.creepage(0.6, 30).longitudinal, lateral};
+        return model.advance(now, 0.3, creepage, breathing(scene, a), next, workspace);
+    };
+    const double goal_P = 1.15, goal_lateral = 1.2 * scene.creepage(0.6, 30).lateral;
+    const TangentialForce<double> goal = run(goal_P, goal_lateral).force_per_width;
+    double P = 1.13, lateral = 1.17 * scene.creepage(0.6, 30).lateral;
+    double errors[4] = {};
+    for (double& error : errors) {
+        const auto step = run(P, lateral);
+        REQUIRE(step.status == StepStatus::ok);
+        const double x = step.force_per_width.longitudinal - goal.longitudinal;
+        const double y = step.force_per_width.lateral - goal.lateral;
+        error = std::hypot(x, y) / full_force;
+        const double da = 1 / (2 * std::sqrt(P));
+        const double x_P =
+            da * (step.tangent_by_load_per_width.longitudinal + step.tangent_by_half_length_per_width.longitudinal);
+        const double y_P =
+            da * (step.tangent_by_load_per_width.lateral + step.tangent_by_half_length_per_width.lateral);
+        const double x_l = step.tangent_per_width.by_lateral.longitudinal;
+        const double y_l = step.tangent_per_width.by_lateral.lateral;
+        const double determinant = x_P * y_l - x_l * y_P;
+        P -= (x * y_l - x_l * y) / determinant;
+        lateral -= (x_P * y - x * y_P) / determinant;
+    }
+    CAPTURE(errors[0], errors[1], errors[2], errors[3]);
+    CHECK(errors[0] > 1e-3);
+    CHECK(errors[1] < 10 * errors[0] * errors[0]);
+    CHECK(errors[2] < 10 * errors[1] * errors[1] + 1e-13);
+    CHECK(errors[3] < 1e-13);
+    CHECK(P == Approx(goal_P).epsilon(1e-10));
+}
+
 TEST_CASE("Slow variation of the load tends to steady rolling under each load", "[friction]") {
     const Scene scene(cosine_mesh<double>(16), 0.28, half, 10);
     const CombinedFrictionModel<double> model = scene.transient();

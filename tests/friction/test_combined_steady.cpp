@@ -193,6 +193,31 @@ TEST_CASE("The tangent is the derivative of the force by both creepages", "[fric
     }
 }
 
+TEST_CASE("Schemes that make the search hard are solved, too", "[friction]") {
+    // With alpha = 0 at the leading edge that element has no influence on its own slip, and near full sliding plain
+    // steps cycle.
+    int hard = 0;
+    for (const double alpha_T : {0.5, 0.63, 1.0}) {
+        for (const bool cosine : {true, false}) {
+            for (const Eigen::Index n : {3, 20, 40}) {
+                const Scene scene(cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n), 0.28,
+                                  {.alpha_L = 0, .alpha_T = alpha_T});
+                const SteadyCombinedModel<double> model = scene.steady();
+                for (int degrees = 0; degrees <= 90; degrees += 15) {
+                    for (int tenths = 1; tenths <= 11; ++tenths) {
+                        const Step step = from_scratch(model, scene.creepage(0.1 * tenths, degrees));
+                        CAPTURE(alpha_T, cosine, n, degrees, tenths, step.rounds, step.complementarity_residual);
+                        REQUIRE(step.status == StepStatus::ok);
+                        REQUIRE(step.complementarity_residual < 1e-11);
+                        hard += step.rounds > 16 ? 1 : 0;
+                    }
+                }
+            }
+        }
+    }
+    CHECK(hard > 5);
+}
+
 TEST_CASE("Slip work is what the rigid bodies lose, to second order", "[friction]") {
     double before = 1;
     for (const Eigen::Index n : {20, 40, 80}) {

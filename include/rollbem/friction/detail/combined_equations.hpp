@@ -4,6 +4,7 @@
 
 #include "../../detail/language.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
 #include "../combined_state.hpp"
+#include "combined_partition.hpp"
 #include "stick_equations.hpp"
 
 namespace rollbem::detail {
@@ -39,11 +41,10 @@ public:
           whole_(2 * n, 2 * n),
           right_(2 * n),
           tangent_(ElementVectors<Scalar>::Zero(n, 2)),
-          swaps_(static_cast<std::size_t>(2 * n)) {
-        slipping_.reserve(static_cast<std::size_t>(n));
-        sticking_.reserve(static_cast<std::size_t>(n));
-        eliminated_for_.reserve(static_cast<std::size_t>(n));
-    }
+          slipping_(n),
+          sticking_(n),
+          eliminated_for_(n),
+          swaps_(static_cast<std::size_t>(2 * n)) {}
 
     Index size() const { return factors_.rows(); }
     /// M of direction 0 (longitudinal) or 1 (lateral).
@@ -51,18 +52,16 @@ public:
     /// The same, to be filled anew: the factors are void.
     Matrix& new_matrix(std::size_t direction) { return side_[direction].sticking.new_matrix(); }
 
-    /// Factorises for the elements with stick = 1 and those with slip = 1; those with neither are free. `traction` is
-    /// the unit vector along the traction of each element that slips, `stiffness` its k. False where the equations are
-    /// singular to working precision.
-    bool factorise(const Vector& stick, const Vector& slip, const ElementVectors<Scalar>& traction,
-                   const Vector& stiffness) {
-        list(slip, slipping_);
-        for (Index k = 0; k < slip_count(); ++k) {
-            tangent_(k, 0) = -traction(slipping(k), 1);
-            tangent_(k, 1) = traction(slipping(k), 0);
+    /// Factorises for the elements that stick and slip; the stiffness is k. False where the equations are singular to
+    /// working precision.
+    bool factorise(const CombinedPartition<Scalar>& part) {
+        slipping_.take(part.slide);
+        for (Index k = 0; k < slipping_.count; ++k) {
+            tangent_(k, 0) = -part.direction(slipping_[k], 1);
+            tangent_(k, 1) = part.direction(slipping_[k], 0);
         }
-        is_whole_ = !eliminate(stick);
-        return is_whole_ ? factorise_whole(stick, stiffness) : factorise_reduced(stiffness);
+        is_whole_ = !eliminate(part.stick);
+        return is_whole_ ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
     }
 
     /// dp for the slip s.
@@ -76,23 +75,43 @@ public:
     }
 
 private:
+    // Some of the elements, in memory for all: copies keep it.
+    struct List {
+        explicit List(Index n) : elements(static_cast<std::size_t>(n)) {}
+
+        void take(const Vector& chosen) {
+            count = 0;
+            for (Index i = 0; i < chosen.size(); ++i) {
+                if (chosen[i] != 0) elements[static_cast<std::size_t>(count++)] = i;
+            }
+        }
+        Index operator[](Index k) const { return elements[static_cast<std::size_t>(k)]; }
+        friend bool operator==(const List& one, const List& other) {
+            return one.count == other.count &&
+                   std::equal(one.elements.begin(), one.elements.begin() + one.count, other.elements.begin());
+        }
+
+        std::vector<Index> elements;
+        Index count = 0;
+    };
+
     // One direction. With S the elements that stick and L those that slip:
     struct Side {
         explicit Side(Index n)
             : sticking(n), answer(n, n), reduced(n, n), across(n, n), stuck(n), amplitude(n), induced(n) {}
 
         // what slipping elements do to sticking ones, and through them to each other
-        void eliminate(const std::vector<Index>& slipping) {
-            const Index sticks = sticking.count(), slips = static_cast<Index>(slipping.size());
+        void eliminate(const List& slipping) {
+            const Index sticks = sticking.count(), slips = slipping.count;
             const Matrix& M = sticking.matrix();
             for (Index k = 0; k < sticks; ++k) {
                 const Index own = sticking.listed(k);
-                for (Index l = 0; l < slips; ++l) across(l, k) = M(slipping[static_cast<std::size_t>(l)], own);
+                for (Index l = 0; l < slips; ++l) across(l, k) = M(slipping[l], own);
             }
             for (Index l = 0; l < slips; ++l) {
-                const Index own = slipping[static_cast<std::size_t>(l)];
+                const Index own = slipping[l];
                 for (Index k = 0; k < sticks; ++k) answer(k, l) = M(sticking.listed(k), own);
-                for (Index k = 0; k < slips; ++k) reduced(k, l) = M(slipping[static_cast<std::size_t>(k)], own);
+                for (Index k = 0; k < slips; ++k) reduced(k, l) = M(slipping[k], own);
                 sticking.solve_listed(answer.col(l).head(sticks));
                 reduced.col(l).head(slips).noalias() -=
                     across.topLeftCorner(slips, sticks) * answer.col(l).head(sticks);
@@ -119,17 +138,6 @@ private:
     };
 
     static Index column(std::size_t direction) { return static_cast<Index>(direction); }
-    Index slip_count() const { return static_cast<Index>(slipping_.size()); }
-    Index slipping(Index k) const { return slipping_[static_cast<std::size_t>(k)]; }
-    Index sticking(Index k) const { return sticking_[static_cast<std::size_t>(k)]; }
-
-    static void list(const Vector& chosen, std::vector<Index>& elements) {
-        elements.clear();
-        for (Index i = 0; i < chosen.size(); ++i) {
-            if (chosen[i] != 0) elements.push_back(i);
-        }
-    }
-
     bool eliminate(const Vector& stick) {
         for (Side& side : side_) {
             if (!side.sticking.factorise(stick)) return false;
@@ -143,30 +151,30 @@ private:
     }
 
     bool factorise_reduced(const Vector& stiffness) {
-        const Index count = slip_count();
+        const Index count = slipping_.count;
         const auto across = [&](Index d) { return tangent_.col(d).head(count); };
         for (Index k = 0; k < count; ++k) {
             factors_.col(k).head(count) = tangent_(k, 0) * across(0).cwiseProduct(side_[0].reduced.col(k).head(count)) +
                                           tangent_(k, 1) * across(1).cwiseProduct(side_[1].reduced.col(k).head(count));
-            factors_(k, k) += stiffness[slipping(k)];
+            factors_(k, k) += stiffness[slipping_[k]];
         }
         return factorise_first(factors_, count);
     }
 
     void solve_reduced(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
-        const Index count = slip_count();
+        const Index count = slipping_.count;
         right_.head(count).setZero();
         for (std::size_t d = 0; d < 2; ++d) {
             side_[d].start(s.col(column(d)), count);
             for (Index k = 0; k < count; ++k) {
-                right_[k] -= tangent_(k, column(d)) * (s(slipping(k), column(d)) + side_[d].induced[k]);
+                right_[k] -= tangent_(k, column(d)) * (s(slipping_[k], column(d)) + side_[d].induced[k]);
             }
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
         for (std::size_t d = 0; d < 2; ++d) {
             Side& side = side_[d];
             side.amplitude.head(count) = tangent_.col(column(d)).head(count).cwiseProduct(right_.head(count));
-            for (Index k = 0; k < count; ++k) change(slipping(k), column(d)) = side.amplitude[k];
+            for (Index k = 0; k < count; ++k) change(slipping_[k], column(d)) = side.amplitude[k];
             side.finish(count);
             for (Index k = 0; k < side.sticking.count(); ++k) {
                 change(side.sticking.listed(k), column(d)) = side.stuck[k];
@@ -176,45 +184,45 @@ private:
 
     // Unknowns and equations of sticking elements longitudinal and lateral, then of slipping ones.
     bool factorise_whole(const Vector& stick, const Vector& stiffness) {
-        list(stick, sticking_);
-        const Index sticks = static_cast<Index>(sticking_.size()), slips = slip_count(), size = 2 * sticks + slips;
+        sticking_.take(stick);
+        const Index sticks = sticking_.count, slips = slipping_.count, size = 2 * sticks + slips;
         whole_.topLeftCorner(size, size).setZero();
         for (std::size_t d = 0; d < 2; ++d) {
             const Index first = column(d) * sticks, last = 2 * sticks;
             for (Index k = 0; k < sticks; ++k) {
-                const auto influence = matrix(d).col(sticking(k));
-                for (Index j = 0; j < sticks; ++j) whole_(first + j, first + k) = influence[sticking(j)];
+                const auto influence = matrix(d).col(sticking_[k]);
+                for (Index j = 0; j < sticks; ++j) whole_(first + j, first + k) = influence[sticking_[j]];
                 for (Index j = 0; j < slips; ++j) {
-                    whole_(last + j, first + k) = tangent_(j, column(d)) * influence[slipping(j)];
+                    whole_(last + j, first + k) = tangent_(j, column(d)) * influence[slipping_[j]];
                 }
             }
             for (Index k = 0; k < slips; ++k) {
-                const auto influence = matrix(d).col(slipping(k));
+                const auto influence = matrix(d).col(slipping_[k]);
                 const Scalar share = tangent_(k, column(d));
-                for (Index j = 0; j < sticks; ++j) whole_(first + j, last + k) = share * influence[sticking(j)];
+                for (Index j = 0; j < sticks; ++j) whole_(first + j, last + k) = share * influence[sticking_[j]];
                 for (Index j = 0; j < slips; ++j) {
-                    whole_(last + j, last + k) += share * tangent_(j, column(d)) * influence[slipping(j)];
+                    whole_(last + j, last + k) += share * tangent_(j, column(d)) * influence[slipping_[j]];
                 }
             }
         }
-        for (Index k = 0; k < slips; ++k) whole_(2 * sticks + k, 2 * sticks + k) += stiffness[slipping(k)];
+        for (Index k = 0; k < slips; ++k) whole_(2 * sticks + k, 2 * sticks + k) += stiffness[slipping_[k]];
         return factorise_first(whole_, size);
     }
 
     void solve_whole(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
-        const Index sticks = static_cast<Index>(sticking_.size()), slips = slip_count(), size = 2 * sticks + slips;
+        const Index sticks = sticking_.count, slips = slipping_.count, size = 2 * sticks + slips;
         for (Index k = 0; k < sticks; ++k) {
-            right_[k] = -s(sticking(k), 0);
-            right_[sticks + k] = -s(sticking(k), 1);
+            right_[k] = -s(sticking_[k], 0);
+            right_[sticks + k] = -s(sticking_[k], 1);
         }
         for (Index k = 0; k < slips; ++k) {
-            const Index i = slipping(k);
+            const Index i = slipping_[k];
             right_[2 * sticks + k] = -(tangent_(k, 0) * s(i, 0) + tangent_(k, 1) * s(i, 1));
         }
         solve_in_place<Scalar>(whole_.topLeftCorner(size, size), swaps_.data(), right_.head(size));
         for (Index d = 0; d < 2; ++d) {
-            for (Index k = 0; k < sticks; ++k) change(sticking(k), d) = right_[d * sticks + k];
-            for (Index k = 0; k < slips; ++k) change(slipping(k), d) = tangent_(k, d) * right_[2 * sticks + k];
+            for (Index k = 0; k < sticks; ++k) change(sticking_[k], d) = right_[d * sticks + k];
+            for (Index k = 0; k < slips; ++k) change(slipping_[k], d) = tangent_(k, d) * right_[2 * sticks + k];
         }
     }
 
@@ -231,7 +239,7 @@ private:
     Matrix factors_, whole_;
     Vector right_;
     ElementVectors<Scalar> tangent_;  // of the elements that slip, in their order
-    std::vector<Index> slipping_, sticking_, eliminated_for_;
+    List slipping_, sticking_, eliminated_for_;
     std::vector<Index> swaps_;
     bool is_whole_ = false;
     std::array<unsigned long, 2> eliminated_revisions_{0, 0};  // 0: of no matrix yet

@@ -17,7 +17,8 @@
 #include "../../types.hpp"
 #include "../combined_state.hpp"
 #include "combined_equations.hpp"
-#include "complementary_path.hpp"
+#include "combined_partition.hpp"
+#include "combined_split.hpp"
 
 namespace rollbem::detail {
 
@@ -28,8 +29,8 @@ namespace rollbem::detail {
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
 /// two. Steps are halved where the residual of the map would grow. As M may be any matrix, that can get stuck. Further
-/// attempts then halve nothing, and start from full sliding or from what ComplementaryPath finds for each direction by
-/// itself. When all have failed, the best point is returned with what it violates. At most `longest` steps each.
+/// attempts then halve nothing, and start from full sliding or from what CombinedSplit finds. When all have failed, the
+/// best point is returned with what it violates. At most `longest` steps each.
 ///
 /// The result depends on M, c, the bounds and the point to start from, to the last bit, and on nothing that was solved
 /// before. Everything is allocated by the constructor.
@@ -53,11 +54,8 @@ public:
     explicit CombinedSolver(Index n)
         : equations_(n),
           zones_(static_cast<std::size_t>(n), CombinedZone::stick),
-          stick_(Vector::Ones(n)),
-          slide_(Vector::Zero(n)),
-          stiffness_(Vector::Zero(n)),
+          part_(n),
           reach_(Vector::Zero(n)),
-          direction_(Vectors::Zero(n, 2)),
           traction_(Vectors::Zero(n, 2)),
           slip_(Vectors::Zero(n, 2)),
           constant_(Vectors::Zero(n, 2)),
@@ -65,11 +63,7 @@ public:
           trial_slip_(n, 2),
           change_(n, 2),
           best_(n, 2),
-          path_(n),
-          split_(n, 2),
-          split_zones_(zones_),
-          share_(n),
-          column_(n) {}
+          split_(n) {}
 
     Index size() const { return equations_.size(); }
 
@@ -102,13 +96,13 @@ public:
                 if (settled) break;
                 if (start == Start::given) start_from(bound, traction, zones);
                 if (start == Start::sliding) start_sliding(bound);
-                if (start == Start::split) start_from(bound, split_, split_zones_);
+                if (start == Start::split) start_from(bound, split_.traction(), split_.zones());
                 settled = settle(bound, careful, outcome);
             }
         }
         if (!settled) return_to_best(bound);
         outcome.residual = publish(bound);
-        outcome.tangent_exists = settled && equations_.factorise(stick_, slide_, direction_, stiffness_);
+        outcome.tangent_exists = settled && equations_.factorise(part_);
         const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
         outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
         return outcome;
@@ -121,7 +115,7 @@ public:
     }
     /// Unit vector along the traction of each element that slips, zero for others: how it follows a change of its
     /// bound.
-    const ElementVectors<Scalar>& direction() const { return direction_; }
+    const ElementVectors<Scalar>& direction() const { return part_.direction; }
 
 private:
     using Vectors = ElementVectors<Scalar>;
@@ -129,7 +123,6 @@ private:
     enum class Start { given, sliding, split };
 
     static constexpr int longest = 60;  // steps of an attempt; scenes of rolling take at most 16
-    static constexpr Scalar stiffest = std::numeric_limits<Scalar>::max() / 1000;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
     Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
@@ -153,37 +146,15 @@ private:
         s += constant_;
     }
 
-    void let_stick(Index i) { set_zone(i, 1, 0); }
     // no pressure, no traction
     void let_go(Index i) {
-        set_zone(i, 0, 0);
+        part_.let_go(i);
         traction_.row(i).setZero();
     }
-    void set_zone(Index i, Scalar sticks, Scalar slides) {
-        stick_[i] = sticks;
-        slide_[i] = slides;
-        direction_.row(i).setZero();
-        stiffness_[i] = 0;
-    }
-    // direction along (x, y) of length `norm`
-    void let_slide(Index i, Scalar x, Scalar y, Scalar norm, Scalar stiffness) {
-        stick_[i] = 0;
-        slide_[i] = 1;
-        direction_(i, 0) = x / norm;
-        direction_(i, 1) = y / norm;
-        stiffness_[i] = std::min(stiffness, stiffest);  // finite, however small the bound
-    }
-    // where the natural map puts an element
     void place(Index i, Scalar bound) {
-        const Scalar x = traction_(i, 0) - reach_[i] * slip_(i, 0), y = traction_(i, 1) - reach_[i] * slip_(i, 1);
-        const Scalar norm = std::hypot(x, y);
-        if (bound == 0) {
-            let_go(i);
-        } else if (norm > (1 + 4 * rounding()) * bound) {
-            let_slide(i, x, y, norm, (norm - bound) / (bound * reach_[i]));
-        } else {
-            let_stick(i);
-        }
+        if (bound == 0) traction_.row(i).setZero();
+        part_.place(i, traction_(i, 0) - reach_[i] * slip_(i, 0), traction_(i, 1) - reach_[i] * slip_(i, 1), bound,
+                    reach_[i], 4 * rounding());
     }
 
     void start_from(const Vector& bound, const Vectors& traction, const Zones& zones) {
@@ -199,10 +170,10 @@ private:
             if (bound[i] == 0) {
                 let_go(i);
             } else if (zones[static_cast<std::size_t>(i)] == CombinedZone::stick) {
-                let_stick(i);
+                part_.let_stick(i);
             } else if (norm > 0) {
                 const Scalar against = -(x * slip_(i, 0) + y * slip_(i, 1));
-                let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
+                part_.let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
             } else {
                 place(i, bound[i]);
             }
@@ -214,32 +185,18 @@ private:
             const Scalar x = -constant_(i, 0), y = -constant_(i, 1), norm = std::hypot(x, y);
             if (bound[i] == 0 || norm == 0) {
                 let_go(i);
-                if (bound[i] > 0) let_stick(i);
+                if (bound[i] > 0) part_.let_stick(i);
             } else {
-                let_slide(i, x, y, norm, norm / bound[i]);
+                part_.let_slide(i, x, y, norm, norm / bound[i]);
             }
         }
-        traction_ = bound.asDiagonal() * direction_;
+        traction_ = bound.asDiagonal() * part_.direction;
     }
 
-    // Each direction by itself under its share of the bounds, at the angle of the constant: what a path with a proof
-    // finds. Where the constants of all elements are along one direction, that is a solution.
     void find_split(const Vector& bound) {
-        for (Index d = 0; d < 2; ++d) {
-            for (Index i = 0; i < size(); ++i) {
-                const Scalar norm = std::hypot(constant_(i, 0), constant_(i, 1));
-                share_[i] = norm > 0 ? bound[i] * (std::abs(constant_(i, d)) / norm) : Scalar(0);
-            }
-            column_ = constant_.col(d);
-            path_.follow(matrix(static_cast<std::size_t>(d)), column_, share_);
-            split_.col(d) = path_.traction();
-        }
-        for (Index i = 0; i < size(); ++i) {
-            const bool at_bound = std::hypot(split_(i, 0), split_(i, 1)) >= (1 - 4 * rounding()) * bound[i];
-            split_zones_[static_cast<std::size_t>(i)] = at_bound ? CombinedZone::slip : CombinedZone::stick;
-        }
-        find_slip(split_, trial_slip_);
-        note(split_, natural_residual(bound, split_, trial_slip_));
+        split_.find(matrix(0), matrix(1), constant_, bound, 4 * rounding());
+        find_slip(split_.traction(), trial_slip_);
+        note(split_.traction(), natural_residual(bound, reach_, split_.traction(), trial_slip_));
     }
 
     // The best point so far.
@@ -253,10 +210,10 @@ private:
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
         for (int step = 0; step < longest; ++step) {
-            if (!equations_.factorise(stick_, slide_, direction_, stiffness_)) return false;
+            if (!equations_.factorise(part_)) return false;
             ++outcome.rounds;
             take_step(bound);
-            Scalar residual = natural_residual(bound, trial_, trial_slip_);
+            Scalar residual = natural_residual(bound, reach_, trial_, trial_slip_);
             const bool done = settled(bound, Scalar(1));
             const bool stalls = !(residual < before);
             if (!done && stalls && careful && !settled(bound, Scalar(1000))) residual = shorten(bound, before);
@@ -275,13 +232,13 @@ private:
     void take_step(const Vector& bound) {
         trial_ = traction_;
         for (Index i = 0; i < size(); ++i) {
-            if (slide_[i] != 0) trial_.row(i) = bound[i] * direction_.row(i);
+            if (part_.slide[i] != 0) trial_.row(i) = bound[i] * part_.direction.row(i);
         }
         find_slip(trial_, trial_slip_);
         equations_.solve(trial_slip_, change_);
         trial_ += change_;
         for (Index i = 0; i < size(); ++i) {
-            if (slide_[i] != 0) trial_.row(i) *= bound[i] / std::hypot(trial_(i, 0), trial_(i, 1));
+            if (part_.slide[i] != 0) trial_.row(i) *= bound[i] / std::hypot(trial_(i, 0), trial_(i, 1));
         }
         find_slip(trial_, trial_slip_);
     }
@@ -293,40 +250,15 @@ private:
         for (Scalar part = Scalar(0.5); part > Scalar(1) / 300; part /= 2) {
             trial_ = traction_ + part * change_;
             find_slip(trial_, trial_slip_);
-            residual = natural_residual(bound, trial_, trial_slip_);
+            residual = natural_residual(bound, reach_, trial_, trial_slip_);
             if (residual <= (1 - Scalar(1e-4) * part) * before) break;
         }
         return residual;
     }
 
-    Scalar natural_residual(const Vector& bound, const Vectors& p, const Vectors& s) const {
-        Scalar sum = 0;
-        for (Index i = 0; i < size(); ++i) {
-            if (bound[i] == 0) continue;
-            const Scalar x = p(i, 0) - reach_[i] * s(i, 0), y = p(i, 1) - reach_[i] * s(i, 1);
-            const Scalar norm = std::hypot(x, y), share = norm > bound[i] ? bound[i] / norm : Scalar(1);
-            const Scalar dx = p(i, 0) - share * x, dy = p(i, 1) - share * y;
-            sum += std::hypot(dx, dy);
-        }
-        return sum;
-    }
-
-    // Whether the trial meets all conditions to `factor` times rounding, in the zones that it was sought with.
+    // Whether the trial is a solution in the zones that it was sought with, to `factor` times rounding.
     bool settled(const Vector& bound, Scalar factor) const {
-        const Scalar slip_limit = 4 * factor * slip_scale_, share = 4 * factor * rounding();
-        for (Index i = 0; i < size(); ++i) {
-            const Scalar x = trial_(i, 0), y = trial_(i, 1), u = trial_slip_(i, 0), v = trial_slip_(i, 1);
-            const Scalar norm = std::hypot(x, y);
-            if (stick_[i] != 0) {
-                if (!(norm <= (1 + share) * bound[i])) return false;
-                if (!(std::hypot(u, v) <= slip_limit)) return false;
-            } else if (slide_[i] != 0) {
-                if (!(std::abs(norm - bound[i]) <= share * bound[i])) return false;
-                if (!(std::abs(x * v - y * u) <= slip_limit * bound[i])) return false;
-                if (!(x * u + y * v <= slip_limit * bound[i])) return false;
-            }
-        }
-        return true;
+        return part_.holds(bound, trial_, trial_slip_, 4 * factor * rounding(), 4 * factor * slip_scale_);
     }
 
     void return_to_best(const Vector& bound) {
@@ -335,7 +267,7 @@ private:
         for (Index i = 0; i < size(); ++i) {
             place(i, bound[i]);
             const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
-            if (norm > bound[i] || slide_[i] != 0) traction_.row(i) *= norm > 0 ? bound[i] / norm : Scalar(0);
+            if (norm > bound[i] || part_.slide[i] != 0) traction_.row(i) *= norm > 0 ? bound[i] / norm : Scalar(0);
         }
         find_slip(traction_, slip_);
     }
@@ -344,43 +276,40 @@ private:
     // what slips as they are at the solution.
     Scalar publish(const Vector& bound) {
         Scalar slip = 0, excess = 0;
+        bool finite = true;
         stick_count_ = 0;
         for (Index i = 0; i < size(); ++i) {
-            zones_[static_cast<std::size_t>(i)] = stick_[i] != 0 ? CombinedZone::stick : CombinedZone::slip;
+            zones_[static_cast<std::size_t>(i)] = part_.stick[i] != 0 ? CombinedZone::stick : CombinedZone::slip;
             const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
             const Scalar norm = std::hypot(x, y);
             excess = std::max(excess, norm - bound[i]);
-            if (stick_[i] != 0) {
+            if (part_.stick[i] != 0) {
                 ++stick_count_;
                 slip = std::max(slip, std::hypot(u, v));
                 slip_.row(i).setZero();
-            } else if (slide_[i] != 0) {
+            } else if (part_.slide[i] != 0) {
                 excess = std::max(excess, bound[i] - norm);
-                let_slide(i, x, y, norm > 0 ? norm : Scalar(1), 0);
-                const Scalar along = direction_(i, 0) * u + direction_(i, 1) * v;
-                slip = std::max({slip, std::abs(direction_(i, 0) * v - direction_(i, 1) * u), along});
-                slip_.row(i) = std::min(along, Scalar(0)) * direction_.row(i);
-                stiffness_[i] = std::min(std::max(-along, Scalar(0)) / bound[i], stiffest);
+                const Scalar size = norm > 0 ? norm : Scalar(1), along = (x * u + y * v) / size;
+                slip = std::max({slip, std::abs(x * v - y * u) / size, along});
+                part_.let_slide(i, x, y, size, std::max(-along, Scalar(0)) / bound[i]);
+                slip_.row(i) = std::min(along, Scalar(0)) * part_.direction.row(i);
             }
-            if (!is_finite(u) || !is_finite(v) || !is_finite(norm)) slip = std::numeric_limits<Scalar>::quiet_NaN();
+            finite = finite && is_finite(u) && is_finite(v) && is_finite(norm);
         }
+        if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
         const Scalar largest = bound.maxCoeff();
         return std::max(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
     }
 
     CombinedEquations<Scalar> equations_;
     Zones zones_;
-    Vector stick_, slide_;  // 1 for the elements that do; those without pressure do neither
-    Vector stiffness_;      // slip over traction of an element that slides
-    Vector reach_;          // rho
-    Vectors direction_, traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
-    ComplementaryPath<Scalar> path_;
-    Vectors split_;  // where the last attempts start
-    Zones split_zones_;
-    Vector share_, column_;
-    Scalar imposed_ = 0;     // max |c|
-    Scalar slip_scale_ = 0;  // rounding of the slip
-    Scalar least_ = 0;       // residual of the natural map at best_
+    CombinedPartition<Scalar> part_;
+    Vector reach_;  // rho
+    Vectors traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
+    CombinedSplit<Scalar> split_;  // where the last attempts start
+    Scalar imposed_ = 0;           // max |c|
+    Scalar slip_scale_ = 0;        // rounding of the slip
+    Scalar least_ = 0;             // residual of the natural map at best_
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
 };

@@ -1,0 +1,61 @@
+// Friction in two directions, taken one direction at a time: a start for where Newton's method has failed.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "../combined_state.hpp"
+#include "complementary_path.hpp"
+
+namespace rollbem::detail {
+
+/// Solves each direction by itself under its share of the bounds, at the angle of the element's constant, by
+/// ComplementaryPath, which is certain to end. Where the constants of all elements are along one of the directions, that
+/// is a solution. Everything is allocated by the constructor.
+template <class Scalar>
+class CombinedSplit {
+public:
+    using Index = Eigen::Index;
+
+    explicit CombinedSplit(Index n)
+        : path_(n),
+          traction_(ElementVectors<Scalar>::Zero(n, 2)),
+          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          share_(VectorX<Scalar>::Zero(n)),
+          column_(VectorX<Scalar>::Zero(n)) {}
+
+    const ElementVectors<Scalar>& traction() const { return traction_; }
+    const std::vector<CombinedZone>& zones() const { return zones_; }
+
+    /// `margin`: the share of a bound that is rounding.
+    void find(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral,
+              const ElementVectors<Scalar>& constant, const VectorX<Scalar>& bound, Scalar margin) {
+        for (Index d = 0; d < 2; ++d) {
+            for (Index i = 0; i < bound.size(); ++i) {
+                const Scalar norm = std::hypot(constant(i, 0), constant(i, 1));
+                share_[i] = norm > 0 ? bound[i] * (std::abs(constant(i, d)) / norm) : Scalar(0);
+            }
+            column_ = constant.col(d);
+            path_.follow(d == 0 ? longitudinal : lateral, column_, share_);
+            traction_.col(d) = path_.traction();
+        }
+        for (Index i = 0; i < bound.size(); ++i) {
+            const bool at_bound = std::hypot(traction_(i, 0), traction_(i, 1)) >= (1 - margin) * bound[i];
+            zones_[static_cast<std::size_t>(i)] = at_bound ? CombinedZone::slip : CombinedZone::stick;
+        }
+    }
+
+private:
+    ComplementaryPath<Scalar> path_;
+    ElementVectors<Scalar> traction_;
+    std::vector<CombinedZone> zones_;
+    VectorX<Scalar> share_, column_;
+};
+
+}  // namespace rollbem::detail
