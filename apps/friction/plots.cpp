@@ -74,7 +74,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
         plot, columns, rows,
         {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"}, .x = "creepage_ratio", .y = "force_ratio"});
     for (study::Series& series : plot.series) series.line = false;
-    const bool carter = curve.pressure.hertz && curve.layer == 0;
+    const bool carter = curve.carter();
     std::vector<double> ratios;
     for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
     if (carter) plot.series.push_back(carter_curve(ratios));

@@ -48,7 +48,11 @@ const std::vector<std::string> columns{"q_over_a",
                                        "half_length_ratio",
                                        "lateral_force_ratio",
                                        "creep_work",
-                                       "layer"};
+                                       "layer",
+                                       "falling_ratio",
+                                       "half_velocity",
+                                       "memory_distance",
+                                       "least_velocity"};
 
 /// Creepage ratios and load over q/a, and what comes before.
 struct History {
@@ -93,11 +97,13 @@ struct Run {
     const RollingMaker& maker;
     const History& history;
     double dq, layer;
+    const std::optional<FallingLaw>& falling;
     rollbem::Integrator integrator;
     bool hertz;  ///< the closed forms hold
 
     std::optional<double> exact_shift() const {
-        if (!hertz || layer > 0 || history.load || !study::plane_model_decays(scene.contact)) return std::nullopt;
+        if (!hertz || layer > 0 || history.load || falling || !study::plane_model_decays(scene.contact))
+            return std::nullopt;
         return rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
     }
 
@@ -152,7 +158,11 @@ void Run::rows(study::RowRange range, const study::Emit& emit) const {
               std::sqrt(history.load_at(q)),
               moment.lateral_force_ratio,
               work,
-              layer});
+              layer,
+              falling ? study::Cell(falling->law.mu_k) : study::Cell(),
+              falling ? study::Cell(falling->law.half_velocity) : study::Cell(),
+              falling ? study::Cell(falling->memory.distance) : study::Cell(),
+              falling ? study::Cell(falling->memory.least_velocity) : study::Cell()});
     };
     Moment now{.force_ratio = 0, .lateral_force_ratio = 0};
     const auto keep = [&](const Moment& next, double done) {
@@ -193,25 +203,29 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     const study::Steps steps = study::read_steps(options);
     const History history = make_history(options, double(steps.count) * steps.dq);
     const double layer = read_layer(options);
+    const std::optional<FallingLaw> falling = read_falling(options);
+    options.ignored("sweep", "with --transient");
     using rollbem::Integrator;
     const Integrator integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
     std::vector<std::unique_ptr<RollingMaker>> makers;
     for (const study::Scene& scene : scenes) {
-        makers.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), integrator));
+        makers.push_back(
+            make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling, integrator));
     }
     study::Table table;
     table.columns = columns;
     table.rows_of_task.assign(scenes.size(), steps.count + (history.shift ? 1 : 0));
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        Run{scenes[task], *makers[task], history, steps.dq, layer, integrator, pressure.hertz}.rows(range, emit);
+        Run{scenes[task], *makers[task], history, steps.dq, layer, falling, integrator, pressure.hertz}.rows(range,
+                                                                                                             emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return force_in_time(columns, rows,
                              {.creepage_changes = history.omega.has_value(),
                               .load_changes = history.load.has_value(),
-                              .carter = pressure.hertz && layer == 0 && !history.lateral && !history.load,
+                              .carter = pressure.hertz && layer == 0 && !falling && !history.lateral && !history.load,
                               .ratio = history.amplitude,
                               .end = double(steps.count) * steps.dq});
     };
