@@ -113,6 +113,36 @@ BENCHMARK(BM_FrictionStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepSdirk2(benchmark::State& state) { steps_unchanged(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
+// The same where mu falls with slip, 45 m/s, with a memory of 10 um, at 0.6 of the largest force.
+void BM_FrictionStepFalling(benchmark::State& state) {
+    constexpr double a = 4e-3, speed = 45;
+    const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
+    const Contact<double> contact(
+        {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
+    const FallingFriction<ExponentialFall<double>> friction{
+        {0.3, 0.18, 0.1}, {10e-6, 1e-3}, 495.169e6 * mean_hertz_pressure(mesh)};
+    const FallingFrictionModel<ExponentialFall<double>> model(
+        contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
+        friction, Integrator::implicit_euler);
+    FallingFrictionWorkspace<double> workspace = model.workspace();
+    FallingFrictionState<double> now = model.at_rest(), next = now;
+    FrictionStep<double> step;
+    for (int i = 0; i < 2000; ++i) {
+        step = model.advance(now, 0.05 * a, 0.05 * a / speed, 1e-3, next, workspace);
+        std::swap(now, next);
+    }
+    double rounds = 0;
+    for (auto _ : state) {
+        step = model.advance(now, 0.05 * a, 0.05 * a / speed, 1e-3, next, workspace);
+        rounds += step.rounds;
+        std::swap(now, next);
+        benchmark::DoNotOptimize(step);
+    }
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+}
+BENCHMARK(BM_FrictionStepFalling)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
 // A cycle of sinusoidal creepage. Counters: rounds a step, and the share of the steps in which elements change.
 void steps_changing(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));

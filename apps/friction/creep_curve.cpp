@@ -9,7 +9,7 @@ namespace friction {
 bool CreepCurve::timed() const { return study::has_times(options); }
 
 CreepCurve::Exact CreepCurve::exact(const study::Scene& scene, const CreepPoint& point) const {
-    if (!pressure.hertz || layer > 0) return {};
+    if (!carter()) return {};
     using rollbem::carter_force_ratio;
     if (!point.lateral) return {carter_force_ratio(point.longitudinal), std::nullopt};
     const double nu = scene.contact.poisson_ratio(), along = point.longitudinal, across = *point.lateral;
@@ -50,7 +50,12 @@ const std::vector<std::string>& creep_columns() {
                                                                    "lateral_exact",
                                                                    "lateral_relative_error",
                                                                    "lateral_tangent_ratio",
-                                                                   "layer"},
+                                                                   "layer",
+                                                                   "falling_ratio",
+                                                                   "half_velocity",
+                                                                   "memory_distance",
+                                                                   "least_velocity",
+                                                                   "sweep"},
                                                                   study::setting_columns());
     return columns;
 }
@@ -60,6 +65,9 @@ study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const C
     const CreepCurve::Exact exact = curve.exact(scene, point);
     const study::Cell lateral_error =
         result.lateral_force_ratio ? relative_error(*result.lateral_force_ratio, exact.lateral) : study::Cell();
+    const auto falling_cell = [&](auto part, auto member) {
+        return curve.falling ? study::Cell((*curve.falling).*part.*member) : study::Cell();
+    };
     return study::joined({scene.method,
                           scene.derivative,
                           result.mesh_name,
@@ -84,7 +92,12 @@ study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const C
                           exact.lateral,
                           lateral_error,
                           result.lateral_tangent_ratio,
-                          curve.layer},
+                          curve.layer,
+                          falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::mu_k),
+                          falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::half_velocity),
+                          falling_cell(&FallingLaw::memory, &rollbem::SlipMemory<double>::distance),
+                          falling_cell(&FallingLaw::memory, &rollbem::SlipMemory<double>::least_velocity),
+                          curve.sweep},
                          study::setting_cells(scene));
 }
 

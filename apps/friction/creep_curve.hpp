@@ -10,6 +10,7 @@
 
 #include <rollbem/status.hpp>
 
+#include "falling.hpp"
 #include "pressure.hpp"
 #include "profiles.hpp"
 #include "support/csv.hpp"
@@ -24,9 +25,12 @@ struct CreepCurve {
     const Pressure& pressure;
     std::vector<CreepPoint> points;
     double layer;
-    Profiles* profiles;  ///< null where none are wanted
+    std::optional<FallingLaw> falling{};  ///< nothing where mu is constant
+    std::string sweep{};                  ///< up or down: each point starts from its neighbour; empty: from scratch
+    Profiles* profiles = nullptr;         ///< null where none are wanted
 
     bool timed() const;
+    bool carter() const { return pressure.hertz && layer == 0 && !falling; }  ///< whether his closed form holds
 
     /// Force ratios where there is a closed form: Carter's, along the creepage where nu = 0, and in either direction
     /// alone.
@@ -57,10 +61,11 @@ const std::vector<std::string>& creep_columns();
 study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const CreepPoint& point,
                      const CreepResult& result);
 
-/// Emits the rows of `range`, each solved from scratch: a row does not depend on the rows before.
+/// Emits the rows of `range`, which do not depend on the rows before: each is solved from scratch, or in a sweep after
+/// its neighbours.
 using CreepRows = void(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                        const study::Emit& emit);
-CreepRows element_rows, border_rows, combined_rows;
+CreepRows element_rows, border_rows, combined_rows, falling_rows;
 
 /// One row per element of every profile, and the companion file.
 void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file);

@@ -1,7 +1,9 @@
 // Creep curves by elements, in one direction and in both.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -59,6 +61,16 @@ struct OneDirection {
     }
 };
 
+struct Falling : OneDirection {
+    using Model = SteadyFalling;
+
+    static void fill(const Model::State& state, const Eigen::VectorXd& slip, Profile& profile) {
+        OneDirection::fill(state, slip, profile);
+        profile.friction = Eigen::VectorXd::Ones(profile.traction.size());
+        profile.friction.head(slip.size()) = state.friction_coefficient.matrix();
+    }
+};
+
 struct BothDirections {
     using Model = rollbem::SteadyCombinedModel<double>;
 
@@ -85,6 +97,29 @@ struct BothDirections {
     }
 };
 
+/// The states that the points of a curve start from: at rest, or the neighbour's solution in the order of a sweep.
+template <class Directions>
+std::vector<typename Directions::Model::State> starts_of(const CreepCurve& curve, const study::Scene& scene,
+                                                         const typename Directions::Model& model) {
+    const auto rest = model.at_rest();
+    std::vector<typename Directions::Model::State> starts(curve.points.size(), rest);
+    if (curve.sweep.empty()) return starts;
+    std::vector<std::size_t> order(curve.points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const double x = curve.points[i].longitudinal, y = curve.points[j].longitudinal;
+        return curve.sweep == "up" ? x < y : y < x;
+    });
+    auto state = rest, next = rest;
+    auto workspace = model.workspace();
+    for (const std::size_t i : order) {
+        starts[i] = state;
+        const auto step = model.solve(state, Directions::creepage(scene, curve.points[i]), next, workspace);
+        if (step.status == rollbem::StepStatus::ok) std::swap(state, next);
+    }
+    return starts;
+}
+
 /// The rows of a model; `assemble` is timed and does what its making costs.
 template <class Directions, class Assemble>
 void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
@@ -92,8 +127,8 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
              bool consistent, const Assemble& assemble) {
     CreepResult frame{.mesh_name = scene.mesh_name, .alpha_L = scene.alpha_L, .alpha_T = scene.alpha_T};
     if (curve.timed()) frame.assembly_us = study::median_time_us(assemble);
-    const auto rest = model.at_rest();
-    auto state = rest;
+    const auto starts = starts_of<Directions>(curve, scene, model);
+    auto state = model.at_rest();
     const auto fresh = model.workspace();
     auto workspace = fresh;
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -101,7 +136,7 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
         const auto creepage = Directions::creepage(scene, point);
         const auto solve = [&] {
             workspace = fresh;  // without factors
-            return model.solve(rest, creepage, state, workspace);
+            return model.solve(starts[i], creepage, state, workspace);
         };
         const auto step = solve();
         CreepResult result = frame;
@@ -134,6 +169,16 @@ void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
     rows_of<OneDirection>(curve, scene, task, range, emit, surface.steady_model({1, means}), means,
                           is_consistent(G_prime, widths),
                           [&] { return surface.gradient(Direction::longitudinal).first(0, 0); });
+}
+
+void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
+                  const study::Emit& emit) {
+    const Surface surface{scene, curve.layer};
+    const auto [G_prime, widths] = surface.gradient(Direction::longitudinal);
+    const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
+    rows_of<Falling>(curve, scene, task, range, emit, surface.falling_model(*curve.falling, means), means,
+                     is_consistent(G_prime, widths),
+                     [&] { return surface.gradient(Direction::longitudinal).first(0, 0); });
 }
 
 void combined_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,

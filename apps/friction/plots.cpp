@@ -76,7 +76,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                        .y = "force_ratio",
                        .apart = study::setting_columns()});
     for (study::Series& series : plot.series) series.line = false;
-    const bool carter = curve.pressure.hertz && curve.layer == 0;
+    const bool carter = curve.carter();
     std::vector<double> ratios;
     for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
     if (carter) plot.series.push_back(carter_curve(ratios));

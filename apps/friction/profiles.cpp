@@ -11,11 +11,11 @@ void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with
         file.rows().write(study::csv_line(
             study::joined<study::Cell>({"n", "creepage_ratio", "x_over_a", "traction", "bound", "stick", "slip",
                                         "exact", "mesh", "method", "derivative", "alpha_L", "alpha_T", "status",
-                                        "lateral_ratio", "lateral_traction", "lateral_slip", "layer"},
+                                        "lateral_ratio", "lateral_traction", "lateral_slip", "layer", "friction_ratio"},
                                        {study::setting_columns().begin(), study::setting_columns().end()})));
     }
     for (const auto& [key, profile] : profiles.all()) {
-        const bool carter = curve.pressure.hertz && curve.layer == 0 && profile.point.lateral.value_or(0) == 0;
+        const bool carter = curve.carter() && profile.point.lateral.value_or(0) == 0;
         const bool both = profile.lateral_traction.size() > 0;
         for (Eigen::Index i = 0; i < profile.mesh.size(); ++i) {
             const double x = profile.mesh.centres()[i];
@@ -27,11 +27,13 @@ void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with
                 if (both) lateral_traction = profile.lateral_traction[i];
                 if (both) lateral_slip = profile.lateral_slip[i];
             }
+            study::Cell friction_ratio;
+            if (profile.status == "ok" && profile.friction.size() > 0) friction_ratio = profile.friction[i];
             if (carter) exact = rollbem::carter_friction_traction(x, profile.point.longitudinal);
             file.rows().write(study::csv_line(study::joined(
                 {profile.mesh.size(), profile.point.longitudinal, x, traction, profile.bound[i], stick, slip, exact,
                  profile.mesh_name, profile.scene->method, profile.scene->derivative, profile.alpha_L, profile.alpha_T,
-                 profile.status, profile.point.lateral, lateral_traction, lateral_slip, curve.layer},
+                 profile.status, profile.point.lateral, lateral_traction, lateral_slip, curve.layer, friction_ratio},
                 study::setting_cells(*profile.scene))));
         }
     }

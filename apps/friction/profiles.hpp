@@ -36,6 +36,7 @@ struct Profile {
     Eigen::VectorXd traction, bound, slip;  ///< of every element [mu p0, mu p0, V mu p0/G]
     std::vector<bool> sticks{};
     Eigen::VectorXd lateral_traction{}, lateral_slip{};  ///< empty in one direction
+    Eigen::VectorXd friction{};                          ///< mu/mu_0; empty where it is constant
 };
 
 /// Profiles of the rows in the order of the rows, whichever thread they come from.

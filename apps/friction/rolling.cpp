@@ -25,6 +25,10 @@ struct OneDirection {
     }
 };
 
+struct Falling : OneDirection {
+    using Model = FallingInTime;
+};
+
 /// The same of both.
 struct BothDirections {
     using Model = rollbem::CombinedFrictionModel<double>;
@@ -111,7 +115,8 @@ private:
 
 std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
                                            const Pressure& pressure, const std::optional<LoadHistory>& load,
-                                           bool both_directions, rollbem::Integrator integrator) {
+                                           bool both_directions, const std::optional<FallingLaw>& falling,
+                                           rollbem::Integrator integrator) {
     const bool fixed = load && !load->breathing;
     const Surface surface{scene, read_layer(options), fixed ? load->largest_half_length() : 1};
     rollbem::ElementSystem<double> system = surface.system(Direction::longitudinal);
@@ -134,6 +139,12 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
         return std::make_unique<MakerOf<BothDirections>>(
             rollbem::CombinedFrictionModel<double>(surface.contact(), std::move(system), std::move(across),
                                                    rollbem::unchecked, law, integrator),
+            hertz, first_load_ratio, unit);
+    }
+    if (falling) {
+        return std::make_unique<MakerOf<Falling>>(
+            FallingInTime(FallingInTime::Model(surface.contact(), std::move(system), rollbem::unchecked,
+                                               {falling->law, falling->memory, law.normal_pressure}, integrator)),
             hertz, first_load_ratio, unit);
     }
     return std::make_unique<MakerOf<OneDirection>>(

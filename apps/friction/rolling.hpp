@@ -11,6 +11,7 @@
 #include <rollbem/adhesion/integrator.hpp>
 #include <rollbem/status.hpp>
 
+#include "falling.hpp"
 #include "load.hpp"
 #include "pressure.hpp"
 #include "support/options.hpp"
@@ -56,6 +57,7 @@ public:
 /// Throws BadInput where the scene's scheme is not fit to be stepped, or to breathe.
 std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
                                            const Pressure& pressure, const std::optional<LoadHistory>& load,
-                                           bool both_directions, rollbem::Integrator integrator);
+                                           bool both_directions, const std::optional<FallingLaw>& falling,
+                                           rollbem::Integrator integrator);
 
 }  // namespace friction

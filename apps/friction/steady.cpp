@@ -48,7 +48,8 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     options.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
     const bool fits = options.flag("fit-border"), both = options.given("lateral-ratio");
     if (fits) refuse_element_options(options);
-    CreepCurve curve{options, pressure, read_points(options), read_layer(options), nullptr};
+    CreepCurve curve{options, pressure, read_points(options), read_layer(options), read_falling(options)};
+    if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
 
     std::optional<study::TableFile> tractions;
@@ -61,7 +62,10 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     table.rows_of_task.assign(scenes.size(), curve.points.size());
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        (fits ? border_rows : both ? combined_rows : element_rows)(curve, scenes[task], task, range, emit);
+        (fits            ? border_rows
+         : both          ? combined_rows
+         : curve.falling ? falling_rows
+                         : element_rows)(curve, scenes[task], task, range, emit);
     };
     const auto write_tractions = [&] {
         if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);

@@ -60,6 +60,15 @@ rollbem::SteadyFrictionModel<double> Surface::steady_model(const rollbem::Coulom
         Direction::longitudinal);
 }
 
+SteadyFalling Surface::falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const {
+    return visit(
+        *this,
+        [&](const auto&... parts) {
+            return SteadyFalling(SteadyFalling::Model(contact(), parts..., {law.law, law.memory, pressure}));
+        },
+        Direction::longitudinal);
+}
+
 rollbem::SteadyCombinedModel<double> Surface::combined_model(const rollbem::CoulombFriction<double>& law) const {
     return visit(
         *this, [&](const auto&... parts) { return rollbem::SteadyCombinedModel<double>(contact(), parts..., law); },

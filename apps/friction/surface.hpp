@@ -11,6 +11,7 @@
 #include <rollbem/friction/combined_steady.hpp>
 #include <rollbem/scene/contact.hpp>
 
+#include "falling.hpp"
 #include "support/options.hpp"
 #include "support/scenes.hpp"
 
@@ -32,6 +33,7 @@ struct Surface {
     std::pair<Eigen::MatrixXd, Eigen::ArrayXd> gradient(Direction direction) const;
 
     rollbem::SteadyFrictionModel<double> steady_model(const rollbem::CoulombFriction<double>& law) const;
+    SteadyFalling falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
     rollbem::SteadyCombinedModel<double> combined_model(const rollbem::CoulombFriction<double>& law) const;
 };
 

@@ -49,7 +49,11 @@ const std::vector<std::string> columns = study::joined({"q_over_a",
                                                         "half_length_ratio",
                                                         "lateral_force_ratio",
                                                         "creep_work",
-                                                        "layer"},
+                                                        "layer",
+                                                        "falling_ratio",
+                                                        "half_velocity",
+                                                        "memory_distance",
+                                                        "least_velocity"},
                                                        study::setting_columns());
 
 /// Creepage ratios and load over q/a, and what comes before.
@@ -95,6 +99,7 @@ struct Run {
     const RollingMaker& maker;
     const History& history;
     double dq, layer;
+    const std::optional<FallingLaw>& falling;
     rollbem::Integrator integrator;
     bool hertz;  ///< the closed forms hold
     bool checked;
@@ -106,7 +111,8 @@ struct Run {
     bool resolved() const { return !history.omega || study::resolves(*history.omega, dq); }
 
     std::optional<double> exact_shift() const {
-        if (!hertz || layer > 0 || history.load || !study::plane_model_decays(scene.contact)) return std::nullopt;
+        if (!hertz || layer > 0 || history.load || falling || !study::plane_model_decays(scene.contact))
+            return std::nullopt;
         return rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
     }
 
@@ -163,7 +169,11 @@ void Run::rows(study::RowRange range, const study::Emit& emit) const {
                             std::sqrt(history.load_at(q)),
                             resolved() ? moment.lateral_force_ratio : std::nullopt,
                             work,
-                            layer},
+                            layer,
+                            falling ? study::Cell(falling->law.mu_k) : study::Cell(),
+                            falling ? study::Cell(falling->law.half_velocity) : study::Cell(),
+                            falling ? study::Cell(falling->memory.distance) : study::Cell(),
+                            falling ? study::Cell(falling->memory.least_velocity) : study::Cell()},
                            study::setting_cells(scene)));
     };
     Moment now{.force_ratio = 0, .lateral_force_ratio = 0};
@@ -205,6 +215,8 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     const study::Steps steps = study::read_steps(options);
     const History history = make_history(options, double(steps.count) * steps.dq);
     const double layer = read_layer(options);
+    const std::optional<FallingLaw> falling = read_falling(options);
+    options.ignored("sweep", "with --transient");
     using rollbem::Integrator;
     const Integrator integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 
@@ -213,7 +225,8 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     study::Progress checking(options.program(), scenes.size(), study::shows_progress(options), "schemes checked");
     for (const study::Scene& scene : scenes) {
         checking.doing(scene.label());
-        makers.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), integrator));
+        makers.push_back(
+            make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling, integrator));
         checking.update(makers.size());
     }
     checking.clear();
@@ -222,15 +235,16 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     table.rows_of_task.assign(scenes.size(), steps.count + (history.shift ? 1 : 0));
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        Run{scenes[task], *makers[task], history,        steps.dq,
-            layer,        integrator,    pressure.hertz, !options.flag("unchecked")}
+        Run{scenes[task], *makers[task],  history,
+            steps.dq,     layer,          falling,
+            integrator,   pressure.hertz, !options.flag("unchecked")}
             .rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return force_in_time(columns, rows,
                              {.creepage_changes = history.omega.has_value(),
                               .load_changes = history.load.has_value(),
-                              .carter = pressure.hertz && layer == 0 && !history.lateral && !history.load,
+                              .carter = pressure.hertz && layer == 0 && !falling && !history.lateral && !history.load,
                               .ratio = history.amplitude,
                               .end = double(steps.count) * steps.dq});
     };

@@ -78,6 +78,15 @@ bad '--layer = nan must be finite and not negative' $short --layer nan
 bad '--derivative = analytic must be fd with --layer' $study --layer 1 --derivative analytic
 for option in '--lateral-ratio 1' '--layer 1'; do bad 'has no effect with --fit-border' $study --fit-border $option; done
 
+bad '--falling = 0.5 must be K,VH with K >= 0 and VH > 0, both finite' $study --falling 0.5 --output x.csv
+for value in 0.5,0 -0.1,1 0.5,nan inf,1 0.5,; do bad 'must be K,VH' $study --falling=$value --output x.csv; done
+for value in 0.5 0,1 -1,1 1,-1 nan,1 1,inf; do bad 'must be D,V0' $study --falling 0.5,1 --memory=$value; done
+for option in '--memory 1,1' '--sweep up'; do bad 'has no effect without --falling' $study $option; done
+for option in '--lateral-ratio 1' --fit-border; do bad 'has no effect with --falling' $study --falling 0.5,1 $option; done
+bad '--shift = 1 has no effect with --falling' $short --falling 0.5,1 --shift 1
+bad '--sweep = up has no effect with --transient' $short --falling 0.5,1 --sweep up
+bad '--sweep = left must be one of up, down' $study --falling 0.5,1 --sweep left
+
 # --- steady
 good 34 $study
 header method,derivative,mesh,n,alpha_L,alpha_T,creepage_ratio,force_ratio,exact,relative_error,stick_count,rounds,complementarity_residual,time_us,lateral_ratio,lateral_force_ratio
@@ -128,7 +137,7 @@ awk -F, 'NR == 2 { small = ($8 / 0.02 - 1) ^ 2 < 0.2 ^ 2 } NR == 3 { slid = ($8 
     END { exit !(small && slid) }' out || fail 'a gap in the pressure'
 good 3 $steady --n 10,20 --creepage-ratio 0.5 --jobs 2 --tractions t
 check 'no times with --jobs' '$14 == "" && $17 == ""'
-traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer
+traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio
 [ "$(head -n 1 t)" = $traction_columns ] || fail "columns of the tractions"
 grep -q '^command_line = ".* --creepage-ratio 0.5 --jobs 2 --tractions t"$' t.toml || fail "companion of the tractions"
 awk -F, 'NR > 1 { rows += 1; if ($4 < 0 && -$4 <= $5 * (1 + 1e-12) && ($6 == 1) == ($7 == 0) && $7 >= 0) good += 1;
@@ -183,6 +192,32 @@ check 'a layer' '($8 - 0.3034) ^ 2 < 2e-4 ^ 2 && $9 == "" && $25 == 0.5'
 good 2 $study --mesh uniform --n 160 --layer 1e4 --creepage-ratio 0.001
 check 'a brush' '($8 / (2 / 1e4 * 1.44 * 0.001 / 1.5707963267948966) - 1) ^ 2 < 0.01 ^ 2'
 
+# friction that falls with slip: forces of CONTACT's scheme at 45 m/s, and where steady solutions are several
+unit='mu = 0.3; p0 = 495.169e6; G = 82e9; a = 4e-3; V = 45'
+fall=$(awk "BEGIN { $unit; printf \"0.6,%.15g\", 0.1 / (V * mu * p0 / G) }")
+ratios=$(awk "BEGIN { $unit; split(\"5e-4 1e-3 2e-3 5e-3 1e-2\", xi, \" \"); for (i = 1; i <= 5; ++i) printf \"%s%.15g\", (i > 1 ? \",\" : \"\"), xi[i] * G / (1.44 * mu * p0) }")
+for row in '0 0.34140 0.59053 0.80649 0.68687 0.61827' '2e-6 0.34564 0.60431 0.84052 0.70243 0.62303' \
+    '10e-6 0.34694 0.61612 0.90047 0.78016 0.65994'; do
+    memory=$(awk "BEGIN { $unit; split(\"$row\", f, \" \"); if (f[1] > 0) printf \"--memory %.15g,%.15g\", f[1] * G / (a * mu * p0), 1e-3 * G / (V * mu * p0) }")
+    good 6 $study --mesh uniform --n 160 --falling "$fall" $memory --creepage-ratio "$ratios" --jobs 2
+    awk -F, -v list="$row" 'BEGIN { split(list, f, " ") } NR > 1 && (($8 - f[NR]) ^ 2 > 6e-6 ^ 2 || $9 $10 != "" || $21 != "ok" || $26 != 0.6) { bad = 1 }
+        END { exit bad || NR != 6 }' out || fail "friction that falls, $row: $(cat out)"
+done
+good 3 $steady --n 30 --falling 1,2 --creepage-ratio 0.4,0.8
+cut -d, -f8 out >falling
+good 3 $steady --n 30 --creepage-ratio 0.4,0.8
+awk 'NR == FNR { f[NR] = $1; next } FNR > 1 { split($0, c, ","); if ((f[FNR] / c[8] - 1) ^ 2 > 1e-24) bad = 1 } END { exit bad }' falling out ||
+    fail 'a law that is constant'
+branches="$steady --n 40 --falling 0,0.0245 --creepage-ratio 0.2,0.25,0.3,0.1,0.35,0.4,0.5,3"
+good 9 $branches --sweep up --tractions t
+awk -F, 'NR > 1 && !($14 == "ok" && $19 >= 0 && $19 <= 1 && -$4 <= $5 * $19 * (1 + 1e-9)) { bad = 1 } $19 < 0.5 { fallen = 1 }
+    END { exit bad || !fallen || NR != 321 }' t || fail 'tractions below what is left of their bound'
+mv out up
+good 9 $branches --sweep down
+awk -F, 'NR == FNR { up[FNR] = $8; next } FNR > 1 { d = up[FNR] - $8; if (d < -1e-9) bad = 1; if (d > largest) largest = d; if ($30 != "down" || $21 != "ok") bad = 1 }
+    END { exit bad || !(largest > 0.05) }' up out || fail "branches of a falling curve: $(cut -d, -f7,8 up out)"
+shards $branches --sweep down
+
 # --- rolling in time
 good 201 $rolling --creepage-ratio 0.5
 header q_over_a,creepage_ratio,shift,force_ratio,stick_count,rounds,slip_work
@@ -220,6 +255,20 @@ awk -F, 'NR > 1 { d[NR] = $2; f[NR] = $4; if ($7 < work) bad = 1; work = $7 }
           exit bad || !(area ^ 2 > 0.01) }' out || fail 'hysteresis'
 orders 4 $rolling --sine 0.9,1 --until 2
 shards $rolling --n 5,6 --creepage-ratio 0.5 --shift 1 --until 1
+
+# friction that falls with slip: to the steady force of the same mesh, or on its own up and down
+fallen="$study --transient --n 40 --mesh uniform --unchecked --falling $fall"
+good 201 $fallen --memory 1.37998,0.0122663 --creepage-ratio 0.5 --from steady --dq 0.1 --until 20
+check 'columns of falling friction' '$8 == "" && $12 == "ok" && $27 == 0.6 && $29 == 1.37998'
+mv out limit
+good 2 $study --n 40 --mesh uniform --falling $fall --memory 1.37998,0.0122663 --creepage-ratio 0.5
+awk -F, 'NR == FNR { force = $4; next } END { exit !((force - $8) ^ 2 < 3e-3 ^ 2 && $8 > 0.3) }' limit out || fail 'falling friction in time'
+good 561 $fallen --memory 0.275996,0.0122663 --creepage-ratio 0.766676 --integrator implicit-euler --dq 0.025 --until 14
+awk -F, 'NR > 1 { if (last - $4 > 0.1 && last > 0.8 && $4 < 0.7) ++falls; last = $4; if ($12 != "ok") bad = 1 } END { exit bad || falls < 1 }' out ||
+    fail 'the force falls on its own'
+shards $fallen --creepage-ratio 0.5 --until 1
+good 9 $rolling --creepage-ratio 0.5 --until 4 --dq 0.5 --load-sine 0.5,8 --breathing --falling 0.6,1 --memory 0.3,0.01
+check 'falling friction under a load' '$12 == "ok" && $4 > 0 && $4 < $22'
 
 # --- a load that varies
 vary="$study --transient --kernel plane --creepage-ratio 0.5 --load-sine 0.5,8 --from steady --until 8 --dq 0.1"

@@ -80,15 +80,29 @@ public:
     /// it is left alone where the status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite.
     /// `from` keeps the pressures that it lives under; its half-length must be the contact's. No allocation.
     Step solve(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
-        const StepStatus possible = core_.check_load(from);
+        const StepStatus possible = check(from, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        if (from.half_length != core_.half_length()) return Core::failed(StepStatus::needs_fixed_mesh);
-        return core_.solve_steady(from, creepage, G_prime_, {from.normal_pressure, from.half_length}, to, workspace);
+        detail::ConstantStages<Scalar> stages;
+        return solve(stages, from, creepage, to, workspace);
     }
 
 private:
     using Core = detail::FrictionCore<Scalar>;
+    template <class, class>
+    friend class SteadyFallingModel;
+
+    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
+        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
+        const StepStatus possible = core_.check_load(from);
+        if (possible != StepStatus::ok) return possible;
+        return from.half_length == core_.half_length() ? StepStatus::ok : StepStatus::needs_fixed_mesh;
+    }
+
+    template <class Stages>
+    Step solve(Stages& stages, const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
+        return core_.solve_steady(stages, from, creepage, G_prime_, {from.normal_pressure, from.half_length}, to,
+                                  workspace);
+    }
 
     struct Checked {};  // tells the constructor from the one whose law may come in braces
 

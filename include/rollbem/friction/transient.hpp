@@ -114,7 +114,8 @@ public:
         const Load load{from.normal_pressure, from.half_length};
         const StepStatus possible = check(from, dq, motion, load, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return roll<false>(from, dq / core_.half_length(), motion, load, to, workspace);
+        detail::ConstantStages<Scalar> stages;
+        return roll<false>(stages, from, dq / core_.half_length(), motion, load, to, workspace);
     }
 
     /// The same under a load that goes evenly from that of `from` to this one at the end of the step. `to` is left alone
@@ -127,8 +128,9 @@ public:
         const Load end{load.normal_pressure, load.half_length};
         if (possible == StepStatus::ok) possible = check(from, dq, motion, end, to, workspace);
         if (possible != StepStatus::ok) return {Core::failed(possible)};
+        detail::ConstantStages<Scalar> stages;
         core_.begin_tangents(load.pressure_rate, system_.log_strength() && dq > 0, workspace);
-        return roll<true>(from, dq / core_.half_length(), motion, end, to, workspace);
+        return roll<true>(stages, from, dq / core_.half_length(), motion, end, to, workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling.
@@ -139,6 +141,9 @@ public:
 private:
     using Core = detail::FrictionCore<Scalar>;
 
+    template <class, class>
+    friend class FallingFrictionModel;
+
     using Stage = detail::RollingStage<Scalar>;
     using Load = typename Core::Load;
 
@@ -146,10 +151,10 @@ private:
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
 
     // A step whose arguments have been checked; dq in a_0. One that is loaded anew comes with the tangents by the load
-    // that have been begun.
-    template <bool loaded>
-    auto roll(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load, State& to,
-              Workspace& workspace) const noexcept {
+    // that have been begun. `stages` know how the bounds come about.
+    template <bool loaded, class Stages>
+    auto roll(Stages& stages, const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load,
+              State& to, Workspace& workspace) const noexcept {
         const Scalar unit = core_.half_length(), a = from.half_length / unit, a_end = load.half_length / unit;
         // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
         const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
@@ -160,22 +165,26 @@ private:
         typename Core::Before before{.zones = &from.zones};
         typename Core::Gain gain{.first = 0, .last = travel};
         if (two_stages) {
-            enter(Stage::within(part, dq, a, a_end), workspace);
+            const Stage stage = Stage::within(part, dq, a, a_end);
+            enter(stage, workspace);
+            stages.enter(first, stage);
             if constexpr (loaded) {
                 core_.press(from.normal_pressure, load.pressure, part, workspace);
             } else {
                 core_.press(load.pressure, workspace);  // for both stages
             }
             core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
-            before = core_.solve_first(from, ratio, system_, workspace);
+            before = core_.solve_first(stages, from, ratio, system_, workspace);
             if constexpr (loaded) core_.carry_tangents(system_, first, ratio, workspace);
             gain.first = motion.is_linear() ? gamma * travel : travel;
             core_.extrapolate_memory(system_, ratio, workspace);
         }
-        enter(Stage::last(part, dq, a, a_end), workspace);
+        const Stage stage = Stage::last(part, dq, a, a_end);
+        enter(stage, workspace);
+        stages.enter(last, stage);
         if (loaded || !two_stages) core_.press(load.pressure, workspace);
         core_.impose(travel * motion.end(), system_, workspace);
-        const Step step = core_.solve_last(from, before, gain, load, unit, to, workspace);
+        const Step step = core_.solve_last(stages, from, before, gain, load, unit, to, workspace);
         if constexpr (loaded) {
             return core_.with_tangents(step, system_, last, load, workspace);
         } else {
@@ -184,14 +193,20 @@ private:
     }
 
     Step settle(const State& from, Scalar creepage, const Load& load, State& to, Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return Core::failed(StepStatus::wrong_state);
-        StepStatus possible = core_.check_load(from);
-        if (possible == StepStatus::ok) {
-            const Scalar a = load.half_length / core_.half_length();
-            possible = detail::check_growth(system_, Scalar(0), a, a);
-        }
+        const StepStatus possible = check_steady(from, load, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return core_.solve_steady(from, creepage, system_.G_prime(), load, to, workspace);
+        detail::ConstantStages<Scalar> stages;
+        return core_.solve_steady(stages, from, creepage, system_.G_prime(), load, to, workspace);
+    }
+
+    // Whether a steady solution can be sought at all.
+    StepStatus check_steady(const State& from, const Load& load, const State& to,
+                            const Workspace& workspace) const noexcept {
+        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
+        const StepStatus possible = core_.check_load(from);
+        if (possible != StepStatus::ok) return possible;
+        const Scalar a = load.half_length / core_.half_length();
+        return detail::check_growth(system_, Scalar(0), a, a);
     }
 
     // Whether a step can be made at all.

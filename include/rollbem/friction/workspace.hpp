@@ -37,7 +37,8 @@ public:
           memory_(n),
           load_tangents_(n),
           carried_(VectorX<Scalar>::Zero(n)),
-          response_(VectorX<Scalar>::Zero(n)) {}
+          response_(VectorX<Scalar>::Zero(n)),
+          slip_change_(VectorX<Scalar>::Zero(n)) {}
 
     Eigen::Index size() const { return slip_.size(); }
 
@@ -62,7 +63,7 @@ private:
     detail::StageMemory<Scalar> memory_;
     detail::LoadTangents<Scalar> load_tangents_;
     VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
-    VectorX<Scalar> response_;
+    VectorX<Scalar> response_, slip_change_;
     Scalar unit_tangent_ = 0, carried_tangent_ = 0;  // sum of areas times dp, by dc of the last stage and of the first
     static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
     unsigned long tangent_revision_ = never, carried_revision_ = never;

@@ -67,6 +67,7 @@ public:
         sliding_product_.setZero();
         return equations_.new_matrix();
     }
+    const Matrix& matrix() const { return equations_.matrix(); }
     /// c, to be filled before each solve.
     Vector& constant() { return constant_; }
 

@@ -25,6 +25,20 @@
 
 namespace rollbem::detail {
 
+/// How the bounds of a stage come about: here they are what the pressures and a constant coefficient say. FallingStages
+/// is another way.
+template <class Scalar>
+struct ConstantStages {
+    static constexpr bool bounds_are_given = true;
+
+    /// Told of each stage before it is solved: where it lies in its step, and what it does to the contact.
+    void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
+    typename ActiveSet<Scalar>::Outcome solve(ActiveSet<Scalar>& solver, const VectorX<Scalar>& bound,
+                                              const std::vector<Zone>& zones) noexcept {
+        return solver.solve(bound, zones);
+    }
+};
+
 /// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
 /// in G, lengths in a_0, the contact's half-length.
 template <class Scalar>
@@ -50,6 +64,7 @@ public:
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
+    const VectorX<Scalar>& widths() const { return widths_; }
     Scalar width() const { return width_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
@@ -106,13 +121,14 @@ public:
     };
 
     /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`, under a load that has been checked.
-    Step solve_steady(const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime, const Load& load, State& to,
-                      Workspace& workspace) const noexcept {
+    template <class Stages>
+    Step solve_steady(Stages& stages, const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime,
+                      const Load& load, State& to, Workspace& workspace) const noexcept {
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
         if (MatrixX<Scalar>* matrix = claim({.distance = steadily}, workspace)) *matrix = -G_prime;
         workspace.solver_.constant().setConstant(creepage);
         press(load.pressure, workspace);
-        return solve_last(from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
+        return solve_last(stages, from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
     }
 
     /// The matrix to fill for a stage, or nothing when the workspace has it already.
@@ -148,15 +164,24 @@ public:
     }
 
     /// The first of two stages, from the zones of `from`; its slip counts `weight` times.
-    Before solve_first(const State& from, Scalar weight, const RollingSystem<Scalar>& system,
+    template <class Stages>
+    Before solve_first(Stages& stages, const State& from, Scalar weight, const RollingSystem<Scalar>& system,
                        Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, from.zones);
+        const typename ActiveSet<Scalar>::Outcome outcome = stages.solve(solver, workspace.bound_, from.zones);
         set_slip(workspace);
         workspace.slip_ *= weight;
         workspace.work_.setZero();
         slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, workspace.stage_.half_length);
-        if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
+        if constexpr (!Stages::bounds_are_given) {
+            if (outcome.tangent_exists) {
+                stages.respond(solver, ones_, 0, workspace.response_);
+                stages.carry_response();
+                find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
+                workspace.carried_ *= -weight;
+            }
+            workspace.carried_revision_ = Workspace::never;
+        } else if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
             solver.respond(ones_, workspace.response_);
             find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
             workspace.carried_ *= -weight;
@@ -172,8 +197,9 @@ public:
     }
 
     /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`, and its slip work.
-    Step solve_last(const State& from, const Before& before, const Gain& gain, const Load& load, Scalar slip_unit,
-                    State& to, Workspace& workspace) const noexcept {
+    template <class Stages>
+    Step solve_last(Stages& stages, const State& from, const Before& before, const Gain& gain, const Load& load,
+                    Scalar slip_unit, State& to, Workspace& workspace) const noexcept {
         ActiveSet<Scalar>& solver = workspace.solver_;
         const bool only = before.zones == &from.zones;
         if (only) {
@@ -181,7 +207,7 @@ public:
         } else {
             workspace.response_ = workspace.slip_;
         }
-        const typename ActiveSet<Scalar>::Outcome outcome = solver.solve(workspace.bound_, *before.zones);
+        const typename ActiveSet<Scalar>::Outcome outcome = stages.solve(solver, workspace.bound_, *before.zones);
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
         slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
@@ -191,7 +217,7 @@ public:
         const Scalar force_per_width = load.half_length * shear_modulus_ * force;
         const Scalar work_per_width = workspace.work_.sum();
         if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
-            !all_finite(solver.slip())) {
+            outcome.status == StepStatus::not_finite || !all_finite(solver.slip())) {
             workspace.slip_.setZero();
             workspace.work_.setZero();
             to.traction = from.traction;
@@ -212,7 +238,7 @@ public:
         step.force = width_ * step.force_per_width;
         step.slip_work_per_width = work_per_width;
         if (before.tangent_exists && outcome.tangent_exists) {
-            step.tangent_per_width = load.half_length * shear_modulus_ * tangent(gain, workspace);
+            step.tangent_per_width = load.half_length * shear_modulus_ * tangent(stages, gain, workspace);
             step.tangent = width_ * step.tangent_per_width;
         }
         step.complementarity_residual = std::max(before.residual, outcome.residual);
@@ -266,8 +292,16 @@ private:
         workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
     }
 
-    Scalar tangent(const Gain& gain, Workspace& workspace) const {
+    template <class Stages>
+    Scalar tangent(Stages& stages, const Gain& gain, Workspace& workspace) const {
         ActiveSet<Scalar>& solver = workspace.solver_;
+        if constexpr (!Stages::bounds_are_given) {
+            workspace.slip_change_ = gain.last * ones_;
+            if (gain.first != 0) workspace.slip_change_ += gain.first * workspace.carried_;
+            stages.respond(solver, workspace.slip_change_, gain.first, workspace.response_);
+            workspace.tangent_revision_ = Workspace::never;
+            return widths_.dot(workspace.response_);
+        }
         if (workspace.tangent_revision_ != solver.revision()) {
             solver.respond(ones_, workspace.response_);
             workspace.unit_tangent_ = widths_.dot(workspace.response_);

@@ -1,0 +1,305 @@
+// Stick and slip where the bound of each element depends on how fast it slips: rounds around ActiveSet.
+// Knows neither rolling nor where the equations come from.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../detail/in_place_lu.hpp"
+#include "../../status.hpp"
+#include "../../types.hpp"
+#include "../slip_law.hpp"
+#include "../state.hpp"
+#include "active_set.hpp"
+
+namespace rollbem::detail {
+
+/// Where the coefficient of an element comes from: after a time at its velocity of slip, from that of the particles that
+/// have come to it.
+template <class Scalar>
+struct FrictionPassage {
+    const VectorX<Scalar>& pressure;  ///< p_n/G; without pressure a coefficient is that at rest
+    const VectorX<Scalar>& duration;  ///< [s]: how long a particle takes to come to the element
+    const VectorX<Scalar>* before;  ///< mu it had there; null in steady rolling, where it is that of the element ahead
+    Scalar velocity_per_slip;       ///< [m/s] by the solver's slip
+};
+
+/// Finds mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), v the velocity of slip that bounds mu p_n lead to.
+///
+/// Newton's method on the difference of both sides, with a line search; the derivative is exact while no element begins
+/// to slip or to stick. Where it stands still, a solution has usually vanished in a fold, and the next is far away: then
+/// rounds of mu = right-hand side from the start on, which pass the bottleneck and find it, and Newton's method again.
+/// All rounds are bounded. Where several solutions exist, it is one that this way leads to from the mu to start with.
+template <class Scalar>
+class FallingSet {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Matrix = MatrixX<Scalar>;
+
+    struct Outcome {
+        typename ActiveSet<Scalar>::Outcome solution;  ///< of the last; rounds and pivots of all
+        int solutions = 0;                             ///< how often stick and slip were found
+        Scalar change = 0;                             ///< largest difference of both sides
+    };
+
+    explicit FallingSet(Index n)
+        : start_(n),
+          residual_(n),
+          tried_(n),
+          step_(n),
+          velocity_(n),
+          slope_(n),
+          kept_(n),
+          response_(n),
+          unit_(n),
+          slip_by_traction_(n, n),
+          by_friction_(n, n),
+          newton_(n, n),
+          right_(n),
+          newton_slope_(n),
+          newton_gain_(n),
+          newton_kept_(n),
+          swaps_(static_cast<std::size_t>(n)),
+          slipping_(static_cast<std::size_t>(n)),
+          zones_(static_cast<std::size_t>(n), Zone::stick) {}
+
+    Index size() const { return start_.size(); }
+
+    /// From `zones` and the `friction` to start with, which becomes the result; matrix and constant of the solver are
+    /// set. `friction` is finite and not negative.
+    template <class Law>
+    Outcome solve(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                  const std::vector<Zone>& zones, ActiveSet<Scalar>& solver, Vector& friction) noexcept {
+        Outcome outcome;
+        start_ = friction;
+        zones_ = zones;
+        const auto find = [&](const Vector& mu) {
+            tried_ = mu.cwiseProduct(passage.pressure);
+            const typename ActiveSet<Scalar>::Outcome found = solver.solve(tried_, zones_);
+            zones_ = solver.zones();
+            const int rounds = outcome.solution.rounds + found.rounds, pivots = outcome.solution.pivots + found.pivots;
+            outcome.solution = found;
+            outcome.solution.rounds = rounds;
+            outcome.solution.pivots = pivots;
+            ++outcome.solutions;
+            evaluate(law, memory, passage, solver, mu);
+            outcome.change = residual_.cwiseAbs().maxCoeff();
+        };
+        find(friction);
+        const Scalar settled = 8 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon() *
+                               std::max(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
+        Scalar scale = residual_.norm();
+        for (int restart = 0;; ++restart) {
+            if (newton(law, memory, passage, solver, settled, find, outcome, friction)) break;
+            if (restart == most_restarts || !is_finite(outcome.change)) break;
+            if (restart == 0) friction = start_;
+            find(friction);
+            scale = follow(settled, scale, restart, find, friction);
+        }
+        if (!(outcome.change <= settled)) {
+            outcome.solution.status = is_finite(outcome.change) ? StepStatus::no_solution : StepStatus::not_finite;
+            outcome.solution.tangent_exists = false;
+        }
+        return outcome;
+    }
+
+    /// dp and d mu that follow a change dc, and `before_change` of passage.before (null where it stays), while no
+    /// element changes its zone; of what was solved last. `friction_change` must not be `before_change`.
+    template <class Law>
+    void respond(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                 ActiveSet<Scalar>& solver, const Vector& friction, const Vector& change, const Vector* before_change,
+                 Vector& traction_change, Vector& friction_change) {
+        factorise(law, memory, passage, solver, friction);
+        solver.respond(change, traction_change);
+        unit_ = change;
+        unit_.noalias() += solver.matrix() * traction_change;
+        Scalar ahead = 0;
+        for (Index i = size() - 1; i >= 0; --i) {
+            ahead = slope_[i] * passage.velocity_per_slip * solver.signs()[i] * unit_[i] + kept_[i] * ahead;
+            if (before_change != nullptr && passage.pressure[i] > 0) {
+                ahead += memory.kept(velocity_[i], passage.duration[i]) * (*before_change)[i];
+            }
+            friction_change[i] = ahead;
+        }
+        spread(friction_change);
+        tried_ = friction_change.cwiseProduct(passage.pressure);
+        solver.respond(change, tried_, traction_change);
+    }
+
+private:
+    static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
+
+    // Velocities of slip, both sides' difference, and the derivatives of the right-hand side.
+    template <class Law>
+    void evaluate(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                  const ActiveSet<Scalar>& solver, const Vector& mu) {
+        Scalar ahead = law(Scalar(0));
+        for (Index i = mu.size() - 1; i >= 0; --i) {
+            const Scalar sign = solver.signs()[i];
+            velocity_[i] = passage.velocity_per_slip * std::max(Scalar(0), sign * solver.slip()[i]);
+            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
+            ahead = passage.pressure[i] > 0 ? passed(law, memory, passage.duration[i], before, velocity_[i])
+                                            : static_cast<Scalar>(law(Scalar(0)));
+            residual_[i] = ahead - mu[i];
+        }
+    }
+
+    template <class Law>
+    static Scalar passed(const Law& law, const SlipMemory<Scalar>& memory, Scalar duration, Scalar before, Scalar v) {
+        const Scalar kept = memory.kept(v, duration), now = static_cast<Scalar>(law(v));
+        return kept * before + (1 - kept) * now;
+    }
+
+    /// Steps until settled, true; or until none brings the difference down.
+    template <class Law, class Find>
+    bool newton(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                ActiveSet<Scalar>& solver, Scalar settled, const Find& find, const Outcome& outcome, Vector& friction) {
+        for (int step = 0; step < most_steps; ++step) {
+            if (outcome.change <= settled) return true;
+            if (!is_finite(outcome.change)) return false;
+            linearise(law, memory, passage, solver, friction);
+            const Scalar size = residual_.norm();
+            bool better = false;
+            Scalar part = 1;
+            right_ = friction;
+            for (int halving = 0; halving < most_halvings && !better; ++halving, part /= 2) {
+                friction = (right_ + part * step_).cwiseMax(Scalar(0));
+                find(friction);
+                better = residual_.norm() < (1 - part / 10) * size || outcome.change <= settled;
+            }
+            if (!better) return false;
+        }
+        return outcome.change <= settled;
+    }
+
+    /// mu = right-hand side, until the difference has risen and come down again. Where it hardly changes from round to
+    /// round, in the bottleneck, mu goes many rounds' way at once; where all that has not helped, a part of the way
+    /// only.
+    template <class Find>
+    Scalar follow(Scalar settled, Scalar scale, int restart, const Find& find, Vector& friction) {
+        const Scalar part = restart < 2 ? Scalar(1) : restart < 4 ? Scalar(0.4) : Scalar(0.15);
+        const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
+        Scalar before = residual_.norm(), peak = before;
+        int falling = 0, flat = 0;
+        Scalar leap = 10;
+        for (int round = 0; round < rounds; ++round) {
+            const bool leaps = flat >= 3;
+            friction = (friction + (leaps ? leap : part) * residual_).cwiseMax(Scalar(0));
+            find(friction);
+            const Scalar size = residual_.norm();
+            if (!is_finite(size)) break;
+            leap = leaps ? 2 * leap : flat == 0 ? Scalar(10) : leap;
+            flat = !leaps && std::abs(size - before) < before / 100 ? flat + 1 : leaps ? 1 : 0;
+            falling = size < before ? falling + 1 : 0;
+            before = size;
+            peak = std::max(peak, size);
+            const bool passed = peak > 50 * scale && falling >= 25 && size < peak / 5;
+            if (size <= settled || passed) break;
+        }
+        return std::max(scale, peak / 50);
+    }
+
+    // Newton's step: (1 - d right-hand side / d mu) step = difference. Coefficients of elements that stick act on
+    // nothing.
+    template <class Law>
+    void linearise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                   ActiveSet<Scalar>& solver, const Vector& mu) {
+        factorise(law, memory, passage, solver, mu);
+        step_ = residual_;
+        spread(step_);
+    }
+
+    // The derivatives of the right-hand sides by slip and by the coefficient ahead, and from them Newton's matrix,
+    // unless it is the one there is.
+    template <class Law>
+    void factorise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+                   ActiveSet<Scalar>& solver, const Vector& mu) {
+        find_slip_by_traction(solver);
+        // differences as wide as the velocities at hand allow, for where an element hardly slips
+        const Scalar unit = memory.least_velocity + velocity_.maxCoeff() / 1000;
+        Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
+        for (Index i = size() - 1; i >= 0; --i) {
+            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i], v = velocity_[i];
+            const Scalar nearby =
+                std::cbrt(std::numeric_limits<Scalar>::epsilon()) * (v + unit) + std::numeric_limits<Scalar>::min();
+            const Scalar low = std::max(v - nearby, Scalar(0)), high = v + nearby;
+            const Scalar duration = passage.duration[i];
+            const bool pressed = passage.pressure[i] > 0;
+            slope_[i] =
+                pressed ? (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
+                              (high - low)
+                        : Scalar(0);
+            kept_[i] = pressed && passage.before == nullptr ? memory.kept(v, duration) : Scalar(0);
+            ahead = residual_[i] + mu[i];
+        }
+        step_ = passage.velocity_per_slip * solver.signs().cwiseProduct(slope_);
+        right_ = -solver.signs().cwiseProduct(passage.pressure);
+        if (newton_revision_ == slip_revision_ && newton_slope_ == step_ && newton_gain_ == right_ &&
+            newton_kept_ == kept_) {
+            return;
+        }
+        newton_revision_ = slip_revision_;
+        newton_slope_ = step_;
+        newton_gain_ = right_;
+        newton_kept_ = kept_;
+        for (Index k = 0; k < slipping_count_; ++k) {
+            const Scalar gain = right_[slipping_[static_cast<std::size_t>(k)]];
+            Scalar leading = 0;
+            for (Index i = size() - 1; i >= 0; --i) {
+                leading = step_[i] * gain * slip_by_traction_(i, k) + kept_[i] * leading;
+                by_friction_(i, k) = leading;
+            }
+            for (Index l = 0; l < slipping_count_; ++l) {
+                newton_(l, k) = (k == l ? 1 : 0) - by_friction_(slipping_[static_cast<std::size_t>(l)], k);
+            }
+        }
+        factorise_in_place<Scalar>(newton_.topLeftCorner(slipping_count_, slipping_count_), swaps_.data());
+    }
+
+    // What the coefficients change in all when by themselves they change by `change`, which it overwrites.
+    void spread(Vector& change) {
+        for (Index k = 0; k < slipping_count_; ++k) response_[k] = change[slipping_[static_cast<std::size_t>(k)]];
+        solve_in_place<Scalar>(newton_.topLeftCorner(slipping_count_, slipping_count_), swaps_.data(),
+                               response_.head(slipping_count_));
+        change.noalias() += by_friction_.leftCols(slipping_count_) * response_.head(slipping_count_);
+    }
+
+    // Column k: slip of all elements by the traction of the k-th that slips, while the others stick or keep theirs.
+    void find_slip_by_traction(ActiveSet<Scalar>& solver) {
+        if (slip_revision_ == solver.revision()) return;
+        slip_revision_ = solver.revision();
+        newton_revision_ = never;
+        slipping_count_ = 0;
+        for (Index j = 0; j < size(); ++j) {
+            if (solver.signs()[j] == 0) continue;
+            unit_ = solver.matrix().col(j);
+            solver.respond(unit_, response_);
+            unit_.noalias() += solver.matrix() * response_;
+            slip_by_traction_.col(slipping_count_) = unit_;
+            slipping_[static_cast<std::size_t>(slipping_count_++)] = j;
+        }
+    }
+
+    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+
+    Vector start_, residual_, tried_, step_;
+    Vector velocity_, slope_, kept_;  // v; d right-hand side / d v; and by that of the element ahead
+    Vector response_, unit_;
+    Matrix slip_by_traction_, by_friction_, newton_;
+    Vector right_;
+    Vector newton_slope_, newton_gain_, newton_kept_;  // what by_friction_ and newton_ were made of
+    unsigned long slip_revision_ = never, newton_revision_ = never;
+    std::vector<Index> swaps_, slipping_;
+    Index slipping_count_ = 0;
+    std::vector<Zone> zones_;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,105 @@
+// Friction that depends on the velocity of slip on the elements of a mesh: the law, the state, the workspace.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
+#include "../types.hpp"
+#include "detail/falling_set.hpp"
+#include "law.hpp"
+#include "slip_law.hpp"
+#include "state.hpp"
+#include "workspace.hpp"
+
+namespace rollbem {
+
+namespace detail {
+template <class Law, class Scalar>
+class FallingStages;
+}
+
+/// The law |p| <= mu p_n with mu = mu_s(v) of the slip velocity, or with a memory of it.
+template <class Law, class Scalar = double>
+struct FallingFriction {
+    Law law;                         ///< mu_s(v) [-] of v [m/s]: a SlipLaw
+    SlipMemory<Scalar> memory;       ///< {} for none
+    ArrayX<Scalar> normal_pressure;  ///< p_n [Pa] as in CoulombFriction
+};
+
+/// What the next step needs of the past: besides tractions, zones and load the coefficients of friction.
+template <class Scalar_ = double>
+struct FallingFrictionState : FrictionState<Scalar_> {
+    using Scalar = Scalar_;
+
+    /// mu [-] of each unknown element, finite and not negative. Without memory it is mu_s(v), and the next solution is
+    /// sought from it.
+    ArrayX<Scalar> friction_coefficient;
+};
+
+namespace detail {
+
+/// Throws std::invalid_argument where law or memory is out of range; the pressures under a coefficient of 1.
+template <class Law, class Scalar>
+CoulombFriction<Scalar> checked_pressure(const char* who, const FallingFriction<Law, Scalar>& friction) {
+    check_slip_law<Scalar>(who, friction.law, friction.memory);
+    return {1, friction.normal_pressure};
+}
+
+/// Whether these are coefficients: as many as there are elements, finite and not negative.
+template <class Scalar>
+bool fits_friction(const FallingFrictionState<Scalar>& from, const FallingFrictionState<Scalar>& to,
+                   Eigen::Index size) noexcept {
+    return from.friction_coefficient.size() == size && to.friction_coefficient.size() == size &&
+           all_finite(from.friction_coefficient) && !(from.friction_coefficient.minCoeff() < 0);
+}
+
+/// The coefficients at the end of a step; those of its start where it has come to nothing.
+template <class Scalar>
+void hand_over(const FrictionStep<Scalar>& step, const FallingFrictionState<Scalar>& from,
+               const VectorX<Scalar>& friction, FallingFrictionState<Scalar>& to) noexcept {
+    if (step.status == StepStatus::not_finite) {
+        to.friction_coefficient = from.friction_coefficient;
+    } else {
+        to.friction_coefficient = friction.array();
+    }
+}
+
+}  // namespace detail
+
+/// Factors and scratch memory, as FrictionWorkspace. Its slip() and slip_work() are those of what was solved last.
+template <class Scalar_ = double>
+class FallingFrictionWorkspace : public FrictionWorkspace<Scalar_> {
+public:
+    using Scalar = Scalar_;
+
+    /// For n unknown elements.
+    explicit FallingFrictionWorkspace(Eigen::Index n)
+        : FrictionWorkspace<Scalar>(n),
+          set_(n),
+          friction_(VectorX<Scalar>::Zero(n)),
+          duration_(VectorX<Scalar>::Zero(n)),
+          before_(VectorX<Scalar>::Zero(n)),
+          rise_(VectorX<Scalar>::Zero(n)),
+          change_(VectorX<Scalar>::Zero(n)),
+          carried_change_(VectorX<Scalar>::Zero(n)),
+          before_change_(VectorX<Scalar>::Zero(n)) {}
+
+private:
+    template <class, class>
+    friend class detail::FallingStages;
+
+    template <class, class>
+    friend class SteadyFallingModel;
+    template <class, class>
+    friend class FallingFrictionModel;
+
+    detail::FallingSet<Scalar> set_;
+    VectorX<Scalar> friction_;  // mu of the present stage
+    VectorX<Scalar> duration_, before_;
+    VectorX<Scalar> rise_;                                     // of mu in the first stage, along the particles' paths
+    VectorX<Scalar> change_, carried_change_, before_change_;  // d mu by dc; that of the first stage; of before_
+};
+
+}  // namespace rollbem

@@ -1,0 +1,167 @@
+// Rolling in time with friction that depends on the velocity of slip, with or without memory.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include "../adhesion/integrator.hpp"
+#include "../assembly/rolling_system.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../normal/load.hpp"
+#include "../scene/contact.hpp"
+#include "../scene/rigid_motion.hpp"
+#include "../status.hpp"
+#include "detail/falling_stages.hpp"
+#include "falling_state.hpp"
+#include "slip_law.hpp"
+#include "state.hpp"
+#include "transient.hpp"
+
+namespace rollbem {
+
+/// FrictionModel with mu of the slip velocity, which a step takes from its duration: v = |slip of the step| / duration.
+/// Const and free of caches: threads may share it, as far as they may share the law.
+///
+/// With a memory, mu belongs to the particles of the surfaces, which roll through the contact: each element goes on from
+/// the coefficient of the particle that comes to it. A particle enters with mu_s(0), and leaves its memory where there
+/// is no pressure.
+///
+/// A step may have several solutions, and the nearest may vanish: then the force jumps within the step, however short
+/// it is. Without memory and with little of it such jumps belong to the equations, not to the steps. The solution found
+/// is one that the coefficients of `from` lead to. Steps must be short enough to follow the memory: a particle forgets
+/// within a distance of slip.
+template <class Law_, class Scalar_ = double>
+class FallingFrictionModel {
+public:
+    using Law = Law_;
+    using Scalar = Scalar_;
+    using State = FallingFrictionState<Scalar>;
+    using Step = FrictionStep<Scalar>;
+    using Workspace = FallingFrictionWorkspace<Scalar>;
+    static_assert(SlipLaw<Law, Scalar>);
+
+    /// Throws std::invalid_argument as FrictionModel, where mu_s(0) or the memory is negative or not finite, and where
+    /// there is a memory, but the system does not know the points of its equations.
+    FallingFrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, const StabilityVerdict& verdict,
+                         const FallingFriction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
+        : model_(contact, std::move(system), verdict, detail::checked_pressure("FallingFrictionModel", friction),
+                 integrator),
+          law_(friction.law),
+          memory_(friction.memory) {
+        require_points();
+    }
+
+    /// The same whatever the eigenvalues, and whether the scheme converges or not.
+    FallingFrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
+                         const FallingFriction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
+        : model_(contact, std::move(system), unchecked, detail::checked_pressure("FallingFrictionModel", friction),
+                 integrator),
+          law_(friction.law),
+          memory_(friction.memory) {
+        require_points();
+    }
+
+    Eigen::Index size() const { return model_.size(); }                 ///< number of unknown elements
+    std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< as of FrictionModel: not of the law
+    Integrator integrator() const { return model_.integrator(); }
+
+    /// No traction anywhere, everything sticks at mu_s(0).
+    State at_rest() const {
+        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(law_(Scalar(0))))};
+    }
+    Workspace workspace() const { return Workspace(size()); }
+
+    /// As of FrictionModel.
+    Scalar force(const State& state) const { return model_.force(state); }
+    Scalar elastic_energy_per_width(const State& state) const { return model_.elastic_energy_per_width(state); }
+    Scalar elastic_energy(const State& state) const { return model_.elastic_energy(state); }
+
+    /// Steady rolling at a creepage [-] and a speed V > 0 [m/s] under the load of `from`: what SteadyFallingModel::solve
+    /// does, with states of this model,
+    Step steady(const State& from, Scalar creepage, Scalar speed, State& to, Workspace& workspace) const noexcept {
+        return settle(from, creepage, speed, {from.normal_pressure, from.half_length}, to, workspace);
+    }
+    /// or under another load. Where the half-length is not the contact's, the system must be one that can breathe.
+    Step steady(const State& from, Scalar creepage, Scalar speed, const NormalLoad<Scalar>& load, State& to,
+                Workspace& workspace) const noexcept {
+        const StepStatus possible = load.check(model_.system_.element_count());
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return settle(from, creepage, speed, {load.normal_pressure, load.half_length}, to, workspace);
+    }
+
+    /// Rolls on by dq [m] in `duration` [s], positive and finite; dq = 0 is a rigid shift, which has a duration too. As
+    /// FrictionModel::advance; besides, the status is invalid_step where the duration is not positive and finite,
+    /// wrong_state where a coefficient of `from` is negative or not finite, and no_solution where coefficients and slip
+    /// did not come to agree: then complementarity_residual is no less than what a coefficient is off by. The tangent is
+    /// by the creepage at this dq and duration.
+    Step advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, State& to,
+                 Workspace& workspace) const noexcept {
+        return roll<false>(from, dq, duration, motion, {from.normal_pressure, from.half_length}, to, workspace);
+    }
+
+    /// The same under a load that goes evenly from that of `from` to this one, whose pressure_rate nothing asks for.
+    Step advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion,
+                 const NormalLoad<Scalar>& load, State& to, Workspace& workspace) const noexcept {
+        const StepStatus possible = load.check(model_.system_.element_count());
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return roll<true>(from, dq, duration, motion, {load.normal_pressure, load.half_length}, to, workspace);
+    }
+
+    /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling, in `duration` [s].
+    Step shift(const State& from, Scalar shift, Scalar duration, State& to, Workspace& workspace) const noexcept {
+        return advance(from, 0, duration, RigidMotion<Scalar>::shift(shift), to, workspace);
+    }
+
+private:
+    using Core = detail::FrictionCore<Scalar>;
+    using Load = typename Core::Load;
+    using Stages = detail::FallingStages<Law, Scalar>;
+
+    void require_points() const {
+        detail::require(memory_.distance == 0 || model_.system_.points().has_value(), "FallingFrictionModel",
+                        "distance of the memory", memory_.distance,
+                        "be 0 for a system that does not know the points of its equations");
+    }
+
+    template <bool loaded>
+    Step roll(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, const Load& load,
+              State& to, Workspace& workspace) const noexcept {
+        StepStatus possible = model_.check(from, dq, motion, load, to, workspace);
+        if (possible == StepStatus::ok && !detail::fits_friction(from, to, size())) possible = StepStatus::wrong_state;
+        if (possible == StepStatus::ok && !positive(duration)) possible = StepStatus::invalid_step;
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        const Scalar unit = model_.core_.half_length();
+        Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.system_.points() : nullptr,
+                      from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, workspace);
+        if constexpr (loaded) model_.core_.begin_tangents(ArrayX<Scalar>(), false, workspace);  // none by the load
+        const Step step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
+        detail::hand_over(step, from, workspace.friction_, to);
+        return step;
+    }
+
+    Step settle(const State& from, Scalar creepage, Scalar speed, const Load& load, State& to,
+                Workspace& workspace) const noexcept {
+        StepStatus possible = model_.check_steady(from, load, to, workspace);
+        if (possible == StepStatus::ok && !detail::fits_friction(from, to, size())) possible = StepStatus::wrong_state;
+        if (possible == StepStatus::ok && !detail::is_finite(creepage)) possible = StepStatus::not_finite;
+        if (possible == StepStatus::ok && !positive(speed)) possible = StepStatus::invalid_step;
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        Stages stages(law_, memory_, from.friction_coefficient, speed, model_.core_.widths(), load.half_length,
+                      workspace);
+        const Step step =
+            model_.core_.solve_steady(stages, from, creepage, model_.system_.G_prime(), load, to, workspace);
+        detail::hand_over(step, from, workspace.friction_, to);
+        return step;
+    }
+
+    static bool positive(Scalar value) { return detail::is_finite(value) && value > 0; }
+
+    FrictionModel<Scalar> model_;
+    Law law_;
+    SlipMemory<Scalar> memory_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,81 @@
+// Friction that depends on the velocity of slip, mu_s(v), with or without memory. SI units.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// A law of friction: the coefficient mu [-] at a slip velocity v >= 0 [m/s], finite and not negative. Continuous; it is
+/// called in every step, so that it must neither throw nor allocate.
+template <class Law, class Scalar = double>
+concept SlipLaw = requires(const Law& law, Scalar velocity) {
+    { law(velocity) } -> std::convertible_to<Scalar>;
+};
+
+/// mu_k + (mu_0 - mu_k) 2^(-v/v_half).
+template <class Scalar = double>
+struct ExponentialFall {
+    Scalar mu_0, mu_k;     ///< mu at rest and at high velocity [-]
+    Scalar half_velocity;  ///< v_half [m/s], where half of the fall is done
+
+    Scalar operator()(Scalar velocity) const noexcept {
+        return mu_k + (mu_0 - mu_k) * std::exp2(-velocity / half_velocity);
+    }
+};
+
+/// mu_k + (mu_0 - mu_k) / (1 + v/v_half).
+template <class Scalar = double>
+struct RationalFall {
+    Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
+
+    Scalar operator()(Scalar velocity) const noexcept { return mu_k + (mu_0 - mu_k) / (1 + velocity / half_velocity); }
+};
+
+/// mu_0 - (mu_0 - mu_k) v/(2 v_half) down to mu_k, which it reaches at 2 v_half.
+template <class Scalar = double>
+struct LinearFall {
+    Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
+
+    Scalar operator()(Scalar velocity) const noexcept {
+        return mu_k + (mu_0 - mu_k) * std::max(Scalar(0), 1 - velocity / (2 * half_velocity));
+    }
+};
+
+/// Memory of the friction coefficient: that of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v)). A particle
+/// enters the contact with mu_s(0). Without memory mu = mu_s(v) at once, and there may be several solutions.
+template <class Scalar = double>
+struct SlipMemory {
+    Scalar distance = 0;        ///< d [m], 0 for no memory
+    Scalar least_velocity = 0;  ///< v_0 [m/s]: how fast a particle forgets where it sticks
+
+    /// Share of the old mu that is left after a time [s] at a velocity [m/s], implicitly.
+    Scalar kept(Scalar velocity, Scalar duration) const noexcept {
+        return distance > 0 ? distance / (distance + duration * std::max(velocity, least_velocity)) : Scalar(0);
+    }
+};
+
+namespace detail {
+
+/// Throws std::invalid_argument where a memory is out of range, or a law is not a coefficient at rest.
+template <class Scalar, SlipLaw<Scalar> Law>
+void check_slip_law(const char* who, const Law& law, const SlipMemory<Scalar>& memory) {
+    const Scalar at_rest = law(Scalar(0));
+    require(is_finite(at_rest) && at_rest >= 0, who, "friction coefficient at rest", at_rest,
+            "be finite and not negative");
+    require(is_finite(memory.distance) && memory.distance >= 0, who, "distance of the memory", memory.distance,
+            "be finite and not negative");
+    require(is_finite(memory.least_velocity) && memory.least_velocity >= 0, who, "least_velocity of the memory",
+            memory.least_velocity, "be finite and not negative");
+}
+
+}  // namespace detail
+
+}  // namespace rollbem
