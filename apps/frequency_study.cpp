@@ -174,7 +174,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
         if (omega && re && im) exact[*omega] = {*re, *im};
     }
-    study::Series exact_curve{.label = "exact", .points = {}, .markers = false, .style = black};
+    study::Series exact_curve{.label = "exact", .points = {}, .markers = false, .style = black, .reference = true};
     for (const auto& [omega, c11] : exact) exact_curve.points.emplace_back(c11.real(), c11.imag());
     argand.series.push_back(exact_curve);
 
@@ -189,7 +189,8 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
             series.style = k;
             parts.series.push_back(std::move(series));
         }
-        study::Series curve{.label = name + ", exact", .points = {}, .markers = false, .style = black};
+        study::Series curve{
+            .label = name + ", exact", .points = {}, .markers = false, .style = black, .reference = true};
         for (const auto& [omega, c11] : exact) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
         parts.series.push_back(std::move(curve));
     }

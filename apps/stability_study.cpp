@@ -213,7 +213,8 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
                 right = std::max(right, std::min(re, height));
             }
         }
-        study::Series exact{.label = "exact", .points = {}, .line = false, .style = 6};  // open markers
+        study::Series exact{
+            .label = "exact", .points = {}, .line = false, .style = 6, .reference = true};  // open markers
         const stability::ExactSpectrum known(scenes.front().contact, {Complex(0, height)});
         for (const Complex& nu : known.upper_half()) {
             exact.points.emplace_back(nu.real(), nu.imag());

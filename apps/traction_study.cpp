@@ -70,7 +70,7 @@ void emit_states(const study::Scene& scene, study::RowRange points, const study:
 
 /// Carter's traction where it is no larger than `largest` in size.
 study::Series carter_line(double nu, double largest) {
-    study::Series line{.label = "Carter", .points = {}, .markers = false};
+    study::Series line{.label = "Carter", .points = {}, .markers = false, .reference = true};
     constexpr int points = 400;
     for (int i = 1; i <= points; ++i) {  // dense near the trailing edge
         const double x = 2 * std::pow(double(i) / points, 3) - 1;

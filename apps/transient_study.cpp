@@ -157,7 +157,7 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
 study::Plot draw_force(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     study::Plot plot{.title = "Rolling from rest",
                      .x_label = "distance rolled q/a",
-                     .y_label = "-F / (a G {/Symbol x}_{ref})",
+                     .y_label = "-F / (a G ξ_{ref})",
                      .series = {}};
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows, {.by = schemes, .x = "q_over_a", .y = "force"});
