@@ -31,6 +31,14 @@ std::string gnuplot_string(std::string text) {
     return "'" + text + "'";
 }
 
+/// "α_T" for the column alpha_T.
+std::string with_greek(std::string name) {
+    for (const auto& [word, letter] : {std::pair{"alpha", "α"}, {"lambda", "λ"}, {"epsilon", "ε"}}) {
+        if (name.rfind(word, 0) == 0) name.replace(0, std::string_view(word).size(), letter);
+    }
+    return name;
+}
+
 std::string number_text(double number) {
     std::array<char, 32> buffer;
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
@@ -86,7 +94,7 @@ std::string panel_script(const Plot& plot) {
     std::string script;
     script += "set title " + gnuplot_string(title) + "\nset xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
-    script += "set key below\nset autoscale xfix\nset format '%h'\n";
+    script += "set key above\nset autoscale xfix\nset format '%h'\n";
     for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
         if (is_log) script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\n";
     }
@@ -97,7 +105,7 @@ std::string panel_script(const Plot& plot) {
     }
     if (plot.log_x) {
         const std::string ticks = logarithmic_ticks(plot);
-        if (!ticks.empty()) script += "set xtics (" + ticks + ")\n";
+        if (!ticks.empty()) script += "set xtics (" + ticks + ")\nset offsets graph 1e-6, graph 1e-6, 0, 0\n";
     }
     std::string commands;
     std::size_t drawn = 0;  // of those with a label
@@ -233,7 +241,7 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     const auto append = [](std::string& text, const std::string& name, const std::string& value) {
         if (value.empty()) return;
         const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos;
-        text += (text.empty() ? "" : ", ") + (speaks ? value : name + " = " + value);
+        text += (text.empty() ? "" : ", ") + (speaks ? value : with_greek(name) + " = " + value);
     };
     for (std::size_t i = 0; i < selection.by.size(); ++i) {
         const bool shared =
