@@ -198,7 +198,8 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         return exact.size() > 1 ? "exact, " + contact : std::string("exact");
     };
     for (const auto& [contact, response] : exact) {
-        study::Series curve{.label = exact_label(contact), .points = {}, .markers = false, .style = black};
+        study::Series curve{
+            .label = exact_label(contact), .points = {}, .markers = false, .style = black, .reference = true};
         for (const auto& [omega, c11] : response) curve.points.emplace_back(c11.real(), c11.imag());
         argand.series.push_back(std::move(curve));
     }
@@ -216,8 +217,11 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
             parts.series.push_back(std::move(series));
         }
         for (const auto& [contact, response] : exact) {
-            study::Series curve{
-                .label = name + ", " + exact_label(contact), .points = {}, .markers = false, .style = black};
+            study::Series curve{.label = name + ", " + exact_label(contact),
+                                .points = {},
+                                .markers = false,
+                                .style = black,
+                                .reference = true};
             for (const auto& [omega, c11] : response) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
             parts.series.push_back(std::move(curve));
         }

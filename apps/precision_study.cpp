@@ -406,7 +406,7 @@ study::Plot panel(const std::string& quantity, const std::vector<study::Row>& ro
                      .log_x = true,
                      .log_y = true,
                      .series = {}};
-    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .style = black};
+    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .style = black, .reference = true};
     const std::vector<double> sustained = precision::sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;

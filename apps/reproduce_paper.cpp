@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -26,9 +27,9 @@
 #include "paper/results.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
+#include "support/parallel.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
-#include "support/table.hpp"
 
 namespace {
 
@@ -39,20 +40,12 @@ struct Settings {
 };
 
 /// compute(k) for all k < count on several threads, with a progress line.
-template <class Compute>
-void in_parallel(const std::string& what, std::size_t count, const Settings& settings, const Compute& compute) {
-    study::Progress progress(what, count, !settings.quiet);
-    study::Table table;
-    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
-        compute(task);
-        emit({});
-    };
-    std::vector<study::Task> tasks;
-    for (std::size_t k = 0; k < count; ++k) tasks.push_back({k, {0, 1}});
+void in_parallel(const std::string& what, std::size_t count, const Settings& settings,
+                 const std::function<void(std::size_t)>& compute) {
+    study::Progress progress("reproduce_paper", count, !settings.quiet, what);
     std::size_t done = 0;
     progress.update(0);
-    study::compute_in_order(
-        table, tasks, settings.jobs, [](study::Row) {}, [&] { progress.update(++done); });
+    study::parallel_for(count, settings.jobs, compute, [&] { progress.update(++done); });
 }
 
 paper::Results compute_figures(const Settings& settings) {
@@ -61,7 +54,7 @@ paper::Results compute_figures(const Settings& settings) {
     for (paper::PanelResult& result : results.panels()) {
         for (std::size_t k = 0; k < result.curves.size(); ++k) curves.emplace_back(&result, k);
     }
-    in_parallel("reproduce_paper: curves", curves.size(), settings, [&](std::size_t task) {
+    in_parallel("curves", curves.size(), settings, [&](std::size_t task) {
         const auto& [result, k] = curves[task];
         result->curves[k] = paper::compute(result->panel, result->panel.curves[k]);
     });
@@ -71,7 +64,7 @@ paper::Results compute_figures(const Settings& settings) {
 std::vector<paper::Judged> judge_claims(const Settings& settings, const paper::Results& results) {
     std::vector<paper::Judged> judged;
     for (paper::Claim& claim : paper::claims()) judged.push_back({std::move(claim), {}});
-    in_parallel("reproduce_paper: claims", judged.size(), settings, [&](std::size_t k) {
+    in_parallel("claims", judged.size(), settings, [&](std::size_t k) {
         if (!judged[k].claim.timed) judged[k].finding = judged[k].claim.judge(results);
     });
     for (paper::Judged& each : judged) {
@@ -133,20 +126,18 @@ int run(const Settings& settings) {
 
     // 4. The claims and the page.
     std::string rows = study::csv_line(paper::claim_columns);
-    std::size_t holding = 0, unexpected = 0;
     for (const paper::Judged& judged : claims) {
         rows += study::csv_line(paper::claim_row(judged));
-        holding += judged.finding.holds;
         if (judged.as_expected()) continue;
-        ++unexpected;
         std::fprintf(stderr, "reproduce_paper: Fig. %s: %s: %s; measured: %s\n", judged.claim.figure.c_str(),
                      judged.claim.claim.c_str(), judged.reason().c_str(), judged.finding.measured.c_str());
     }
     write(std::move(claims_file), rows);
     write(std::move(page_file), paper::page(results, claims, drawings, note));
-    std::printf("%zu claims: %zu hold, %zu do not; %zu differ from what is expected. See %s\n", claims.size(), holding,
-                claims.size() - holding, unexpected, (directory / "index.html").c_str());
-    return unexpected == 0 ? study::exit_ok : study::exit_failed;
+    const paper::Tallies counted = paper::tallies(claims);
+    std::printf("%s; %zu differ from what is expected. See %s\n", paper::summary(counted).c_str(), counted.unexpected,
+                (directory / "index.html").c_str());
+    return counted.unexpected == 0 ? study::exit_ok : study::exit_failed;
 }
 
 int fail(const char* message, study::ExitCode code) {
@@ -162,7 +153,9 @@ int main(int argc, char** argv) {
     Settings settings;
     CLI::App app(
         "Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv\n"
-        "(claim, figure, paper, measured, holds, expected, reason) and index.html, which shows everything.",
+        "(claim, figure, paper, measured, holds, expected, reason, kind) and index.html, which shows everything.\n"
+        "The column paper quotes a few of its words. Each statement counts once; kind tells a statement of the paper\n"
+        "from an addition, which is what was found beside it.",
         "reproduce_paper");
     app.set_help_flag("-h,--help", "print this help and exit");
     app.set_version_flag("--version", "reproduce_paper " + std::string(build_info::version) + " (" +

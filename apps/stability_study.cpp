@@ -217,7 +217,8 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
                 right = std::max(right, std::min(re, height));
             }
         }
-        study::Series exact{.label = "exact", .points = {}, .line = false, .style = 6};  // open markers
+        study::Series exact{
+            .label = "exact", .points = {}, .line = false, .style = 6, .reference = true};  // open markers
         for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
             const stability::ExactSpectrum known(contact, {Complex(0, height)});
             for (const Complex& nu : known.upper_half()) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -118,20 +119,37 @@ int main(int argc, char** argv) {
             emit(steady_row(given, scenes[task]));
         };
 
-        // 6. --plot: the error over n, one line a scheme.
+        // 6. --plot: the error over n, one line a scheme; over alpha where there are more alphas than n.
         table.plot = [&](const std::vector<study::Row>& rows) {
+            std::set<Eigen::Index> numbers;
+            std::set<double> alphas_L, alphas_T;
+            bool equal = true;
+            for (const study::Scene& scene : scenes) {
+                numbers.insert(scene.n());
+                alphas_L.insert(scene.alpha_L.value_or(0));
+                alphas_T.insert(scene.alpha_T.value_or(0));
+                equal = equal && scene.alpha_L == scene.alpha_T;
+            }
+            const bool over_L = alphas_L.size() > alphas_T.size();
+            const bool over_alpha = std::max(alphas_L.size(), alphas_T.size()) > numbers.size();
             study::Plot plot{.title = "Steady rolling",
                              .x_label = scenes.front().n_label(),
                              .y_label = "|c_{11} / c_{11,exact} - 1|",
-                             .log_x = true,
+                             .log_x = !over_alpha,
                              .log_y = true,
                              .series = {}};
-            study::add_series(plot, table.columns, rows,
-                              {.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
-                               .x = "n",
-                               .y = "relative_error",
-                               .absolute = true,
-                               .apart = study::setting_columns()});
+            study::Selection selection{.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
+                                       .x = "n",
+                                       .y = "relative_error",
+                                       .absolute = true,
+                                       .apart = study::setting_columns()};
+            if (over_alpha) {
+                plot.x_label = equal ? "α_L = α_T" : over_L ? "α_L" : "α_T";
+                selection.by = {"method", "derivative", "mesh", "n"};
+                if (!equal) selection.by.emplace_back(over_L ? "alpha_T" : "alpha_L");
+                selection.x = over_L ? "alpha_L" : "alpha_T";
+            }
+            study::add_series(plot, table.columns, rows, selection);
             for (study::Series& series : plot.series) {  // a logarithm shows no zero: states can be exact
                 for (auto& [n, error] : series.points) {
                     error = std::max(error, std::numeric_limits<double>::epsilon() / 4);

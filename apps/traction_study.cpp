@@ -77,8 +77,10 @@ void emit_states(const study::Scene& scene, study::RowRange points, const study:
 
 /// Carter's traction where it is no larger than `largest` in size.
 study::Series carter_line(double nu, bool several, double largest) {
-    study::Series line{
-        .label = several ? "Carter, poisson = " + study::Cell(nu).text(6) : "Carter", .points = {}, .markers = false};
+    study::Series line{.label = several ? "Carter, poisson = " + study::Cell(nu).text(6) : "Carter",
+                       .points = {},
+                       .markers = false,
+                       .reference = true};
     constexpr int points = 400;
     for (int i = 1; i <= points; ++i) {  // dense near the trailing edge
         const double x = 2 * std::pow(double(i) / points, 3) - 1;

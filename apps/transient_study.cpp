@@ -178,10 +178,8 @@ std::vector<study::Row> first_of_contacts(const std::vector<std::string>& column
 
 /// The force over the distance, and the exact one where there is one.
 study::Plot draw_force(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    study::Plot plot{.title = "Rolling from rest",
-                     .x_label = "distance rolled q/a",
-                     .y_label = "-F / (a G {/Symbol x}_{ref})",
-                     .series = {}};
+    study::Plot plot{
+        .title = "Rolling from rest", .x_label = "distance rolled q/a", .y_label = "-F / (a G ξ_{ref})", .series = {}};
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows,
                       {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});

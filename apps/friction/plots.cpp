@@ -15,7 +15,7 @@ constexpr int line_points = 400;
 
 /// Carter's creep curve over the ratios, from or to 0.
 study::Series carter_curve(const std::vector<double>& ratios) {
-    study::Series line{.label = "Carter", .points = {}, .markers = false};
+    study::Series line{.label = "Carter", .points = {}, .markers = false, .reference = true};
     const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
     const double from = std::min(*low, 0.0), to = std::max(*high, 0.0);
     for (int i = 0; i <= line_points; ++i) {
@@ -159,8 +159,10 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         plot.beside.push_back(std::move(loop));
     } else if (shown.carter) {
         const double force = rollbem::carter_force_ratio(shown.ratio);
-        plot.series.push_back(
-            {.label = "Carter, steady", .points = {{0, force}, {shown.end, force}}, .markers = false});
+        plot.series.push_back({.label = "Carter, steady",
+                               .points = {{0, force}, {shown.end, force}},
+                               .markers = false,
+                               .reference = true});
     }
     return plot;
 }

@@ -1,5 +1,6 @@
-// Every quantitative or comparative statement of the paper's sections 5 to 7: what it says, how it is measured here,
-// and whether it holds. Thresholds are fixed in claims.cpp and told in the remarks; none depends on the result.
+// What the paper says in its sections 5 to 7: a few of its words, how that is measured here, and whether it holds.
+// Each statement counts once, where it is first made. What is found here beside the paper is an addition, told apart.
+// Thresholds are fixed in claims/ and told in the remarks; none depends on the result.
 #pragma once
 
 #include <array>
@@ -19,12 +20,14 @@ struct Finding {
 
 struct Claim {
     std::string figure;
-    std::string claim;
-    std::string paper;   ///< the figure the paper gives
+    std::string quote;   ///< the paper's words; empty for an addition
+    std::string claim;   ///< what is judged
     bool expected;       ///< whether it is known to hold
-    std::string reason;  ///< why it does not hold, or a remark
+    std::string remark;  ///< how it is judged, or why it does not hold
     std::function<Finding(const Results&)> judge;
     bool timed = false;  ///< to be judged while nothing else runs
+
+    bool is_addition() const { return quote.empty(); }
 };
 
 /// All claims, in the paper's order.

@@ -72,16 +72,20 @@ ElementField element_field(double x_over_width) {
     return {(strip().H(ahead) - strip().H(behind))[0], (strip().g(ahead) - strip().g(behind))[0]};
 }
 
-// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too: its curves
-// start at alpha = 0, where tractions zigzag long before their sum is lost.
+// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all with
+// alpha_T = 0: their trailing traction has the wrong sign, their sum may still be close.
 static bool is_solved(rollbem::Status status) {
     return status == rollbem::Status::ok || status == rollbem::Status::inconsistent;
 }
 
-double c11_ratio(const Case& c) {
+SteadyRatio steady_ratio(const Case& c) {
     const rollbem::UnitSteadySolution<double> solution = steady(c);
-    if (!is_solved(solution.status)) return std::numeric_limits<double>::quiet_NaN();
-    return solution.c11 / rollbem::steady_c11(poisson_ratio);
+    return {solution.c11 / rollbem::steady_c11(poisson_ratio), solution.status};
+}
+
+double c11_ratio(const Case& c) {
+    const SteadyRatio result = steady_ratio(c);
+    return is_solved(result.status) ? result.value : std::numeric_limits<double>::quiet_NaN();
 }
 
 Tractions tractions(const Case& c) {

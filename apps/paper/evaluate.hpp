@@ -11,6 +11,7 @@
 
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/status.hpp>
 
 namespace paper {
 
@@ -42,7 +43,15 @@ struct ElementField {
 };
 ElementField element_field(double x_over_width);
 
-/// c11*/c11 of steady rolling, c11 = pi/(2(1-nu)); not a number where the equations are singular to working precision.
+/// c11*/c11 of steady rolling, c11 = pi/(2(1-nu)), and what the library thinks of it: near alpha = 0 tractions zigzag,
+/// which it calls inconsistent with full adhesion.
+struct SteadyRatio {
+    double value;
+    rollbem::Status status;
+};
+SteadyRatio steady_ratio(const Case& c);
+
+/// c11*/c11, be it inconsistent; not a number where the equations are singular to working precision.
 double c11_ratio(const Case& c);
 
 /// Tractions of steady rolling, p/(G xi), of every element from the trailing edge on.

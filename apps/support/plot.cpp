@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <string_view>
 #include <thread>
 
@@ -29,9 +31,50 @@ std::string gnuplot_string(std::string text) {
     return "'" + text + "'";
 }
 
+/// "α_T" for the column alpha_T.
+std::string with_greek(std::string name) {
+    for (const auto& [word, letter] : {std::pair{"alpha", "α"}, {"lambda", "λ"}, {"epsilon", "ε"}}) {
+        if (name.rfind(word, 0) == 0) name.replace(0, std::string_view(word).size(), letter);
+    }
+    return name;
+}
+
 std::string number_text(double number) {
     std::array<char, 32> buffer;
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
+}
+
+/// Ticks of a logarithmic x axis: at the x values where they are few, such as numbers of elements, else as gnuplot sets
+/// them, at powers of the base, unless fewer than two of those lie on the axis. Empty for gnuplot's ticks.
+std::string logarithmic_ticks(const Plot& plot) {
+    std::set<double> values;
+    for (const Series& series : plot.series) {
+        for (const auto& point : series.points) {
+            if (point.first > 0) values.insert(point.first);
+        }
+    }
+    if (plot.x_range) values = {plot.x_range->low, plot.x_range->high};
+    if (values.empty() || !(*values.begin() > 0)) return "";
+    const double low = *values.begin(), high = *values.rbegin(), base = plot.log_base;
+    constexpr double share = 0.04;  // of the axis: closer ticks run into each other
+    bool apart = values.size() <= 12 && !plot.x_range;
+    for (auto value = values.begin(); apart && std::next(value) != values.end(); ++value) {
+        apart = std::log(*std::next(value) / *value) > share * std::log(high / low);
+    }
+    std::vector<double> ticks(values.begin(), values.end());
+    if (!apart) {
+        const double first = std::ceil(std::log(low) / std::log(base) - 1e-9);
+        if (std::pow(base, first + 1) <= high * (1 + 1e-9)) return "";
+        ticks.clear();
+        const double decade = std::pow(10.0, std::floor(std::log10(low)));
+        for (const double tick : {1, 2, 3, 5, 7, 10, 20, 30, 50, 70}) {
+            if (tick * decade >= low && tick * decade <= high) ticks.push_back(tick * decade);
+        }
+        if (ticks.size() < 2) ticks = {low, high};
+    }
+    std::string text;
+    for (const double tick : ticks) text += (text.empty() ? "" : ",") + number_text(tick);
+    return text;
 }
 
 std::string panel_script(const Plot& plot) {
@@ -41,10 +84,17 @@ std::string panel_script(const Plot& plot) {
     const auto usable = [&](const std::pair<double, double>& point) {
         return (!plot.log_x || point.first > 0) && (!plot.log_y || point.second > 0);
     };
+    const auto is_counted = [](const Series& series) { return !series.label.empty() && !series.reference; };
+    const auto labelled = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), is_counted));
+    std::string title = plot.title;
+    if (labelled > most_curves) {
+        title += (title.empty() ? "" : ": ") + ("the first " + std::to_string(most_curves)) + " of " +
+                 std::to_string(labelled) + " curves";
+    }
     std::string script;
-    script += "set title " + gnuplot_string(plot.title) + "\nset xlabel " + gnuplot_string(plot.x_label) +
-              "\nset ylabel " + gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
-    script += "set key outside right top vertical\nset autoscale xfix\nset format '%h'\n";
+    script += "set title " + gnuplot_string(title) + "\nset xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
+              gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
+    script += "set key above\nset autoscale xfix\nset format '%h'\n";
     for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
         if (is_log) script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\n";
     }
@@ -53,10 +103,16 @@ std::string panel_script(const Plot& plot) {
         script +=
             "set " + std::string(axis) + "range [" + number_text(range->low) + ":" + number_text(range->high) + "]\n";
     }
+    if (plot.log_x) {
+        const std::string ticks = logarithmic_ticks(plot);
+        if (!ticks.empty()) script += "set xtics (" + ticks + ")\nset offsets graph 1e-6, graph 1e-6, 0, 0\n";
+    }
     std::string commands;
+    std::size_t drawn = 0;  // of those with a label
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
         const Series& series = plot.series[k];
         if (std::none_of(series.points.begin(), series.points.end(), usable)) continue;
+        if (is_counted(series) && ++drawn > most_curves) continue;
         const std::string data = "$data" + std::to_string(k);
         script += data + " << EOD\n";
         for (const auto& point : series.points) {
@@ -187,7 +243,7 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     const auto append = [](std::string& text, const std::string& name, const std::string& value) {
         if (value.empty()) return;
         const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos;
-        text += (text.empty() ? "" : ", ") + (speaks ? value : name + " = " + value);
+        text += (text.empty() ? "" : ", ") + (speaks ? value : with_greek(name) + " = " + value);
     };
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool shared =

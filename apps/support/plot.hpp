@@ -20,7 +20,14 @@ struct Series {
     bool markers = true;  ///< besides the line
     bool line = true;
     std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
+    bool reference = false;  ///< such as exact values: drawn however many curves there are
 };
+
+/// Series::style from here to 7 has open markers, which show what lies below them.
+inline constexpr std::size_t first_open_marker = 4;
+
+/// As many curves with a label as a panel draws; its title says when there are more.
+inline constexpr std::size_t most_curves = 12;
 
 struct PlotRange {
     double low, high;

@@ -24,8 +24,18 @@ for number in 03 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20 21 22; do
     [ -s "$scratch/results/fig${number}a.csv" ] || fail "no fig${number}a.csv"
 done
 [ "$(ls "$scratch/results" | grep -c -v -e '\.csv$' -e '^index\.html$')" -eq 0 ] || fail "left over: $(ls "$scratch/results")"
-[ "$(head -n 1 "$scratch/results/claims.csv")" = "claim,figure,paper,measured,holds,expected,reason" ] ||
-    fail "columns of claims.csv"
-[ "$(wc -l <"$scratch/results/claims.csv")" -gt 25 ] || fail "fewer than 25 claims"
+claims=$scratch/results/claims.csv
+[ "$(head -n 1 "$claims")" = "claim,figure,paper,measured,holds,expected,reason,kind" ] || fail "columns of claims.csv"
+statements=$(grep -c ',statement$' "$claims") additions=$(grep -c ',addition$' "$claims")
+[ "$statements" -gt 25 ] || fail "fewer than 25 statements of the paper"
+[ $((statements + additions + 1)) -eq "$(wc -l <"$claims")" ] || fail "a claim is neither statement nor addition"
+grep -q "^$statements statements of the paper: .* $additions additions: all hold" "$scratch/out" || fail "$(cat "$scratch/out")"
+
+# The page quotes the paper in the row of each statement, and its contents lead somewhere.
+page=$scratch/results/index.html
+[ "$(grep -c '<td>“..*”</td>' "$page")" -ge "$statements" ] || fail "statements without the paper's words"
+links=$(grep -o 'href="#[^"]*"' "$page" | sed 's/href="#\(.*\)"/\1/')
+[ "$(echo "$links" | wc -l)" -ge 20 ] || fail "contents of the page: $links"
+for link in $links; do grep -q "id=\"$link\"" "$page" || fail "the contents lead nowhere: $link"; done
 
 finish

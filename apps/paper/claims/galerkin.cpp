@@ -1,0 +1,138 @@
+// Section 5.2, Galerkin's method in steady rolling: Figs. 11 to 13, and the conclusions on it.
+#include <algorithm>
+#include <limits>
+
+#include <gsl/gsl_integration.h>
+
+#include "lists.hpp"
+
+namespace paper {
+
+namespace {
+
+constexpr Derivative analytic = Derivative::analytic;
+constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = analytic};
+
+/// Time of a steady problem over that of collocation.
+double cost_ratio(const Case& c) {
+    double own = std::numeric_limits<double>::infinity(), collocation = own;
+    for (int run = 0; run < 5; ++run) {  // alternating, the shortest of each: calm on a busy machine
+        collocation = std::min(collocation, steady_time_us({.n = c.n}));
+        own = std::min(own, steady_time_us(c));
+    }
+    return own / collocation;
+}
+
+std::string times(double ratio) { return number(ratio, 2) + " times the time of collocation"; }
+
+/// How many of the 7 coincidences of a Gauss point with an element's edge show as a dip of c11, and the deepest.
+Finding dips() {
+    int dips = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < 7; ++i) {
+        double node = 0, weight = 0;
+        gsl_integration_glfixed_table* const table = gsl_integration_glfixed_table_alloc(7);
+        gsl_integration_glfixed_point(-1, 1, i, &node, &weight, table);
+        gsl_integration_glfixed_table_free(table);
+        const double alpha = 0.5 + node / 2;  // this point meets the leading edge of its element
+        const auto ratio = ratio_over({.method = Method::galerkin_7, .derivative = analytic}, Vary::both_alphas);
+        const double left = ratio(alpha - 0.01), here = ratio(alpha), right = ratio(alpha + 0.01);
+        const double dip = std::abs(here - (left + right) / 2);
+        if (dip > std::abs(right - left)) ++dips;
+        largest = std::max(largest, dip);
+    }
+    return {dips == 7, std::to_string(dips) + " dips at 7 coincidences (alpha_L = alpha_T), up to " + percent(largest) +
+                           " of c11"};
+}
+
+/// Whether collocation with finite differences and Galerkin in closed form with the analytic derivative are the same.
+Finding coincidence(const Results& r) {
+    const auto difference = [&](const std::string& first, const std::string& second) {
+        double largest = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            largest = std::max(
+                largest, largest_difference(within(r.curve(first, k), 0.1, 1), within(r.curve(second, k), 0.1, 1)));
+        }
+        return largest;
+    };
+    const double a = difference("05a", "12b"), b = difference("05b", "13a");
+    const double over_n = largest_difference(r.curve("13b", 0), r.curve("13b", 1));
+    const double quadrature = gauss_galerkin_difference(1000);
+    return {std::max({a, b, over_n}) < 1e-9 && quadrature < 1e-4,
+            "largest difference of c11*/c11: 12B and 5A " + number(a, 1) + ", 13A and 5B " + number(b, 1) +
+                " (alpha from 0.1 to 1), in 13B " + number(over_n, 1) + "; with 1000 Gauss points " +
+                number(quadrature, 1) + " (0/0.63)"};
+}
+
+}  // namespace
+
+std::vector<Claim> claims_of_galerkin() {
+    return {
+        {"11A", "obtains the best results", "Of the three ways alpha_L = 0 is the best (7 points, fd)", true, "",
+         [](const Results& r) -> Finding {
+             const auto errors = three_errors(r, "11a");
+             return {errors[1] < errors[0] && errors[1] < errors[2], three_texts(errors)};
+         }},
+        {"11A", "minimum error for alpha_T = alpha = 1", "alpha_L = 0 errs least at alpha_T = 1 (n = 40)", true,
+         "within [0, 1]; the true optimum lies beyond",
+         [](const Results& r) {
+             return optimum(on_paper_alphas(r, "11b"), {40}, 1, {.method = Method::galerkin_7}, Vary::alpha_T,
+                            {0.8, 1.2});
+         }},
+        {"11B", "this trend is maintained", "The same for n = 60 and 80", true, "",
+         [](const Results& r) {
+             const std::vector<Points> curves = on_paper_alphas(r, "11b");
+             return optimum({curves[1], curves[2]}, {60, 80}, 1, {.method = Method::galerkin_7}, Vary::alpha_T,
+                            {0.8, 1.2});
+         }},
+        {"12A", "characterised by dips", "Gauss points that meet element edges cause dips (7 points, analytic)", true,
+         "a dip: the error at the coincidence differs by more than twice the change expected from both sides",
+         [](const Results&) { return dips(); }},
+        {"12A", "observed in the curve alpha_T = 0",
+         "alpha_T = 0 is the most accurate of the three ways (7 points, analytic)", false,
+         "the indices are swapped, as in several captions: alpha_L = 0 is the most accurate",
+         [](const Results& r) -> Finding {
+             const auto errors = three_errors(r, "12a");
+             return {errors[2] < errors[0] && errors[2] < errors[1], three_texts(errors)};
+         }},
+        {"12B", "Again the curve alpha_L = 0 presents the best precision",
+         "Of the three ways alpha_L = 0 is the best (closed form, analytic)", true, "",
+         [](const Results& r) -> Finding {
+             const auto errors = three_errors(r, "12b");
+             return {errors[1] < errors[0] && errors[1] < errors[2], three_texts(errors)};
+         }},
+        {"13A", "reach 1 when alpha_T = 0.63",
+         "Galerkin in closed form, alpha_L = 0, is optimal at 0.63 for n = 40, 60 and 80", true,
+         "optimal as in Fig. 5B, with whose curves these coincide",
+         [](const Results& r) {
+             return optimum(on_paper_alphas(r, "13a"), fine, 0.63, exact_galerkin, Vary::alpha_T, {0.5, 0.7});
+         }},
+        {"12B, 13", "coincident with Figure 5.A",
+         "Galerkin in closed form with the analytic derivative is collocation with finite differences", true,
+         "the mean of the derivative over an element is the central difference: one formula gives both, and quadrature "
+         "with 1000 points confirms it",
+         coincidence},
+        {"Sec. 7", "", "The equivalence concerns G': G differs, and with it stability and response in time", true, "",
+         [](const Results&) -> Finding {
+             const double G_prime = G_prime_difference(exact_galerkin, {}), G = G_difference(exact_galerkin, {});
+             return {G_prime < 1e-12 && G > 1e-3, "largest difference of G' " + number(G_prime, 1) + ", of G " +
+                                                      percent(G) + " of the largest entry"};
+         }},
+        {"Sec. 7", "much more computationally expensive", "Galerkin with 7 Gauss points costs much more (n = 40)", true,
+         "much more: 3 times or above, assembly and solution of a steady problem",
+         [](const Results&) -> Finding {
+             const double ratio = cost_ratio({.method = Method::galerkin_7});
+             return {ratio >= 3, times(ratio)};
+         },
+         true},
+        {"Sec. 7", "", "With its integrals in closed form Galerkin costs about what collocation costs (n = 40)", true,
+         "about: less than twice",
+         [](const Results&) -> Finding {
+             const double ratio = cost_ratio(exact_galerkin);
+             return {ratio < 2, times(ratio)};
+         },
+         true},
+    };
+}
+
+}  // namespace paper
