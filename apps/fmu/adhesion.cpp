@@ -8,6 +8,7 @@
 // derivative. Co-simulation takes the exponential of the matrix where a stays, exact for slip and speed that do not
 // change within a step, and sdirk2 where it follows the load.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -38,10 +39,9 @@ enum class Length { fixed = 1, follows_load };
 
 const Enumeration directions{"Direction", {{"longitudinal"}, {"lateral"}}};
 
-const Enumeration lengths{
-    "ContactLength",
-    {{"fixed", "of nominal_load"},
-     {"follows_load", "of normal_load; plane kernel, changes of a below the distance rolled"}}};
+const Enumeration lengths{"ContactLength",
+                          {{"fixed", "of nominal_load"},
+                           {"follows_load", "of normal_load; plane kernel, changes of a below the distance rolled"}}};
 
 class Adhesion final : public Model {
 public:
@@ -171,13 +171,14 @@ public:
         status_ = value_of(status);
         if (status != StepStatus::ok) return outcome_of(status);
         half_length_ = half_length_at(load_.value);
-        if (!(softening() > 0)) {  // Lambda of so long a contact is not positive: the plane model grows in time
-            status_ = value_of(StepStatus::invalid_load);
-            return Outcome::refused;
-        }
+        const Scalar growth = growth_rate();
+        // an edge that does not roll forward; a contact so long that Lambda of the plane model is not positive
+        if (growth != 0 && std::abs(growth) >= speed_.value) status = StepStatus::needs_fixed_mesh;
+        if (!(softening() > 0)) status = StepStatus::invalid_load;
+        status_ = value_of(status);
+        if (status != StepStatus::ok) return outcome_of(status);
         slope_.noalias() = A_ * unknowns();
         rates_ = speed_.value * slope_;
-        const Scalar growth = growth_rate();
         if (growth != 0) rates_ += growth * by_position(slope_);
         rates_[0] -= slip_.value;
         force_ = half_length_ * force_weights_.dot(unknowns_);
@@ -315,7 +316,7 @@ private:
         const bool of_force = &unknown.real() == &force_, of_length = &unknown.real() == &half_length_;
         if (!of_force && !of_length && unknown.causality != Causality::derivative) return std::nullopt;
         if (known.causality != Causality::input && known.causality != Causality::state) return std::nullopt;
-        update();
+        if (update() != Outcome::ok) throw std::invalid_argument("there are no derivatives here");
         const Scalar growth = growth_rate();
         const bool by_load = follows_load() && &known.real() == &load_.value;
         const Scalar by_half_length = by_load ? half_length_by_load(load_.value) : Scalar(0);  // of a

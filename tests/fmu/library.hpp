@@ -25,8 +25,8 @@ public:
         hertz_.set(load / (2 * half_width), load_);
         const Step result = model_.advance(
             now_, duration * speed,
-            rollbem::RigidMotion<rollbem::Creepage<double>>::shift({duration * longitudinal, duration * lateral}), load_,
-            next_, workspace_);
+            rollbem::RigidMotion<rollbem::Creepage<double>>::shift({duration * longitudinal, duration * lateral}),
+            load_, next_, workspace_);
         if (result.status == rollbem::StepStatus::ok) std::swap(now_, next_);
         return result;
     }
@@ -45,8 +45,7 @@ private:
     }
 
     static rollbem::HertzLoad<double> hertz_of(const rollbem::HertzLine<double>& line, bool fixed, double length) {
-        const rollbem::Mesh<double> mesh =
-            fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
+        const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
         return fixed ? rollbem::HertzLoad<double>::fixed(line, mesh, length)
                      : rollbem::HertzLoad<double>::breathing(line, mesh);
     }
@@ -56,8 +55,7 @@ private:
                                                 .half_width = half_width,
                                                 .shear_modulus = shear_modulus,
                                                 .poisson_ratio = poisson_ratio});
-        const rollbem::Mesh<double> mesh =
-            fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
+        const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
         const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
         using Kernel = rollbem::PlaneKernel<double>;
         return Model(contact, rolling_system(mesh, scheme, Kernel::longitudinal(contact)),

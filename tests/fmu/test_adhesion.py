@@ -480,6 +480,17 @@ def test_what_model_exchange_refuses():
     instance.close()
 
 
+def test_what_model_exchange_refuses_of_a_load():
+    for values, status in (({"normal_load": 0.0}, "invalid_load"), ({"normal_load_rate": 1e10}, "needs_fixed_mesh"),
+                           ({"normal_load_rate": -1e10}, "needs_fixed_mesh"), ({"normal_load": 1e12}, "invalid_load")):
+        instance = Instance(fmu, True).start(**scene, contact_length=2, rolling_speed=V)
+        instance.rates()
+        instance.set(**values)
+        assert status_of(instance.rates) == discard
+        assert f"status = {status}" in instance.messages[-1], instance.messages
+        instance.close()
+
+
 def test_order_of_calls():
     instance = Instance(fmu)
     assert instance.step(0.0, 1e-3) == error
