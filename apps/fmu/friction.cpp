@@ -252,8 +252,8 @@ private:
                                *workspace_);
     }
 
-    // The library has no tangent by the distance rolled: central differences of the step itself, or one-sided ones of the
-    // same order where there is no room.
+    // The library has no tangent by the distance rolled: central differences of the step itself, or one-sided ones of
+    // the same order where there is no room.
     template <class Component>
     Scalar partial_by_speed(const Component& component) {
         const auto force_at = [&](Scalar distance) {

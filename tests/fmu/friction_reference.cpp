@@ -1,6 +1,6 @@
-// friction_reference follows|fixed: reads lines of duration [s], both slip velocities and the rolling speed [m/s] and the
-// load [N], and prints what the library answers to each step: both forces and the slip work to the last bit, and the
-// number of elements that stick. Ends with 1 at a step that is not ok.
+// friction_reference follows|fixed: reads lines of duration [s], both slip velocities and the rolling speed [m/s] and
+// the load [N], and prints what the library answers to each step: both forces and the slip work to the last bit, and
+// the number of elements that stick. Ends with 1 at a step that is not ok.
 #include <cstdio>
 #include <string_view>
 

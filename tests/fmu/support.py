@@ -75,8 +75,9 @@ class Instance:
 
     def rate(self, name, value):
         """Sets the derivative by time of an input."""
-        self.calls.fmi2SetRealInputDerivatives(self.calls.component, (fmi2.fmi2ValueReference * 1)(self.reference(name)),
-                                               1, (fmi2.fmi2Integer * 1)(1), (c_double * 1)(value))
+        reference = (fmi2.fmi2ValueReference * 1)(self.reference(name))
+        self.calls.fmi2SetRealInputDerivatives(self.calls.component, reference, 1, (fmi2.fmi2Integer * 1)(1),
+                                               (c_double * 1)(value))
 
     def last_successful_time(self):
         time = c_double()

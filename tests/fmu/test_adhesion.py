@@ -60,7 +60,8 @@ def test_validation():
 
 def test_step_response():
     distances = [0.5, 1, 2, 3, 5, 10, 20]
-    for (kind, arguments) in [("ModelExchange", {"solver": "CVode", "relative_tolerance": 1e-10}), ("CoSimulation", {})]:
+    exchange = {"solver": "CVode", "relative_tolerance": 1e-10}
+    for kind, arguments in (("ModelExchange", exchange), ("CoSimulation", {})):
         result = simulate_fmu(file, fmi_type=kind, stop_time=20 * a / V, output_interval=0.05 * a / V,
                               start_values=scene, input=history([0, 1], [creepage * V] * 2), output=["force"],
                               **arguments)
@@ -516,7 +517,8 @@ def test_reset_is_as_new():
     instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
     forces = instance.roll(duration, 5)
     instance.calls.reset()
-    assert instance.get("half_width") == float(next(v.start for v in fmu.description.modelVariables if v.name == "half_width"))
+    start = next(v.start for v in fmu.description.modelVariables if v.name == "half_width")
+    assert instance.get("half_width") == float(start)
     assert instance.start(**scene, rolling_speed=V, slip_velocity=creepage * V).roll(duration, 5) == forces
     instance.close()
 

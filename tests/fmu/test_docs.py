@@ -1,4 +1,4 @@
-"""test_docs.py FMU.md SCRIPT DESCRIBE...: the page holds the example's text, and the variables as the FMUs tell them."""
+"""test_docs.py PAGE SCRIPT DESCRIBE...: the page holds the example's text, and the variables as the FMUs tell them."""
 import subprocess
 import sys
 

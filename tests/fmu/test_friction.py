@@ -99,7 +99,8 @@ def test_steady_rolling_under_both_creepages():
             assert instance.step(i * 0.3 * a / V, 0.3 * a / V) == ok
         after = np.array([-instance.get(name) / (mu * 20 * N) for name in ("longitudinal_force", "lateral_force")])
         assert np.abs(after - before).max() < 1e-9
-        work = mu * 20 * N * creepage * 20 * 0.3 * a * (after @ [math.cos(math.radians(angle)), math.sin(math.radians(angle))])
+        direction = [math.cos(math.radians(angle)), math.sin(math.radians(angle))]
+        work = mu * 20 * N * creepage * 20 * 0.3 * a * (after @ direction)
         close_to(instance.get("slip_work"), work, 2e-3 if delta >= 0.5 else 6e-3, "slip work")
         instance.close()
 
@@ -147,7 +148,8 @@ def test_what_a_step_refuses():
         assert instance.step(5 * duration, duration) == discard, values
         assert status in instance.messages[-1] and "refused" in instance.messages[-1], instance.messages
         assert all(f"{name} = " in instance.messages[-1] for name in inputs)
-        names = [item.name for item in next(v for v in fmu.description.modelVariables if v.name == "status").declaredType.items]
+        variable = next(v for v in fmu.description.modelVariables if v.name == "status")
+        names = [item.name for item in variable.declaredType.items]
         assert names[instance.get("status") - 1] == status
         assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
         assert outcome(instance) == before
