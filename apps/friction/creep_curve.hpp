@@ -4,8 +4,11 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/status.hpp>
@@ -19,6 +22,20 @@
 
 namespace friction {
 
+/// Forces of the sweep that the rows do not show, for the picture: points of ratio and force for each scene.
+class OtherBranch {
+public:
+    void keep(std::size_t task, std::vector<std::pair<double, double>> points) {
+        const std::lock_guard lock(mutex_);
+        points_.insert_or_assign(task, std::move(points));
+    }
+    const std::map<std::size_t, std::vector<std::pair<double, double>>>& all() const { return points_; }
+
+private:
+    std::mutex mutex_;
+    std::map<std::size_t, std::vector<std::pair<double, double>>> points_;
+};
+
 /// What all rows need.
 struct CreepCurve {
     const study::Options& options;
@@ -28,6 +45,7 @@ struct CreepCurve {
     std::optional<FallingLaw> falling{};  ///< nothing where mu is constant
     std::string sweep{};                  ///< up or down: each point starts from its neighbour; empty: from scratch
     Profiles* profiles = nullptr;         ///< null where none are wanted
+    OtherBranch* other = nullptr;         ///< null without a sweep that is drawn
 
     bool timed() const;
     bool carter() const { return pressure.hertz && layer == 0 && !falling; }  ///< whether his closed form holds

@@ -97,27 +97,39 @@ struct BothDirections {
     }
 };
 
-/// The states that the points of a curve start from: at rest, or the neighbour's solution in the order of a sweep.
-template <class Directions>
-std::vector<typename Directions::Model::State> starts_of(const CreepCurve& curve, const study::Scene& scene,
-                                                         const typename Directions::Model& model) {
+/// The states that the points of a curve start from in a sweep, the solutions of their neighbours; `see` is told of
+/// the steps in its order.
+template <class Directions, class See>
+std::vector<typename Directions::Model::State> sweep(const CreepCurve& curve, const study::Scene& scene,
+                                                     const typename Directions::Model& model, bool up, const See& see) {
     const auto rest = model.at_rest();
     std::vector<typename Directions::Model::State> starts(curve.points.size(), rest);
-    if (curve.sweep.empty()) return starts;
     std::vector<std::size_t> order(curve.points.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
         const double x = curve.points[i].longitudinal, y = curve.points[j].longitudinal;
-        return curve.sweep == "up" ? x < y : y < x;
+        return up ? x < y : y < x;
     });
     auto state = rest, next = rest;
     auto workspace = model.workspace();
     for (const std::size_t i : order) {
         starts[i] = state;
         const auto step = model.solve(state, Directions::creepage(scene, curve.points[i]), next, workspace);
-        if (step.status == rollbem::StepStatus::ok) std::swap(state, next);
+        if (step.status != rollbem::StepStatus::ok) continue;
+        std::swap(state, next);
+        see(curve.points[i], step);
     }
     return starts;
+}
+
+/// The states that the points of a curve start from: at rest, or in a sweep.
+template <class Directions>
+std::vector<typename Directions::Model::State> starts_of(const CreepCurve& curve, const study::Scene& scene,
+                                                         const typename Directions::Model& model) {
+    if (curve.sweep.empty()) {
+        return std::vector<typename Directions::Model::State>(curve.points.size(), model.at_rest());
+    }
+    return sweep<Directions>(curve, scene, model, curve.sweep == "up", [](const CreepPoint&, const auto&) {});
 }
 
 /// The rows of a model; `assemble` is timed and does what its making costs.
@@ -176,8 +188,15 @@ void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
     const Surface surface{scene, curve.layer};
     const auto [G_prime, widths] = surface.gradient(Direction::longitudinal);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
-    rows_of<Falling>(curve, scene, task, range, emit, surface.falling_model(*curve.falling, means), means,
-                     is_consistent(G_prime, widths),
+    const SteadyFalling model = surface.falling_model(*curve.falling, means);
+    if (curve.other != nullptr) {
+        std::vector<std::pair<double, double>> points;
+        sweep<Falling>(curve, scene, model, curve.sweep != "up", [&](const CreepPoint& point, const auto& step) {
+            points.emplace_back(point.longitudinal, -step.force_per_width / mu_N);
+        });
+        curve.other->keep(task, std::move(points));
+    }
+    rows_of<Falling>(curve, scene, task, range, emit, model, means, is_consistent(G_prime, widths),
                      [&] { return surface.gradient(Direction::longitudinal).first(0, 0); });
 }
 

@@ -77,6 +77,12 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                        .apart = study::setting_columns()});
     for (study::Series& series : plot.series) series.line = false;
     const bool carter = curve.carter();
+    if (curve.other != nullptr) {
+        for (const auto& [task, points] : curve.other->all()) {
+            plot.series.push_back(
+                {.label = curve.sweep == "up" ? "sweep down" : "sweep up", .points = points, .markers = false});
+        }
+    }
     std::vector<double> ratios;
     for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
     if (carter) plot.series.push_back(carter_curve(ratios));

@@ -57,6 +57,9 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     Profiles profiles;
     if (tractions || options.given("plot")) curve.profiles = &profiles;
 
+    OtherBranch other;
+    if (!curve.sweep.empty() && options.given("plot")) curve.other = &other;
+
     study::Table table;
     table.columns = creep_columns();
     table.rows_of_task.assign(scenes.size(), curve.points.size());

@@ -1,6 +1,8 @@
 // rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp and combined.hpp: no step touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -247,6 +249,46 @@ TEST_CASE("A step under a load of its own does not allocate", "[friction]") {
                 const long after = allocations;
                 CAPTURE(n, breathing, name(integrator));
                 CHECK(ok);
+                CHECK(after == before);
+            }
+        }
+    }
+}
+
+TEST_CASE("Friction that falls with slip does not allocate, wherever its search leads", "[friction]") {
+    using Law = ExponentialFall<double>;
+    for (const double distance : {0.0, 2e-6}) {
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            for (const Eigen::Index n : {1, 40, 80}) {
+                const Contact<double> contact(
+                    {.half_length = 4e-3, .half_width = 4, .shear_modulus = 82e9, .poisson_ratio = 0.28});
+                const Mesh<double> mesh = cosine_mesh<double>(n);
+                const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
+                const FallingFrictionModel<Law> model(
+                    contact, rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel), unchecked,
+                    {{0.3, 0.18, 0.1}, {distance, 1e-3}, 495e6 * mean_hertz_pressure(mesh)}, integrator);
+                FallingFrictionState<double> now = model.at_rest(), next = now;
+                FallingFrictionWorkspace<double> workspace = model.workspace();
+                NormalLoad<double> load{now.normal_pressure, now.half_length, {}};
+                bool ok = true;
+                int most_rounds = 0;
+                const long before = allocations;
+                for (int k = 0; k < 120; ++k) {
+                    load.half_length = 4e-3 * (1 + 0.01 * std::sin(0.1 * k));
+                    const double dq = k % 40 == 39 ? 0 : 4e-4, duration = 4e-4 / 45, creepage = k < 60 ? 2e-3 : 5e-3;
+                    const auto motion = dq == 0 ? RigidMotion<double>::shift(1e-6) : RigidMotion<double>(creepage);
+                    const FrictionStep<double> step =
+                        k % 30 == 20           ? model.steady(now, creepage, 45, next, workspace)
+                        : k % 3 == 0 && dq > 0 ? model.advance(now, dq, duration, motion, load, next, workspace)
+                                               : model.advance(now, dq, duration, motion, next, workspace);
+                    ok = ok && step.status == StepStatus::ok;
+                    most_rounds = std::max(most_rounds, step.rounds);
+                    std::swap(now, next);
+                }
+                const long after = allocations;
+                CAPTURE(distance, name(integrator), n, most_rounds);
+                CHECK(ok);
+                CHECK((most_rounds > 20 || n == 1));
                 CHECK(after == before);
             }
         }

@@ -321,6 +321,8 @@ if command -v gnuplot >/dev/null; then
     grep -q lateral v.svg && grep -q load v.svg && ! grep -q Carter v.svg || fail 'load and lateral force in the plot'
     good 5 $study --n 20 --creepage-ratio 0.2,0.5 --lateral-ratio 0,0.3 --plot b.svg
     grep -q 'Longitudinal force' b.svg && grep -q 'Lateral force' b.svg || fail 'both forces in the plot'
+    good 9 $branches --sweep up --plot f.svg
+    grep -q 'sweep down' f.svg && ! grep -q Carter f.svg || fail 'both branches in the plot'
     good 41 $rolling --sine 1,1 --until 2 --plot l.svg
     grep -q Hysteresis l.svg || fail 'hysteresis in the plot'
 fi
