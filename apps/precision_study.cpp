@@ -34,7 +34,7 @@ using precision::Quantity;
 const std::vector<std::string> columns{"scheme", "n",        "quantity",    "relative_error", "time_us",
                                        "stable", "on_front", "model_error", "status",         "kernel",
                                        "aspect", "poisson",  "size_ratio",  "epsilon"};
-constexpr std::size_t first_setting = 9;  // of the columns
+constexpr std::size_t first_setting = 9, measured = 8;  // of the columns; --front does without those behind these
 
 // --- the command line
 
@@ -288,23 +288,27 @@ std::optional<double> read_cell(const std::string& text, const std::string& wher
 std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities) {
     study::Lines lines(options, "front");
     const std::string header = study::join(columns, ",");
+    const std::string short_header = study::join({columns.begin(), columns.begin() + measured}, ",");
+    std::size_t cells_expected = 0;
     std::vector<Point> points;
     while (lines.next()) {
         const std::string where = lines.where();
         const std::string& text = lines.text();
         if (lines.number() == 1) {
-            if (study::join(study::cells_of(text, ','), ",") != header) {
-                throw study::BadInput(where + " must be " + header);
-            }
+            const std::vector<std::string> names = study::cells_of(text, ',');
+            const std::string given = study::join(names, ",");
+            if (given != header && given != short_header) throw study::BadInput(where + " must be " + header);
+            cells_expected = names.size();
             continue;
         }
-        const std::vector<std::string> cells = study::cells_of(text, ',');
+        std::vector<std::string> cells = study::cells_of(text, ',');
         const auto known = [](const auto& list, const auto& name, const auto& name_of) {
             return std::any_of(list.begin(), list.end(), [&](const auto& item) { return name_of(item) == name; });
         };
-        if (cells.size() != columns.size()) {
-            throw study::BadInput(where + " must have " + std::to_string(columns.size()) + " cells");
+        if (cells.size() != cells_expected) {
+            throw study::BadInput(where + " must have " + std::to_string(cells_expected) + " cells");
         }
+        cells.resize(columns.size());
         if (!known(precision::scheme_names(), cells[0], [](const std::string& name) { return name; })) {
             throw study::BadInput(where + " must name a scheme: " + cells[0]);
         }
@@ -509,7 +513,7 @@ int main(int argc, char** argv) {
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const std::vector<Quantity> quantities = chosen_quantities(given);
         if (given.given("shard") || !study::has_times(given)) {
-            given.ignored("cheapest", "with --shard, --jobs or --no-timing, where times lack; use --front");
+            given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
         }
         study::Table table;
         table.columns = columns;
