@@ -71,14 +71,10 @@ int main(int argc, char** argv) {
         "verdict is right where |relative_error| <= bound, told where a status or an exception says why there is no\n"
         "result (column told), and broken where the promise of the case is not kept: then the exit code is 1, after "
         "all\n"
-        "rows. status is ok, the library's name of what went wrong, or exception. References are closed forms,
-"
-        "Bessel functions, the spectral solution of the strip, other solvers of the same elements, Chebyshev states,
-"
-        "or the same discretisation in long double; there the bound is what the condition, in the column condition,
-"
-        "makes of rounding.
-");
+        "rows. status is ok, the library's name of what went wrong, or exception. References are closed forms,\n"
+        "Bessel functions, the spectral solution of the strip, other solvers of the same elements, Chebyshev states,\n"
+        "or the same discretisation in long double; there the bound is what the condition, in the column condition,\n"
+        "makes of rounding.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.

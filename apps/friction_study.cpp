@@ -142,10 +142,10 @@ int main(int argc, char** argv) {
         "this row, in mu p0 a/G. slip_work: cumulative, in mu N mu p0 a/G. creepage is linear over a step (its\n"
         "end value with implicit-euler). rounds: of all solutions of a step, two with sdirk2.\n"
         "A scheme that is not certainly stable, or that steady rolling shows as inconsistent, is refused unless\n"
-        "--unchecked is given: friction bounds its tractions, but they are wrong, and status does not tell. The\n"
-        "check finds eigenvalues, in time of order n^3. With --unchecked status is unchecked where it would be ok. It "
-        "is\n"
-        "unresolved, and the forces empty, where OMEGA --dq > 1: fewer than six steps in a period of --sine.\n");
+        "--unchecked is given: friction bounds its tractions, but they are wrong. Then status is unchecked where it\n"
+        "would be ok. The check finds eigenvalues, in time of order n^3. Where OMEGA --dq > 1, fewer than six steps in "
+        "a\n"
+        "period of --sine, status is unresolved and the forces are empty.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The pressure.

@@ -34,7 +34,7 @@ using precision::Quantity;
 const std::vector<std::string> columns{"scheme", "n",        "quantity",    "relative_error", "time_us",
                                        "stable", "on_front", "model_error", "status",         "kernel",
                                        "aspect", "poisson",  "size_ratio",  "epsilon"};
-constexpr std::size_t first_setting = 9;  // of the columns
+constexpr std::size_t first_setting = 9, measured = 8;  // of the columns; --front does without those behind these
 
 // --- the command line
 
@@ -293,23 +293,27 @@ std::optional<double> read_cell(const std::string& text, const std::string& wher
 std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities) {
     study::Lines lines(options, "front");
     const std::string header = study::join(columns, ",");
+    const std::string short_header = study::join({columns.begin(), columns.begin() + measured}, ",");
+    std::size_t cells_expected = 0;
     std::vector<Point> points;
     while (lines.next()) {
         const std::string where = lines.where();
         const std::string& text = lines.text();
         if (lines.number() == 1) {
-            if (study::join(study::cells_of(text, ','), ",") != header) {
-                throw study::BadInput(where + " must be " + header);
-            }
+            const std::vector<std::string> names = study::cells_of(text, ',');
+            const std::string given = study::join(names, ",");
+            if (given != header && given != short_header) throw study::BadInput(where + " must be " + header);
+            cells_expected = names.size();
             continue;
         }
-        const std::vector<std::string> cells = study::cells_of(text, ',');
+        std::vector<std::string> cells = study::cells_of(text, ',');
         const auto known = [](const auto& list, const auto& name, const auto& name_of) {
             return std::any_of(list.begin(), list.end(), [&](const auto& item) { return name_of(item) == name; });
         };
-        if (cells.size() != columns.size()) {
-            throw study::BadInput(where + " must have " + std::to_string(columns.size()) + " cells");
+        if (cells.size() != cells_expected) {
+            throw study::BadInput(where + " must have " + std::to_string(cells_expected) + " cells");
         }
+        cells.resize(columns.size());
         if (!known(precision::scheme_names(), cells[0], [](const std::string& name) { return name; })) {
             throw study::BadInput(where + " must name a scheme: " + cells[0]);
         }
@@ -515,17 +519,14 @@ int main(int argc, char** argv) {
         "largest of its scheme at this and every larger n, so that no change of sign passes for precision. It is\n"
         "empty for polynomial and closed-form, and with --shard or --jobs above 1, where times lack: put the shards\n"
         "together and use --front. With the strip kernel model_error is what the model alone makes of the error.\n"
-        "status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
-"
-        "scheme reaches the tolerance. size_ratio and epsilon are empty but for geometric and knothe.
-"
-        "Without --n, c11_z* stop at n = 320, step_force and those of friction at 160: two to three minutes in all.
-");
+        "status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no\n"
+        "scheme reaches the tolerance. size_ratio and epsilon are empty but for geometric and knothe.\n"
+        "Without --n, c11_z* stop at n = 320, step_force and those of friction at 160: two to three minutes in all.\n");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const std::vector<Quantity> quantities = chosen_quantities(given);
         if (given.given("shard") || !study::has_times(given)) {
-            given.ignored("cheapest", "with --shard, --jobs or --no-timing, where times lack; use --front");
+            given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
         }
         study::Table table;
         table.columns = columns;

@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
     options.add("accuracy", "X", "the integrator's relative accuracy, 1e-14 to 0.1 (dimensionless)", "1e-10");
     options.add("steps", "N", "largest step: this part of a period of the oscillation, 20 to 10000 (dimensionless)",
                 "200");
-    options.add("tolerance", "X", "largest error that is allowed (dimensionless)", "0.01");
+    options.add("tolerance", "X", "largest error that is allowed, above 0 (dimensionless)", "0.01");
     options.footer(
         "Example: a fine contact with a multistep integrator\n"
         "  simbody_wheel --n 80 --steps 1000 --integrator cpodes\n"

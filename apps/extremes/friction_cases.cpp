@@ -87,7 +87,7 @@ void add_strips(std::vector<Case>& cases) {
     const auto named = [](double aspect, double ratio) {
         return "stick border, strip, b/a = " + shown(aspect) + ", delta = " + shown(ratio);
     };
-    for (const double aspect : {0.05, 0.3, 1.0, 10.0, 1e3}) {
+    for (const double aspect : {0.02, 0.05, 0.3, 1.0, 10.0, 1e3}) {
         // Hardly any slip: full adhesion but for a part that is of order delta, delta/2 on the plane and up to eight
         // times as much on narrow strips. The solution's own estimate counts, which is in units of mu N.
         for (const double ratio : {1e-9, 1e-6}) {

@@ -59,6 +59,9 @@ good() {
 # check WHAT CONDITION: an awk expression that holds in every row of the file out.
 check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
 
+# column NAME: its number in the file out.
+column() { head -n 1 out | tr ',' '\n' | grep -nx "$1" | cut -d: -f1; }
+
 # header NAMES: the first columns of the file out.
 header() {
     case $(head -n 1 out) in

@@ -42,7 +42,9 @@ bad '--schemes = all has no effect with --front' "$precision" --front ../wrong -
 
 # --- columns, rows, numbers
 good 47 "$precision" --n 20 --quantity c11,traction,c11_z1,friction_force --cheapest cheapest.csv
-header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error
+header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status,kernel,aspect,poisson,size_ratio,epsilon
+check 'status and settings' '($9 == "ok") == ($4 != "") && $10 == "plane" && $11 == 1000 && $12 > 0.27'
+check 'gradings' '($13 == "") == ($1 != "geometric") && ($14 == "") == ($1 != "knothe")'
 is() { awk -F, -v s="$1" -v q="$2" '$1 == s && $3 == q { ok = '"$3"' } END { exit !ok }' out || fail "$1: $2: $(grep "$1.*$2" out)"; }
 is uniform-0.5/0.5 c11 '($4 / 7.543e-3 - 1) ^ 2 < 1e-6 && $6 == 1'
 is uniform-0/0.63 c11 '($4 / -3.1e-5 - 1) ^ 2 < 1e-3 && $6 == 1'
@@ -58,10 +60,10 @@ is polynomial c11_z1 '$4 < 1e-14 && $7 == ""'
 is closed-form c11_z1 '$2 == "" && $4 < 1e-14 && $7 == ""'
 check 'times, and no model error' '$5 > 0 && $8 == "" && $4 < 0.1'
 check 'a front of elements and states' '($7 == "") == ($1 == "polynomial" || $1 == "closed-form")'
-grep -q ',1,1,$' out || fail 'an empty front'
-[ "$(head -n 1 cheapest.csv)" = quantity,tolerance,among,scheme,n,relative_error,time_us ] &&
+grep -q ',1,1,,ok,' out || fail 'an empty front'
+[ "$(head -n 1 cheapest.csv)" = quantity,tolerance,among,scheme,n,relative_error,time_us,status ] &&
     [ "$(wc -l <cheapest.csv)" -eq 177 ] || fail "cheapest.csv"
-grep -q '^c11,1e-12,elements,,,,$' cheapest.csv && grep -q '^c11,1e-2,stable-elements,[a-z]' cheapest.csv &&
+grep -q '^c11,1e-12,elements,,,,,none$' cheapest.csv && grep -q '^c11,1e-2,stable-elements,[a-z]' cheapest.csv &&
     grep -q '^c11_z1,1e-12,stable,chebyshev-states,20,' cheapest.csv && grep -q '^c11_z1,1e-12,elements,,' cheapest.csv &&
     grep -q '^c11_z1,1e-12,all,[cp]' cheapest.csv || fail "cheapest schemes: $(cat cheapest.csv)"
 good 5 "$precision" --n 4,6 --schemes ' cosine , knothe' --quantity c11
@@ -144,7 +146,9 @@ adds_up "$programs/friction_study" --n 5,8 --creepage-ratio 0.5,1.1
 adds_up "$programs/friction_study" --n 5 --transient --creepage-ratio 0.5 --until 1
 adds_up "$precision" --n 4,6 --schemes cosine,uniform-0/0.63,chebyshev-states,polynomial --quantity c11,c11_z1
 
-# --- --front: of the whole nothing but itself, of shards the columns that were empty
+# --- --front: of the whole nothing but itself, of shards the columns that were empty, and of one contact only
+sed '3s/,1000,/,100,/' whole >mixed
+bad 'line 3 must have the kernel, aspect, poisson' "$precision" --front ../mixed
 "$precision" --front whole >again || fail '--front'
 cmp -s whole again || fail '--front changes a whole'
 "$precision" --front parts --quantity c11 --cheapest cheapest.csv >filled || fail '--front of parts'
