@@ -33,7 +33,8 @@ grep -q "^$statements statements of the paper: .* $additions additions: all hold
 
 # The page quotes the paper in the row of each statement, and its contents lead somewhere.
 page=$scratch/results/index.html
-[ "$(grep -c '<td>“..*”</td>' "$page")" -ge "$statements" ] || fail "statements without the paper's words"
+failing=$(sed -n 's/.*hold, \([0-9]*\) do not hold as printed.*/\1/p' "$scratch/out")  # their rows appear twice
+[ "$(grep -c '<td>“..*”</td>' "$page")" -eq $((statements + failing)) ] || fail "statements without the paper's words"
 links=$(grep -o 'href="#[^"]*"' "$page" | sed 's/href="#\(.*\)"/\1/')
 [ "$(echo "$links" | wc -l)" -ge 20 ] || fail "contents of the page: $links"
 for link in $links; do grep -q "id=\"$link\"" "$page" || fail "the contents lead nowhere: $link"; done
