@@ -324,6 +324,17 @@ TEST_CASE("Two directions: input out of place is refused, or named by the status
     now.traction.setConstant(1e308);
     const Step lost = model.advance(now, 0.2, Creepage<double>{1e308, 1e308}, next, workspace);
     CHECK(lost.status != StepStatus::ok);
+    for (const Integrator integrator : integrators) {
+        const CombinedFrictionModel<double> own = scene.transient(integrator);
+        for (Eigen::Index k = 0; k < 2 * own.size(); ++k) {
+            State spoilt = own.at_rest();
+            spoilt.traction(k % own.size(), k / own.size()) = nan;
+            const Step step = own.advance(spoilt, 0.2, creepage, next, workspace);
+            CHECK(step.status == StepStatus::not_finite);
+            CHECK(std::isnan(step.force.longitudinal));
+            CHECK(std::isnan(next.traction(k % own.size(), k / own.size())));
+        }
+    }
 }
 
 }  // namespace

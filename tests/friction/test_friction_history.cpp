@@ -164,6 +164,33 @@ TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothi
     }
 }
 
+TEST_CASE("Zones of a state that are no zones cost rounds, not the solution", "[friction]") {
+    const Scene scene(cosine_mesh<double>(30), half, 1, 100);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        FrictionWorkspace<double> workspace = model.workspace();
+        FrictionState<double> now = model.at_rest(), next = now;
+        for (int k = 0; k < 40; ++k) {
+            model.advance(now, 0.1, creepage(1.5), next, workspace);
+            std::swap(now, next);
+        }
+        const FrictionStep<double> expected = model.advance(now, 0.1, creepage(1.5), next, workspace);
+        REQUIRE(expected.status == StepStatus::ok);
+        const std::vector<Zone> zones = next.zones;
+        for (std::size_t i = 0; i < now.zones.size(); ++i) {
+            for (const int other : {-127, -2, 2, 127}) {
+                FrictionState<double> spoilt = now;
+                spoilt.zones[i] = static_cast<Zone>(other);
+                const FrictionStep<double> step = model.advance(spoilt, 0.1, creepage(1.5), next, workspace);
+                CAPTURE(i, other);
+                CHECK(step.status == StepStatus::ok);
+                CHECK(step.force_per_width == Approx(expected.force_per_width).epsilon(1e-9));
+                CHECK(next.zones == zones);
+            }
+        }
+    }
+}
+
 TEST_CASE("A state of another system is refused, and nothing is written", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), half, 1, 10);
     const FrictionModel<double> model = scene.transient();

@@ -105,10 +105,11 @@ public:
         return settle(from, creepage, {load.normal_pressure, load.half_length}, to, workspace);
     }
 
-    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling. `from` is never written; `to`
-    /// must be another state of as many elements. It is left alone where the status is invalid_step or wrong_state or
-    /// the motion is not finite, and becomes a copy of `from` where the result is not finite. The result depends on
-    /// `from` and the motion alone, to the last bit. No allocation; a new dq costs a factorisation.
+    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling, under the load of `from`. `from`
+    /// is never written; `to` must be another state of as many elements. It is left alone where the status is
+    /// invalid_step, wrong_state, invalid_load or needs_fixed_mesh or the motion is not finite, and becomes a copy of
+    /// `from` where the result is not finite. The result depends on `from` and the motion alone, to the last bit. No
+    /// allocation; a new dq costs a factorisation.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to,
                  Workspace& workspace) const noexcept {
         const Load load{from.normal_pressure, from.half_length};
@@ -118,8 +119,7 @@ public:
         return roll<false>(stages, from, dq / core_.half_length(), motion, load, to, workspace);
     }
 
-    /// The same under a load that goes evenly from that of `from` to this one at the end of the step. `to` is left alone
-    /// where the status is invalid_load or needs_fixed_mesh, too. Where a system can breathe (log_strength), the mesh
+    /// The same under a load that goes evenly from that of `from` to this one at the end of the step. Where a system can breathe (log_strength), the mesh
     /// follows the half-length, |da| < dq; a new half-length costs a factorisation, new pressures cost none. Steps end
     /// where the load has kinks, or they lose the second order of sdirk2.
     LoadedStep advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const NormalLoad<Scalar>& load,

@@ -120,10 +120,11 @@ private:
     }
     Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
 
-    // What has no bound cannot stick.
+    // What has no bound cannot stick. A state read from a file may hold other numbers than those of Zone.
     void start_from(const Vector& bound, const std::vector<Zone>& zones) {
         for (Index i = 0; i < size(); ++i) {
-            const Scalar sign = static_cast<Scalar>(static_cast<signed char>(zones[static_cast<std::size_t>(i)]));
+            const int zone = static_cast<signed char>(zones[static_cast<std::size_t>(i)]);
+            const Scalar sign = zone > 0 ? Scalar(1) : zone < 0 ? Scalar(-1) : Scalar(0);
             set_zone(i, sign == 0 && bound[i] == 0 ? Scalar(1) : sign);
         }
     }

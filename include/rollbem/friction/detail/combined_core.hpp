@@ -133,7 +133,7 @@ public:
     struct Course {
         Scalar residual = 0;
         int rounds = 0;
-        bool tangent_exists = true, solved = true;
+        bool tangent_exists = true, solved = true, finite = true;
     };
 
     /// One stage, c = imposed - displacement, under memory.pressure; its slip counts `weight` times. Its tractions are
@@ -149,7 +149,8 @@ public:
         course.residual = std::max(course.residual, outcome.residual);
         course.rounds += outcome.rounds;
         course.tangent_exists = course.tangent_exists && outcome.tangent_exists;
-        course.solved = course.solved && outcome.status == StepStatus::ok && is_finite(outcome.residual);
+        course.solved = course.solved && outcome.status == StepStatus::ok;
+        course.finite = course.finite && is_finite(outcome.residual);  // a maximum may lose what is not a number
         memory.slip += weight * memory.solver.slip();
         memory.start = memory.solver.traction();
         for (Eigen::Index d = 0; d < 2; ++d) {
@@ -168,7 +169,7 @@ public:
         const Force force = sum(memory.start, load.half_length * shear_modulus_);
         const Scalar work = memory.work.sum();
         if (!is_finite(force.longitudinal) || !is_finite(force.lateral) || !is_finite(work) ||
-            !all_finite(memory.slip) || !is_finite(course.residual)) {
+            !all_finite(memory.slip) || !course.finite) {
             memory.slip.setZero();
             memory.work.setZero();
             to.traction = from.traction;
