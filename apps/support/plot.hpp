@@ -20,7 +20,7 @@ struct Series {
     bool markers = true;  ///< besides the line
     bool line = true;
     std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
-    bool reference = false;  ///< such as exact values: drawn however many curves there are
+    bool reference = false;              ///< such as exact values: drawn however many curves there are
 };
 
 /// Series::style from here to 7 has open markers, which show what lies below them.
