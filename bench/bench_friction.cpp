@@ -114,13 +114,13 @@ void BM_FrictionStepSdirk2(benchmark::State& state) { steps_unchanged(state, Int
 BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // The same where mu falls with slip, 45 m/s, with a memory of 10 um, at 0.6 of the largest force.
-void BM_FrictionStepFalling(benchmark::State& state) {
+void falling_steps_unchanged(benchmark::State& state, bool with_tangents) {
     constexpr double a = 4e-3, speed = 45;
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
     const Contact<double> contact(
         {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
     const FallingFriction<ExponentialFall<double>> friction{
-        {0.3, 0.18, 0.1}, {10e-6, 1e-3}, 495.169e6 * mean_hertz_pressure(mesh)};
+        {0.3, 0.18, 0.1}, {10e-6, 1e-3}, 495.169e6 * mean_hertz_pressure(mesh), with_tangents};
     const FallingFrictionModel<ExponentialFall<double>> model(
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
         friction, Integrator::implicit_euler);
@@ -141,7 +141,10 @@ void BM_FrictionStepFalling(benchmark::State& state) {
     state.counters["n"] = static_cast<double>(state.range(0));
     state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
 }
+void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(state, false); }
 BENCHMARK(BM_FrictionStepFalling)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_FrictionStepFallingTangent(benchmark::State& state) { falling_steps_unchanged(state, true); }
+BENCHMARK(BM_FrictionStepFallingTangent)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A cycle of sinusoidal creepage. Counters: rounds a step, and the share of the steps in which elements change.
 void steps_changing(benchmark::State& state, Integrator integrator) {

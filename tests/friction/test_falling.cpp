@@ -438,6 +438,26 @@ TEST_CASE("Results depend on state and arguments, to the last bit, and on nothin
     }
 }
 
+TEST_CASE("Without tangents a step is the same", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), 5e-6);
+    FallingFriction<Law> friction = scene.friction();
+    friction.with_tangents = false;
+    const FallingFrictionModel<Law> with = scene.transient(),
+                                    without(scene.contact, scene.system(), unchecked, friction);
+    auto workspace = with.workspace(), other_workspace = workspace;
+    State now = with.at_rest(), next = now, other = now;
+    for (int k = 1; k <= 30; ++k) {
+        const double creepage = 3e-3 * std::sin(0.2 * k);
+        const Step step = with.advance(now, 0.1 * a, 0.1 * a / speed, creepage, next, workspace),
+                   same = without.advance(now, 0.1 * a, 0.1 * a / speed, creepage, other, other_workspace);
+        CHECK(step.force == same.force);
+        CHECK((next.friction_coefficient == other.friction_coefficient).all());
+        CHECK(std::isfinite(step.tangent));
+        CHECK(std::isnan(same.tangent));
+        std::swap(now, next);
+    }
+}
+
 TEST_CASE("What is out of range is refused", "[friction]") {
     Scene scene(cosine_mesh<double>(10), 1e-6);
     const auto refused = [&](const Law& bad, const Memory& memory, const char* words) {

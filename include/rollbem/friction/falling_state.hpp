@@ -26,6 +26,9 @@ struct FallingFriction {
     Law law;                         ///< mu_s(v) [-] of v [m/s]: a SlipLaw
     SlipMemory<Scalar> memory;       ///< {} for none
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa] as in CoulombFriction
+    /// Whether results come with their tangent by the creepage: a factorisation for the elements that slip, in time of
+    /// order n^3, in each stage. Without, it is not a number.
+    bool with_tangents = true;
 };
 
 /// What the next step needs of the past: besides tractions, zones and load the coefficients of friction.

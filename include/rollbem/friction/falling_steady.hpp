@@ -48,14 +48,16 @@ public:
                        const Kernel& kernel, const FallingFriction<Law, Scalar>& friction)
         : model_(contact, mesh, scheme, kernel, detail::checked_pressure("SteadyFallingModel", friction)),
           law_(friction.law),
-          memory_(friction.memory) {}
+          memory_(friction.memory),
+          with_tangents_(friction.with_tangents) {}
 
     /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a).
     SteadyFallingModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                        const FallingFriction<Law, Scalar>& friction)
         : model_(contact, std::move(G_prime), widths, detail::checked_pressure("SteadyFallingModel", friction)),
           law_(friction.law),
-          memory_(friction.memory) {}
+          memory_(friction.memory),
+          with_tangents_(friction.with_tangents) {}
 
     Eigen::Index size() const { return model_.size(); }                 ///< number of unknown elements
     std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< of G', widths, contact and pressures
@@ -77,7 +79,7 @@ public:
         if (possible == StepStatus::ok && !(detail::is_finite(speed) && speed > 0)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
         detail::FallingStages<Law, Scalar> stages(law_, memory_, from.friction_coefficient, speed,
-                                                  model_.core_.widths(), from.half_length, workspace);
+                                                  model_.core_.widths(), from.half_length, with_tangents_, workspace);
         const Step step = model_.solve(stages, from, creepage, to, workspace);
         detail::hand_over(step, from, workspace.friction_, to);
         return step;
@@ -89,6 +91,7 @@ private:
     SteadyFrictionModel<Scalar> model_;
     Law law_;
     SlipMemory<Scalar> memory_;
+    bool with_tangents_;
 };
 
 template <class Scalar, class Scheme, class Kernel, class Law>

@@ -50,7 +50,8 @@ public:
         : model_(contact, std::move(system), verdict, detail::checked_pressure("FallingFrictionModel", friction),
                  integrator),
           law_(friction.law),
-          memory_(friction.memory) {
+          memory_(friction.memory),
+          with_tangents_(friction.with_tangents) {
         require_points();
     }
 
@@ -60,7 +61,8 @@ public:
         : model_(contact, std::move(system), unchecked, detail::checked_pressure("FallingFrictionModel", friction),
                  integrator),
           law_(friction.law),
-          memory_(friction.memory) {
+          memory_(friction.memory),
+          with_tangents_(friction.with_tangents) {
         require_points();
     }
 
@@ -135,7 +137,8 @@ private:
         if (possible != StepStatus::ok) return Core::failed(possible);
         const Scalar unit = model_.core_.half_length();
         Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.system_.points() : nullptr,
-                      from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, workspace);
+                      from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, with_tangents_,
+                      workspace);
         if constexpr (loaded) model_.core_.begin_tangents(ArrayX<Scalar>(), false, workspace);  // none by the load
         const Step step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
         detail::hand_over(step, from, workspace.friction_, to);
@@ -150,7 +153,7 @@ private:
         if (possible == StepStatus::ok && !positive(speed)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
         Stages stages(law_, memory_, from.friction_coefficient, speed, model_.core_.widths(), load.half_length,
-                      workspace);
+                      with_tangents_, workspace);
         const Step step =
             model_.core_.solve_steady(stages, from, creepage, model_.system_.G_prime(), load, to, workspace);
         detail::hand_over(step, from, workspace.friction_, to);
@@ -162,6 +165,7 @@ private:
     FrictionModel<Scalar> model_;
     Law law_;
     SlipMemory<Scalar> memory_;
+    bool with_tangents_;
 };
 
 }  // namespace rollbem

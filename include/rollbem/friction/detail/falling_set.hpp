@@ -94,7 +94,7 @@ public:
             outcome.change = residual_.cwiseAbs().maxCoeff();
         };
         find(friction);
-        const Scalar settled = 8 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon() *
+        const Scalar settled = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon() *
                                std::max(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
         Scalar scale = residual_.norm();
         for (int restart = 0;; ++restart) {

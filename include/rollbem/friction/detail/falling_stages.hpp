@@ -59,9 +59,10 @@ public:
     /// of the equations; null where nothing is remembered. Keeps references to all but the numbers.
     FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>* points,
                   const ArrayX<Scalar>& friction, Scalar unit, Scalar dq, Scalar duration, Scalar half_length,
-                  Workspace& workspace) noexcept
+                  bool with_tangents, Workspace& workspace) noexcept
         : law_(law),
           memory_(memory),
+          with_tangents_(with_tangents),
           points_(points),
           start_(friction),
           unit_(unit),
@@ -75,9 +76,10 @@ public:
 
     /// Of steady rolling at a speed [m/s]: each particle has come from the element ahead. Widths in the half-length [m].
     FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>& friction, Scalar speed,
-                  const Vector& widths, Scalar half_length, Workspace& workspace) noexcept
+                  const Vector& widths, Scalar half_length, bool with_tangents, Workspace& workspace) noexcept
         : law_(law),
           memory_(memory),
+          with_tangents_(with_tangents),
           start_(friction),
           steady_(true),
           velocity_per_slip_(speed),
@@ -121,6 +123,7 @@ public:
             workspace_.set_.solve(law_, memory_, passage(pressure), zones, solver, workspace_.friction_);
         outcome.solution.residual = std::max(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
+        outcome.solution.tangent_exists = outcome.solution.tangent_exists && with_tangents_;
         pressure_ = &pressure;
         return outcome.solution;
     }
@@ -147,6 +150,7 @@ private:
 
     const Law& law_;
     const SlipMemory<Scalar>& memory_;
+    bool with_tangents_;
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     bool steady_ = false, second_ = false;
