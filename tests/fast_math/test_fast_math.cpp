@@ -196,6 +196,79 @@ TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {
     CHECK((far.status != StepStatus::ok || finite(far.force_per_width)));
 }
 
+TEST_CASE_METHOD(Fixture, "fast math: friction in two directions", "[fast_math]") {
+    using Model = CombinedFrictionModel<double>;
+    using Vector = Creepage<double>;
+    using Motion = RigidMotion<Vector>;
+    const ElementSystem<double> lateral = rolling_system(mesh, scheme, StripKernel<double>::lateral(contact));
+    for (const double value : {nan, infinity, -infinity}) {
+        CoulombFriction<double> law = friction;
+        law.friction_coefficient = value;
+        CHECK_THAT(refusal([&] { Model(contact, good, lateral, unchecked, law); }),
+                   ContainsSubstring("friction_coefficient = "));
+        law = friction;
+        law.normal_pressure[2] = value;
+        CHECK_THAT(refusal([&] { Model(contact, good, lateral, unchecked, law); }),
+                   ContainsSubstring("normal_pressure = "));
+        MatrixX<double> spoilt = lateral.G_prime();
+        spoilt(3) = value;
+        CHECK_THAT(refusal([&] { SteadyCombinedModel<double>(contact, good.G_prime(), spoilt, widths, friction); }),
+                   ContainsSubstring("lateral G_prime(3, 0) = "));
+    }
+    const SteadyCombinedModel<double> steady(contact, good.G_prime(), lateral.G_prime(), widths, friction);
+    const NormalLoad<double> load{friction.normal_pressure, contact.half_length(), {}};
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const Model model(contact, good, lateral, unchecked, friction, integrator);
+        CombinedFrictionWorkspace<double> workspace = model.workspace();
+        const Model::State now = model.at_rest(), still = steady.at_rest();
+        Model::State next = now, rolling = still;
+        const Vector creepage{0.5, 0.3};
+        CHECK(model.advance(now, 0.1, creepage, next, workspace).status == StepStatus::ok);
+        CHECK(model.advance(now, 0.1, creepage, load, next, workspace).status == StepStatus::ok);
+        CHECK(steady.solve(still, creepage, rolling, workspace).status == StepStatus::ok);
+        for (const double value : {nan, infinity, -infinity}) {
+            CHECK(model.advance(now, value, creepage, next, workspace).status == StepStatus::invalid_step);
+            for (const Vector& spoilt : {Vector{value, 0.3}, Vector{0.5, value}}) {
+                CHECK(model.advance(now, 0.1, spoilt, next, workspace).status == StepStatus::not_finite);
+                CHECK(model.advance(now, 0.1, Motion::linear(creepage, spoilt), next, workspace).status ==
+                      StepStatus::not_finite);
+                CHECK(model.shift(now, spoilt, next, workspace).status == StepStatus::not_finite);
+                CHECK(model.steady(now, spoilt, next, workspace).status == StepStatus::not_finite);
+                CHECK(steady.solve(still, spoilt, rolling, workspace).status == StepStatus::not_finite);
+                CHECK(!finite(steady.solve(still, spoilt, rolling, workspace).force_per_width.lateral));
+            }
+            for (Eigen::Index k = 0; k < 2 * n; ++k) {
+                Model::State spoilt = now;
+                spoilt.traction(k) = value;
+                const CombinedFrictionStep<double> step = model.advance(spoilt, 0.1, creepage, next, workspace);
+                CHECK(step.status == StepStatus::not_finite);
+                CHECK(!finite(step.force_per_width.longitudinal));
+                CHECK(!finite(model.elastic_energy(spoilt)));
+            }
+        }
+        for (const double value : {nan, infinity, -infinity, -1.0}) {
+            NormalLoad<double> pressed = load, long_one = load;
+            pressed.normal_pressure[2] = value;
+            long_one.half_length = value;
+            CHECK(model.advance(now, 0.1, creepage, pressed, next, workspace).status == StepStatus::invalid_load);
+            CHECK(model.advance(now, 0.1, creepage, long_one, next, workspace).status == StepStatus::invalid_load);
+            Model::State spoilt = now;
+            spoilt.normal_pressure[2] = value;
+            CHECK(model.advance(spoilt, 0.1, creepage, next, workspace).status == StepStatus::invalid_load);
+            spoilt = now;
+            spoilt.half_length = value;
+            CHECK(model.advance(spoilt, 0.1, creepage, next, workspace).status == StepStatus::invalid_load);
+        }
+        // tangents that nobody asked for
+        const LoadedCombinedStep<double> step = model.advance(now, 0.1, creepage, load, next, workspace);
+        CHECK(!finite(step.tangent_by_load.longitudinal));
+        CHECK(!finite(step.tangent_by_half_length.lateral));
+        const CombinedFrictionStep<double> far = model.advance(now, 1e3, Vector{1e308, 1e308}, next, workspace);
+        CHECK((far.status != StepStatus::ok ||
+               (finite(far.force_per_width.longitudinal) && finite(far.force_per_width.lateral))));
+    }
+}
+
 TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
     const auto refuses = [](const std::string& quantity, const std::function<void(double)>& call,
                             const std::vector<double>& values = {nan, infinity, -infinity}) {

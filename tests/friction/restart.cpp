@@ -11,9 +11,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <rollbem/adhesion/transient.hpp>
+#include <rollbem/normal/hertz_load.hpp>
 
 #include "scene.hpp"
 
@@ -30,6 +32,113 @@ double read(std::istream& file) {
     if (!(file >> bits)) throw std::runtime_error("restart: the file is cut short");
     return std::bit_cast<double>(bits);
 }
+
+// A state with friction, in one direction or in both.
+template <class State>
+void write_state(std::ostream& file, const State& state) {
+    file << state.system << '\n';
+    for (const double p : state.traction.reshaped()) write(file, p);
+    for (const double p : state.normal_pressure) write(file, p);
+    write(file, state.half_length);
+    for (const auto zone : state.zones) file << static_cast<int>(zone) << '\n';
+}
+// Into a state of as many elements, of which nothing is left.
+template <class State>
+void read_state(std::istream& file, State& state) {
+    file >> state.system;
+    for (double& p : state.traction.reshaped()) p = read(file);
+    for (double& p : state.normal_pressure) p = read(file);
+    state.half_length = read(file);
+    for (auto& zone : state.zones) {
+        int value = 9;
+        file >> value;
+        zone = static_cast<std::remove_reference_t<decltype(zone)>>(value);
+    }
+}
+
+// Friction under a load that varies, on a mesh that breathes or on a fixed one, in one direction and in both. Some steps
+// take no load: those go on under the one that the state knows.
+struct LoadedRide {
+    LoadedRide(const Mesh<double>& mesh, bool breathes, Integrator integrator)
+        : hertz(breathes ? HertzLoad<double>::breathing(line(), mesh)
+                         : HertzLoad<double>::fixed(line(), mesh, 1.3 * line().half_length())),
+          load(hertz.at(line().load_per_width())),
+          contact({.half_length = load.half_length,
+                   .half_width = 100 * load.half_length,
+                   .shear_modulus = 1,
+                   .poisson_ratio = nu}),
+          along(rolling_system(mesh, half, PlaneKernel<double>::longitudinal(contact))),
+          one(contact, along, unchecked, {1, load.normal_pressure}, integrator),
+          both(contact, along, rolling_system(mesh, half, PlaneKernel<double>::lateral(contact)), unchecked,
+               {1, load.normal_pressure}, integrator) {}
+
+    static HertzLine<double> line() {
+        return HertzLine<double>({.load_per_width = full_force,
+                                  .combined_radius = 1 / (4 * peak * (1 - nu * nu)),
+                                  .body_1 = {1, nu},
+                                  .body_2 = {1, nu}});
+    }
+
+    void roll(int first, int last) {
+        for (int k = first; k < last; ++k) {
+            const double a = load.half_length, dq = (k % 7 == 0 ? 0.4 : 0.1) * a;
+            const Creepage<double> xi{creepage(std::sin(0.3 * k)), creepage(0.8 * std::cos(0.2 * k))};
+            FrictionState<double> next = now;
+            CombinedFrictionState<double> both_next = both_now;
+            if (k % 4 == 2) {
+                static_cast<FrictionStep<double>&>(result) = one.advance(now, dq, xi.longitudinal, next, workspace);
+                static_cast<CombinedFrictionStep<double>&>(both_result) =
+                    both.advance(both_now, dq, xi, both_next, both_workspace);
+            } else {
+                hertz.set(full_force * (1 + 0.5 * std::sin(0.1 * k)), load);
+                result = one.advance(now, dq, xi.longitudinal, load, next, workspace);
+                both_result = both.advance(both_now, dq, xi, load, both_next, both_workspace);
+            }
+            std::swap(now, next);
+            std::swap(both_now, both_next);
+        }
+    }
+    void save(std::ostream& file) const {
+        write_state(file, now);
+        write_state(file, both_now);
+        write(file, load.half_length);
+    }
+    void load_from(std::istream& file) {
+        read_state(file, now);
+        read_state(file, both_now);
+        load.half_length = read(file);
+    }
+    void save_results(std::ostream& file) const {
+        for (const double x :
+             {result.force, result.tangent, result.tangent_by_load, result.tangent_by_half_length,
+              result.slip_work_per_width, result.complementarity_residual, both_result.force.longitudinal,
+              both_result.force.lateral, both_result.tangent.by_lateral.longitudinal,
+              both_result.tangent_by_load.lateral, both_result.tangent_by_half_length.lateral,
+              both_result.slip_work_per_width, both_result.complementarity_residual}) {
+            write(file, x);
+        }
+        file << name(result.status) << '\n' << name(both_result.status) << '\n';
+        save(file);
+    }
+    void require_solved() const {
+        for (const StepStatus status : {result.status, both_result.status}) {
+            if (status != StepStatus::ok) throw std::runtime_error(name(status));
+        }
+    }
+
+    HertzLoad<double> hertz;
+    NormalLoad<double> load;
+    Contact<double> contact;
+    ElementSystem<double> along;
+    FrictionModel<double> one;
+    CombinedFrictionModel<double> both;
+    FrictionState<double> now = one.at_rest();
+    CombinedFrictionState<double> both_now = both.at_rest();
+    FrictionWorkspace<double> workspace = one.workspace();
+    CombinedFrictionWorkspace<double> both_workspace = both.workspace();
+    LoadedFrictionStep<double> result;
+    LoadedCombinedStep<double> both_result;
+};
 
 // The states of one scene: with friction by both integrators, and in full adhesion.
 struct Ride {
@@ -58,29 +167,13 @@ struct Ride {
     }
 
     void save(std::ostream& file) const {
-        for (const FrictionState<double>& state : states) {
-            file << state.system << '\n';
-            for (const double p : state.traction) write(file, p);
-            for (const double p : state.normal_pressure) write(file, p);
-            write(file, state.half_length);
-            for (const Zone zone : state.zones) file << static_cast<int>(zone) << '\n';
-        }
+        for (const FrictionState<double>& state : states) write_state(file, state);
         file << sticking.system << '\n';
         write(file, sticking.half_length);
         for (const double p : sticking.traction) write(file, p);
     }
-    void load(std::istream& file) {
-        for (FrictionState<double>& state : states) {
-            file >> state.system;
-            for (double& p : state.traction) p = read(file);
-            for (double& p : state.normal_pressure) p = read(file);
-            state.half_length = read(file);
-            for (Zone& zone : state.zones) {
-                int value = 9;
-                file >> value;
-                zone = static_cast<Zone>(value);
-            }
-        }
+    void load_from(std::istream& file) {
+        for (FrictionState<double>& state : states) read_state(file, state);
         file >> sticking.system;
         sticking.half_length = read(file);
         for (double& p : sticking.traction) p = read(file);
@@ -99,6 +192,12 @@ struct Ride {
         save(file);
     }
 
+    void require_solved() const {
+        for (const FrictionStep<double>& step : results) {
+            if (step.status != StepStatus::ok) throw std::runtime_error(name(step.status));
+        }
+    }
+
     FrictionModel<double> models[2];
     TransientModel<double> adhesion;
     FrictionState<double> states[2];
@@ -108,38 +207,47 @@ struct Ride {
     TransientStep<double> result;
 };
 
+template <class Ride>
+void save(Ride ride, std::ostream& file) {
+    ride.roll(0, steps / 2);
+    ride.save(file);
+    ride.roll(steps / 2, steps);
+    ride.save_results(file);
+    file << "end\n";
+    ride.require_solved();
+}
+
+template <class Ride>
+void resume(Ride ride, std::istream& file) {
+    ride.load_from(file);
+    ride.roll(steps / 2, steps);
+    std::stringstream found;
+    ride.save_results(found);
+    found << "end\n";
+    std::string expected, word;
+    while (word != "end" && file >> word) expected += word + '\n';
+    if (found.str() != expected || word != "end") throw std::runtime_error("restart: another result");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
     const std::string what = argc == 3 ? argv[1] : "";
     if (what != "save" && what != "resume") throw std::runtime_error("restart: save FILE or resume FILE");
-    Ride rides[] = {Ride(Scene(cosine_mesh<double>(30), half, 1, 10)),
-                    Ride(Scene(cosine_mesh<double>(21), {.alpha_L = 0, .alpha_T = 0.63}, 1, 10))};
+    const Ride rides[] = {Ride(Scene(cosine_mesh<double>(30), half, 1, 10)),
+                          Ride(Scene(cosine_mesh<double>(21), {.alpha_L = 0, .alpha_T = 0.63}, 1, 10))};
+    const LoadedRide loaded[] = {LoadedRide(cosine_mesh<double>(24), true, Integrator::sdirk2),
+                                 LoadedRide(uniform_mesh<double>(30), false, Integrator::sdirk2),
+                                 LoadedRide(cosine_mesh<double>(24), true, Integrator::implicit_euler)};
     if (what == "save") {
         std::ofstream file(argv[2]);
-        for (Ride& ride : rides) {
-            ride.roll(0, steps / 2);
-            ride.save(file);
-            ride.roll(steps / 2, steps);
-            ride.save_results(file);
-            file << "end\n";
-            for (const FrictionStep<double>& step : ride.results) {
-                if (step.status != StepStatus::ok) throw std::runtime_error(name(step.status));
-            }
-        }
+        for (const Ride& ride : rides) save(ride, file);
+        for (const LoadedRide& ride : loaded) save(ride, file);
         return file.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
     }
     std::ifstream file(argv[2]);
-    for (Ride& ride : rides) {
-        ride.load(file);
-        ride.roll(steps / 2, steps);
-        std::stringstream found;
-        ride.save_results(found);
-        found << "end\n";
-        std::string expected, line, word;
-        while (word != "end" && file >> word) expected += word + '\n';
-        if (found.str() != expected || word != "end") throw std::runtime_error("restart: another result");
-    }
+    for (const Ride& ride : rides) resume(ride, file);
+    for (const LoadedRide& ride : loaded) resume(ride, file);
     return EXIT_SUCCESS;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

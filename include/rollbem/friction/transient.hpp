@@ -121,7 +121,9 @@ public:
 
     /// The same under a load that goes evenly from that of `from` to this one at the end of the step. Where a system can breathe (log_strength), the mesh
     /// follows the half-length, |da| < dq; a new half-length costs a factorisation, new pressures cost none. Steps end
-    /// where the load has kinks, or they lose the second order of sdirk2.
+    /// where the load has kinks, or they lose the second order of sdirk2. No status tells where a contact grows so far
+    /// that Lambda of the plane kernel, with b over the new half-length, is no longer positive: a mode grows in time then
+    /// until all slips, even with the creepage. a is then above 2.4b.
     LoadedStep advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const NormalLoad<Scalar>& load,
                        State& to, Workspace& workspace) const noexcept {
         StepStatus possible = load.check(system_.element_count());
