@@ -458,7 +458,7 @@ TEST_CASE("Without tangents a step is the same", "[friction]") {
     }
 }
 
-TEST_CASE("What is out of range is refused", "[friction]") {
+TEST_CASE("A falling law out of range is refused", "[friction]") {
     Scene scene(cosine_mesh<double>(10), 1e-6);
     const auto refused = [&](const Law& bad, const Memory& memory, const char* words) {
         const FallingFriction<Law> friction{bad, memory, scene.pressure()};
