@@ -53,8 +53,9 @@ public:
 
 private:
     Model::State state(const Tractions& tractions) const {
-        return {Eigen::VectorXd::Map(tractions.data(), static_cast<Eigen::Index>(tractions.size())),
-                model_.fingerprint()};
+        Model::State state = model_.at_rest();
+        state.traction = Eigen::VectorXd::Map(tractions.data(), static_cast<Eigen::Index>(tractions.size()));
+        return state;
     }
     static Tractions values(const Model::State& state) { return {state.traction.begin(), state.traction.end()}; }
 
