@@ -36,7 +36,7 @@ constexpr double periods = 2.5;
 /// The contact for Simbody's force element.
 class RolledContact final : public driven_wheel::Contact {
 public:
-    explicit RolledContact(const Model& model) : model_(model) {}
+    explicit RolledContact(const Model& model) : model_(model), half_length_(model.at_rest().half_length) {}
 
     Tractions steady(double creepage) const { return values(model_.steady(creepage)); }
 
@@ -53,13 +53,13 @@ public:
 
 private:
     Model::State state(const Tractions& tractions) const {
-        Model::State state = model_.at_rest();
-        state.traction = Eigen::VectorXd::Map(tractions.data(), static_cast<Eigen::Index>(tractions.size()));
-        return state;
+        return {Eigen::VectorXd::Map(tractions.data(), static_cast<Eigen::Index>(tractions.size())),
+                model_.fingerprint(), half_length_};
     }
     static Tractions values(const Model::State& state) { return {state.traction.begin(), state.traction.end()}; }
 
     const Model& model_;
+    double half_length_;  // a [m]
 };
 
 /// The sliding speed V - R omega = w under the contact's force: s w - w_0 = -kappa c11(s) w, in V/a.
