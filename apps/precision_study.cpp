@@ -440,7 +440,8 @@ study::Plot panel(const std::string& quantity, const std::vector<study::Row>& ro
         plot.series.push_back({.label = "1e-14 or less",
                                .points = {{*first, floor}, {*last, floor}},
                                .markers = false,
-                               .style = 2 * (black + 1) + black});
+                               .style = 2 * (black + 1) + black,
+                               .reference = true});
     }
     return plot;
 }
