@@ -6,60 +6,21 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <string>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
 
+#include "drawn_scenes.hpp"
 #include "support/catch.hpp"
 
 namespace {
 
 using namespace rollbem;
-using Vectors = ElementVectors<double>;
-using Matrices = std::array<MatrixX<double>, 2>;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : generator_(seed) {}
-    int integer(int count) { return static_cast<int>(generator_() % static_cast<unsigned>(count)); }
-    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
-    double decades(double low, double high) { return std::pow(10, uniform(low, high)); }
-
-private:
-    std::mt19937_64 generator_;
-};
-
-// Tractions in circles of radius `bound` that the projected fixed point p = P(p - r s) leaves alone, s = M p + c, from
-// the leading element on; nothing where it does not get there.
-std::optional<Vectors> fixed_point(const Matrices& M, const Vectors& c, const ArrayX<double>& bound) {
-    Vectors p = Vectors::Zero(bound.size(), 2);
-    for (int sweep = 0; sweep < 20000; ++sweep) {
-        double change = 0;
-        for (Eigen::Index i = bound.size() - 1; i >= 0; --i) {
-            const double reach = 0.7 / std::max(M[0](i, i), M[1](i, i));
-            Eigen::RowVector2d moved;
-            for (Eigen::Index d = 0; d < 2; ++d) {
-                const MatrixX<double>& matrix = M[static_cast<std::size_t>(d)];
-                moved[d] = p(i, d) - reach * (matrix.row(i).dot(p.col(d)) + c(i, d));
-            }
-            if (moved.norm() > bound[i]) moved *= bound[i] / moved.norm();
-            change = std::max(change, (moved - p.row(i)).norm());
-            p.row(i) = moved;
-        }
-        if (change <= 1e-15 * bound.maxCoeff()) return p;
-    }
-    return std::nullopt;
-}
+using drawn_scenes::Draw, drawn_scenes::from_environment, drawn_scenes::Matrices, drawn_scenes::Tally,
+    drawn_scenes::Vectors;
 
 // Both directions of the plane at a = a_0, lengths in a_0 and G = 1, and what half-lengths make of them.
 struct Surface {
@@ -87,7 +48,7 @@ struct Surface {
         Vectors constant = -U;
         constant.col(0).array() += part * dq * creepage.longitudinal;
         constant.col(1).array() += part * dq * creepage.lateral;
-        return fixed_point(slip, constant, bound);
+        return drawn_scenes::projected_fixed_point(slip, constant, bound);
     }
     std::optional<Vectors> step(Integrator integrator, double dq, double a, double a_end,
                                 const Creepage<double>& creepage, const Vectors& p, const ArrayX<double>& bound,
@@ -101,10 +62,6 @@ struct Surface {
         const Vectors between = U + (1 - g) / g * (displacement(*p_1, a_1) - U);
         return stage(g, dq, da, a_end, creepage, between, bound_end);
     }
-};
-
-struct Tally {
-    int compared = 0, mixed = 0;
 };
 
 // A few steps under loads of every kind, each compared with the fixed point.

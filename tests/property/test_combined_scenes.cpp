@@ -3,60 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <random>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
 
+#include "drawn_scenes.hpp"
 #include "support/catch.hpp"
 
 namespace {
 
 using namespace rollbem;
 
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
-// Tractions within their circles that the projected fixed point p = P(p - r s) leaves alone, s = M p + c: element by
-// element from the leading edge on, as slip is decided by what lies ahead. Not a number where it does not get there.
-ElementVectors<double> fixed_point(const MatrixX<double>& x, const MatrixX<double>& y,
-                                   const ElementVectors<double>& constant, const VectorX<double>& bound) {
-    const Eigen::Index n = bound.size();
-    ElementVectors<double> p = ElementVectors<double>::Zero(n, 2);
-    for (int sweep = 0; sweep < 40000; ++sweep) {
-        double change = 0;
-        for (Eigen::Index i = n - 1; i >= 0; --i) {
-            const double reach = 0.7 / std::max(x(i, i), y(i, i));
-            double along = p(i, 0) - reach * (x.row(i).dot(p.col(0)) + constant(i, 0));
-            double across = p(i, 1) - reach * (y.row(i).dot(p.col(1)) + constant(i, 1));
-            const double norm = std::hypot(along, across);
-            if (norm > bound[i]) {
-                along *= bound[i] / norm;
-                across *= bound[i] / norm;
-            }
-            change = std::max(change, std::hypot(along - p(i, 0), across - p(i, 1)));
-            p(i, 0) = along;
-            p(i, 1) = across;
-        }
-        if (change <= 1e-15 * bound.maxCoeff()) return p;
-    }
-    return ElementVectors<double>::Constant(n, 2, std::numeric_limits<double>::quiet_NaN());
-}
-
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : generator_(seed) {}
-    int integer(int count) { return static_cast<int>(generator_() % static_cast<unsigned>(count)); }
-    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
-    double decades(double low, double high) { return std::pow(10, uniform(low, high)); }
-
-private:
-    std::mt19937_64 generator_;
-};
+using drawn_scenes::Draw, drawn_scenes::from_environment, drawn_scenes::Tally;
 
 Mesh<double> draw_mesh(Draw& draw) {
     const Eigen::Index n = 1 + draw.integer(14);
@@ -66,10 +24,6 @@ Mesh<double> draw_mesh(Draw& draw) {
         default: return cosine_mesh<double>(n);
     }
 }
-
-struct Tally {
-    int compared = 0, mixed = 0;
-};
 
 // A ride of a few steps and shifts under pressures and creepages of every kind, each compared with the fixed point.
 template <class Kernel>
@@ -129,9 +83,8 @@ void ride(Draw& draw, double aspect, Tally& tally) {
         REQUIRE(step.status == StepStatus::ok);
         REQUIRE(step.complementarity_residual < 1e-10);
         REQUIRE(step.slip_work_per_width >= 0);
-        const ElementVectors<double> p = fixed_point(x, y, constant, bound);
-        if (p.allFinite()) {
-            REQUIRE((p * G - next.traction).cwiseAbs().maxCoeff() <= 1e-8 * mu * peak);
+        if (const auto p = drawn_scenes::projected_fixed_point({x, y}, constant, bound)) {
+            REQUIRE((*p * G - next.traction).cwiseAbs().maxCoeff() <= 1e-8 * mu * peak);
             ++tally.compared;
             tally.mixed += step.stick_count > 0 && step.stick_count < n ? 1 : 0;
         }

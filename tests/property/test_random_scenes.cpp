@@ -17,6 +17,7 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
 
+#include "drawn_scenes.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -26,10 +27,7 @@ using Matrix = MatrixX<double>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
+using drawn_scenes::from_environment;
 
 using Scheme = std::variant<Collocation, Galerkin, KnotheBoundary>;
 

@@ -23,10 +23,10 @@ namespace rollbem {
 /// SteadyFrictionModel with mu of the slip velocity. Const and free of caches: threads may share it, as far as they may
 /// share the law.
 ///
-/// Where mu falls steeply and has no memory, there may be several solutions at one creepage, with different places where
-/// slip begins; one is returned that the coefficients and zones of `from` lead to, in the end the nearest as a rule. A
-/// creep curve that starts each point from the one before so follows its branch until that ends. From at_rest(), with
-/// mu_s(0) everywhere, it is that of much friction.
+/// Where mu falls steeply and has no memory, there may be several solutions at one creepage, which differ in where slip
+/// begins. The one returned is as a rule the nearest to `from`, so that a creep curve that starts each point from the
+/// one before follows its branch until that ends. From at_rest(), where mu = mu_s(0) everywhere, it is the branch of
+/// high friction.
 ///
 ///     const SteadyFallingModel model(contact, mesh, scheme, kernel, FallingFriction<ExponentialFall<>>{law, memory, p});
 ///     FallingFrictionWorkspace<double> workspace = model.workspace();

@@ -3,8 +3,11 @@
 
 #include "../detail/language.hpp"
 
+#include <cstdint>
+
 #include <Eigen/Core>
 
+#include "../detail/fingerprint.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
@@ -37,6 +40,14 @@ CoulombFriction<Scalar> checked_friction(const char* who, const CoulombFriction<
     require(friction.normal_pressure.maxCoeff() > 0, who, "largest normal_pressure",
             friction.normal_pressure.maxCoeff(), "be positive");
     return {friction.friction_coefficient, friction.normal_pressure.head(count)};
+}
+
+/// A state belongs to the pressures of its model, too: one of other pressures would go on under those it had.
+template <class Scalar>
+std::uint64_t fingerprint_of_law(const CoulombFriction<Scalar>& friction) {
+    Fingerprint fingerprint;
+    fingerprint.add(friction.normal_pressure);
+    return fingerprint.value();
 }
 
 }  // namespace detail

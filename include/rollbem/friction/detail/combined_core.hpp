@@ -50,12 +50,8 @@ public:
           shear_modulus_(contact.shear_modulus()),
           widths_(widths.matrix()),
           slip_work_(widths, points),
-          fingerprint_(fingerprint_of(contact, system)),
-          friction_(std::move(friction)) {
-        Fingerprint of_law;
-        of_law.add(friction_.normal_pressure);
-        fingerprint_ ^= of_law.value();
-    }
+          fingerprint_(fingerprint_of(contact, system) ^ fingerprint_of_law(friction)),
+          friction_(std::move(friction)) {}
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }

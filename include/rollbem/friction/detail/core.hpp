@@ -314,12 +314,6 @@ private:
         return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
     }
 
-    static std::uint64_t fingerprint_of_law(const CoulombFriction<Scalar>& friction) {
-        Fingerprint fingerprint;
-        fingerprint.add(friction.normal_pressure);
-        return fingerprint.value();
-    }
-
     Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
     VectorX<Scalar> widths_;
     SlipWork<Scalar> slip_work_;

@@ -1,0 +1,62 @@
+// What tests of scenes drawn at random share: how many, from which seed, the draws, and a solver for both directions
+// that shares nothing with the library's.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <random>
+
+#include <Eigen/Core>
+
+namespace drawn_scenes {
+
+inline std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+class Draw {
+public:
+    explicit Draw(std::uint64_t seed) : generator_(seed) {}
+    int integer(int count) { return static_cast<int>(generator_() % static_cast<unsigned>(count)); }
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
+    double decades(double low, double high) { return std::pow(10, uniform(low, high)); }
+
+private:
+    std::mt19937_64 generator_;
+};
+
+using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+using Matrices = std::array<Eigen::MatrixXd, 2>;
+
+/// Tractions in circles of radius `bound` that the projected fixed point p = P(p - r s) leaves alone, s = M p + c:
+/// element by element from the leading edge on, as slip is decided by what lies ahead. Nothing where it does not get
+/// there.
+inline std::optional<Vectors> projected_fixed_point(const Matrices& M, const Vectors& c, const Eigen::ArrayXd& bound) {
+    Vectors p = Vectors::Zero(bound.size(), 2);
+    for (int sweep = 0; sweep < 40000; ++sweep) {
+        double change = 0;
+        for (Eigen::Index i = bound.size() - 1; i >= 0; --i) {
+            const double reach = 0.7 / std::max(M[0](i, i), M[1](i, i));
+            Eigen::RowVector2d moved(p(i, 0) - reach * (M[0].row(i).dot(p.col(0)) + c(i, 0)),
+                                     p(i, 1) - reach * (M[1].row(i).dot(p.col(1)) + c(i, 1)));
+            const double size = std::hypot(moved[0], moved[1]);
+            if (size > bound[i]) moved *= bound[i] / size;
+            change = std::max(change, std::hypot(moved[0] - p(i, 0), moved[1] - p(i, 1)));
+            p.row(i) = moved;
+        }
+        if (change <= 1e-15 * bound.maxCoeff()) return p;
+    }
+    return std::nullopt;
+}
+
+/// How many scenes could be compared, and in how many of them some elements stick and others slip.
+struct Tally {
+    int compared = 0, mixed = 0;
+};
+
+}  // namespace drawn_scenes
