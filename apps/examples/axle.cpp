@@ -48,7 +48,7 @@ struct Axle {
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
         const auto system = rollbem::rolling_system(mesh, rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                                     rollbem::PlaneKernel<double>::longitudinal(contact));
-        return {contact, system, rollbem::verdict(system), {friction, hertz.mean_pressure(mesh)}};
+        return {contact, system, rollbem::judge_stability(system), {friction, hertz.mean_pressure(mesh)}};
     }
 };
 

@@ -101,7 +101,8 @@ Account ride(Eigen::Index n, int steps_per_wave) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
     const auto system = rollbem::rolling_system(mesh, rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                                 rollbem::PlaneKernel<double>::longitudinal(contact));
-    const Model model(contact, system, rollbem::verdict(system), {friction_coefficient, line.mean_pressure(mesh)});
+    const Model model(contact, system, rollbem::judge_stability(system),
+                      {friction_coefficient, line.mean_pressure(mesh)});
     const auto hertz = rollbem::HertzLoad<double>::breathing(line, mesh);
     rollbem::NormalLoad<double> load = hertz.at(line.load_per_width());
 

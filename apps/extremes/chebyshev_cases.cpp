@@ -223,7 +223,7 @@ void add_time(std::vector<Case>& cases) {
                                              .condition = *result.cond_G,
                                              .bound = bound,
                                              .told = told_by(result.status)};
-                             if (!rollbem::verdict(result).stable()) outcome.told = "not certainly stable";
+                             if (!rollbem::judge_stability(result).stable()) outcome.told = "not certainly stable";
                              return outcome;
                          }});
     }

@@ -32,7 +32,7 @@ Model stable_model(const rollbem::Contact<double>& contact, Integrator integrato
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
     const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
     const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, equal, kernel);
-    return {contact, system, rollbem::verdict<double>(system), integrator};
+    return {contact, system, rollbem::judge_stability<double>(system), integrator};
 }
 
 /// Force per width after `count` steps of dq [m] at unit creepage, from rest.
@@ -126,7 +126,7 @@ void add_spectra(std::vector<Case>& cases) {
                              Outcome outcome{.value = result.spectral_abscissa,
                                              .condition = *result.cond_G,
                                              .told = told_by(result.status)};
-                             if (!rollbem::verdict(result).stable()) outcome.told = "not certainly stable";
+                             if (!rollbem::judge_stability(result).stable()) outcome.told = "not certainly stable";
                              return compare(outcome, reference, bound);
                          }});
     }
@@ -138,7 +138,7 @@ void add_refusals(std::vector<Case>& cases) {
             const rollbem::Mesh<double> mesh = rollbem::uniform_mesh(n);
             const auto kernel = rollbem::StripKernel<double>::longitudinal(contact(aspect));
             const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
-            const Model model(contact(aspect), system, rollbem::verdict<double>(system));
+            const Model model(contact(aspect), system, rollbem::judge_stability<double>(system));
             return roll(model, 1, 1);
         };
     };

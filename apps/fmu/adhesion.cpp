@@ -228,7 +228,7 @@ private:
         const bool longitudinal = direction_ == static_cast<int>(Direction::longitudinal);
         const auto system = rolling_system(rollbem::Chebyshev{.states = state_count},
                                            longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact));
-        model_.emplace(contact, system, verdict(system),
+        model_.emplace(contact, system, judge_stability(system),
                        follows_load() ? rollbem::Integrator::sdirk2 : rollbem::Integrator::matrix_exponential);
         A_ = system.rates();
         weights_ = system.weights();

@@ -227,7 +227,7 @@ private:
         const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
         const auto longitudinal = rolling_system(mesh, scheme, Kernel::longitudinal(contact));
         const auto lateral = rolling_system(mesh, scheme, Kernel::lateral(contact));
-        model_.emplace(contact, longitudinal, verdict(longitudinal), lateral, verdict(lateral),
+        model_.emplace(contact, longitudinal, judge_stability(longitudinal), lateral, judge_stability(lateral),
                        rollbem::CoulombFriction<Scalar>{friction_coefficient_, end_load_.normal_pressure});
         workspace_.emplace(model_->workspace());
     }

@@ -133,7 +133,7 @@ Eigen::Index unstable_count(const Case& c) {
     return slow.unstable_count;
 }
 
-bool certainly_unstable(const Case& c) { return rollbem::verdict<double>(system_of(c)).certainly_unstable(); }
+bool certainly_unstable(const Case& c) { return rollbem::judge_stability<double>(system_of(c)).certainly_unstable(); }
 
 std::optional<double> critical_alpha_T(const Case& c) {
     const rollbem::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};

@@ -131,7 +131,7 @@ std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSys
 
 void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (options.flag("unchecked")) return;
-    const rollbem::StabilityVerdict verdict = rollbem::verdict<double>(system);
+    const rollbem::StabilityVerdict verdict = rollbem::judge_stability<double>(system);
     const std::string scheme = "n = " + std::to_string(scene.n()) + ": the scheme ";
     if (verdict.status != rollbem::Status::ok) {
         throw BadInput(scheme + "has eigenvalues that were not found; they must be, or --unchecked be given");

@@ -63,7 +63,7 @@ TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]")
     CHECK(*result.uncertain_count == 1);
     CHECK(*result.settled_unstable_count == 0);
     CHECK(*result.cond_G > 1e14);
-    CHECK_FALSE(verdict(result).stable());
+    CHECK_FALSE(judge_stability(result).stable());
 
     // exactly singular: no division by a zero beta
     const StabilityResult<double> singular =
@@ -93,7 +93,7 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
     CHECK(result.uncertainty.size() == 0);
     CHECK_FALSE(result.uncertain_count.has_value());
     CHECK_FALSE(result.cond_G.has_value());
-    CHECK_THROWS_WITH(verdict(result), Catch::Matchers::ContainsSubstring("settle_signs"));
+    CHECK_THROWS_WITH(judge_stability(result), Catch::Matchers::ContainsSubstring("settle_signs"));
 
     const Matrix U = dense::orthogonal_factor(random_matrix(4, 3)), V = dense::orthogonal_factor(random_matrix(4, 4));
     const Matrix scaled = product(U * Eigen::Vector4d(3, 1, 1e-3, 3e-9).asDiagonal(), V);

@@ -54,8 +54,8 @@ TEST_CASE("Strides do not change what every step finds", "[stability]") {
         CHECK(strided == critical_alpha_T(mesh, scheme_of, strip(), {.largest_stride = 1}));
         CAPTURE(mesh.size(), strided.value_or(-1));
         if (!strided) return;
-        CHECK(verdict(rolling_system(mesh, scheme_of(*strided), strip())).certainly_unstable());
-        CHECK_FALSE(verdict(rolling_system(mesh, scheme_of(*strided - 1e-5), strip())).certainly_unstable());
+        CHECK(judge_stability(rolling_system(mesh, scheme_of(*strided), strip())).certainly_unstable());
+        CHECK_FALSE(judge_stability(rolling_system(mesh, scheme_of(*strided - 1e-5), strip())).certainly_unstable());
     };
     for (const int n : {4, 9, 16, 25, 40}) {
         check(uniform_mesh(n), collocation);
@@ -96,7 +96,7 @@ TEST_CASE("Galerkin's method turns unstable later", "[stability]") {
         CHECK(*open.cond_G > 1e16);
         CHECK(*open.uncertain_count > n / 5);
         CHECK(*open.settled_unstable_count == 0);
-        CHECK_FALSE(verdict(open).stable());
+        CHECK_FALSE(judge_stability(open).stable());
     }
     CHECK(critical_alpha_T(uniform_mesh(80), galerkin, kernel, {.first = 1.05}).value_or(-1) > 1.05);
     CHECK(count_unstable(rolling_system(uniform_mesh(320), galerkin(0.63), kernel)).unstable_count == 0);

@@ -25,7 +25,8 @@ TransientModel<double> make_model(Eigen::Index n, const Collocation& scheme, Int
 }
 
 StabilityVerdict make_verdict(Eigen::Index n, const Collocation& scheme) {
-    return verdict(rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())));
+    return judge_stability(
+        rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())));
 }
 
 /// Free motion after a kick, q from 0 to steps * dq: the forces, and the state's size at the end relative to the
@@ -104,7 +105,7 @@ TEST_CASE("A verdict decides whether a model is built", "[transient]") {
     const auto build = [](const Mesh<double>& mesh, const Collocation& scheme) {
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact());
         TransientModel<double>(contact(), rolling_system(mesh, scheme, kernel),
-                               verdict(rolling_system(mesh, scheme, kernel)));
+                               judge_stability(rolling_system(mesh, scheme, kernel)));
     };
     CHECK_NOTHROW(build(cosine_mesh<double>(40), {.alpha_L = 0.5, .alpha_T = 0.5}));
     CHECK_NOTHROW(build(uniform_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.63}));

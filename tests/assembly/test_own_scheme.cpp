@@ -74,9 +74,9 @@ TEST_CASE("Two points: steady, stability, frequency and time", "[scheme]") {
     const Eigen::Index grown = count_unstable<double>(mean_of_both(mesh, unstable)).unstable_count;
     CHECK(grown > 0);
     CHECK(count_unstable<double>(rolling_system(mesh, unstable, kernel)).unstable_count == grown);
-    CHECK(verdict(own).stable());
-    CHECK(verdict(own).spectral_abscissa == Approx(verdict(mean).spectral_abscissa).epsilon(1e-9));
-    CHECK(verdict(rolling_system(mesh, unstable, kernel)).certainly_unstable());
+    CHECK(judge_stability(own).stable());
+    CHECK(judge_stability(own).spectral_abscissa == Approx(judge_stability(mean).spectral_abscissa).epsilon(1e-9));
+    CHECK(judge_stability(rolling_system(mesh, unstable, kernel)).certainly_unstable());
 
     const HarmonicSolution<double> harmonic = solve_harmonic(mesh, stable, kernel, 2.0);
     CHECK(harmonic.status == Status::ok);
@@ -109,8 +109,8 @@ TEST_CASE("Two points: friction", "[scheme]") {
     CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
 
     const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
-    const FrictionModel<double> rolling(contact, own, verdict(own), friction);
-    const FrictionModel<double> expected_rolling(contact, mean, verdict(mean), friction);
+    const FrictionModel<double> rolling(contact, own, judge_stability(own), friction);
+    const FrictionModel<double> expected_rolling(contact, mean, judge_stability(mean), friction);
     FrictionWorkspace<double> workspace = rolling.workspace(), expected_workspace = expected_rolling.workspace();
     Eigen::Index stick_count = 0;
     FrictionState<double> now = rolling.at_rest(), next = now;

@@ -59,7 +59,7 @@ int main() {
     const auto system =
         rollbem::rolling_system(rollbem::cosine_mesh(40), rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                 rollbem::PlaneKernel<double>::longitudinal(contact));
-    const Model model(contact, system, rollbem::verdict(system));
+    const Model model(contact, system, rollbem::judge_stability(system));
 
     // 2. Steady rolling at 20 m/s, where the rail carries the resistance.
     const double speed = 20;

@@ -103,7 +103,7 @@ int main() {
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
         const auto collocation =
             rollbem::rolling_system(mesh, rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel);
-        const Model model = make_model(contact, mesh, collocation, rollbem::verdict(collocation), load);
+        const Model model = make_model(contact, mesh, collocation, rollbem::judge_stability(collocation), load);
         const Ride usual = ride(wheel, model, 2 * contact.half_width(), 4e-4);
         std::printf("collocation, n = %d: creepage up to %.3f, force %.1f N of %.1f N, at the end %.4f N\n", int(n),
                     usual.largest_creepage, usual.largest_force, limit, usual.force);

@@ -245,7 +245,7 @@ TEST_CASE("With a layer rolling is stable and tends to the steady state", "[laye
             CAPTURE(mesh.is_uniform(), mesh.size(), L);
             CHECK_FALSE(system.log_strength().has_value());
             CHECK(system.aspect() == 100.0);
-            const TransientModel<double> model(contact, system, verdict(system));
+            const TransientModel<double> model(contact, system, judge_stability(system));
             TransientState<double> now = model.at_rest(), next = now;
             const PreparedStep<double> step = model.prepare(0.5);
             const double steady = model.force(model.steady(1));

@@ -201,11 +201,11 @@ TEST_CASE("Eigenvalues of Chebyshev states", "[chebyshev]") {
     CHECK_THAT(error(16, 2), about(6.7e-10));
     CHECK(error(24, 2) < 1e-11);
     CHECK(error(200, 0) < 1e-11);
-    CHECK(verdict(rolling_system(Chebyshev{200}, plane)).stable());
+    CHECK(judge_stability(rolling_system(Chebyshev{200}, plane)).stable());
     for (Eigen::Index m = 1; m <= 96; m += m < 24 ? 1 : 12) {
         for (const bool wide : {true, false}) {
-            const StabilityVerdict found =
-                wide ? verdict(rolling_system(Chebyshev{m}, plane)) : verdict(rolling_system(Chebyshev{m}, strip(0.5)));
+            const StabilityVerdict found = wide ? judge_stability(rolling_system(Chebyshev{m}, plane))
+                                                : judge_stability(rolling_system(Chebyshev{m}, strip(0.5)));
             CAPTURE(m, wide, found.spectral_abscissa, found.uncertain_count);
             CHECK(found.stable());
         }
@@ -261,7 +261,7 @@ TEST_CASE("Time steps of Chebyshev states", "[chebyshev]") {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const auto step_error = [&](Eigen::Index m, double q) {
         const RollingSystem<double> system = rolling_system(Chebyshev{m}, plane);
-        const TransientModel<double> model(contact, system, verdict(system), Integrator::matrix_exponential);
+        const TransientModel<double> model(contact, system, judge_stability(system), Integrator::matrix_exponential);
         const PreparedStep<double> step = model.prepare(0.25);
         TransientState<double> now = model.at_rest(), next = now;
         double force = 0;
@@ -471,7 +471,8 @@ TEMPLATE_TEST_CASE("Chebyshev states in every scalar type", "[chebyshev]", float
     CHECK(std::abs(narrow_sweep(0).c11.real() / narrow.c11 - 1) < 100 * rounding);
     const double exact = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11;
     CHECK(std::abs(static_cast<double>(narrow.c11) / exact - 1) < 30 * std::max(static_cast<double>(rounding), eps));
-    const TransientModel<Scalar> model(Contact<Scalar>::dimensionless(100, Scalar(0.25)), system, verdict(system));
+    const TransientModel<Scalar> model(Contact<Scalar>::dimensionless(100, Scalar(0.25)), system,
+                                       judge_stability(system));
     CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(Scalar(0.25))) - 1) < 100 * rounding);
 }
 
@@ -492,7 +493,7 @@ TEMPLATE_TEST_CASE("Rounding and the number of states", "[chebyshev]", float, do
         // 1/rcond of G' grows with the square of m / 2: in float it cannot be trusted from some 60 states on
         const bool trusted = m < 60 || rounding < Scalar(1e-10);
         CHECK(by_system.status == (trusted ? Status::ok : Status::ill_conditioned));
-        CHECK(verdict(system).stable() == trusted);
+        CHECK(judge_stability(system).stable() == trusted);
         const FrequencySweep<Scalar> sweep(system);
         CHECK(sweep.reduced() == (m < 200));
         const SweepPoint<Scalar> point = sweep(1);
@@ -515,7 +516,7 @@ TEST_CASE("Chebyshev states of contacts drawn at random", "[chebyshev]") {
         const double z = 3 * unit(random);
         const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
         CAPTURE(scene, nu, aspect, m, lateral, z);
-        CHECK(verdict(system).stable());
+        CHECK(judge_stability(system).stable());
         CHECK(relative_error(solve_harmonic(system, -z).c11, std::conj(solve_harmonic(system, z).c11)) < 1e-13);
         const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{m}, kernel);
         CHECK(relative_error(solve_harmonic(system, 0).c11, steady.c11) < 1e-11);

@@ -51,7 +51,7 @@ public:
                 reciprocal_condition(Eigen::PartialPivLU<MatrixX<Scalar>>(system.G()), one_norm(system.G()));
             return {false, count.flattest_cosine, rcond > Scalar(1e-6)};
         }
-        return {verdict<Scalar>(system).certainly_unstable(), 0, false};
+        return {judge_stability<Scalar>(system).certainly_unstable(), 0, false};
     }
 
 private:

@@ -239,9 +239,9 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
 
 /// The verdict of a result that has its signs settled. Throws std::invalid_argument for any other result.
 template <class Scalar>
-StabilityVerdict verdict(const StabilityResult<Scalar>& result) {
-    detail::require(result.status != Status::ok || result.uncertain_count.has_value(), "verdict", "settle_signs", 0,
-                    "be set in the options of solve_stability");
+StabilityVerdict judge_stability(const StabilityResult<Scalar>& result) {
+    detail::require(result.status != Status::ok || result.uncertain_count.has_value(), "judge_stability",
+                    "settle_signs", 0, "be set in the options of solve_stability");
     return {.n = result.alpha.size(),
             .unstable_count = result.unstable_count,
             .settled_unstable_count = result.settled_unstable_count.value_or(0),
@@ -252,8 +252,8 @@ StabilityVerdict verdict(const StabilityResult<Scalar>& result) {
 
 /// The verdict on a system.
 template <class Scalar>
-StabilityVerdict verdict(const RollingSystem<Scalar>& system) {
-    return verdict(solve_stability(system, {.settle_signs = true}));
+StabilityVerdict judge_stability(const RollingSystem<Scalar>& system) {
+    return judge_stability(solve_stability(system, {.settle_signs = true}));
 }
 
 }  // namespace rollbem

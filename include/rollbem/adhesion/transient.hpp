@@ -38,7 +38,7 @@ namespace rollbem {
 /// Invariant: the half-width is finite, and the scheme is stable as far as the verdict says.
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
-///     const TransientModel<double> model(contact, system, verdict(system));
+///     const TransientModel<double> model(contact, system, judge_stability(system));
 ///     TransientState<double> now = model.at_rest(), next = now;
 ///     const TransientStep<double> step = model.advance(now, dq, creepage, next);  // now stays as it is
 ///     if (accepted) std::swap(now, next);

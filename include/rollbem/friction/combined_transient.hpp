@@ -32,8 +32,8 @@ namespace rollbem {
 ///
 ///     const auto longitudinal = rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact));
 ///     const auto lateral = rolling_system(mesh, scheme, StripKernel<double>::lateral(contact));
-///     const CombinedFrictionModel<double> model(contact, longitudinal, verdict(longitudinal), lateral,
-///                                               verdict(lateral), friction);
+///     const CombinedFrictionModel<double> model(contact, longitudinal, judge_stability(longitudinal), lateral,
+///                                               judge_stability(lateral), friction);
 ///     CombinedFrictionWorkspace<double> workspace = model.workspace();
 ///     CombinedFrictionState<double> now = model.at_rest(), next = now;
 ///     const auto step = model.advance(now, dq, Creepage<double>{1e-3, 5e-4}, next, workspace);  // now stays as it is

@@ -30,7 +30,7 @@ namespace rollbem {
 /// the trailing edge (see SteadyFrictionModel).
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
-///     const FrictionModel<double> model(contact, system, verdict(system), friction);
+///     const FrictionModel<double> model(contact, system, judge_stability(system), friction);
 ///     FrictionWorkspace<double> workspace = model.workspace();
 ///     FrictionState<double> now = model.at_rest(), next = now;
 ///     const FrictionStep<double> step = model.advance(now, dq, creepage, next, workspace);  // now stays as it is
