@@ -67,11 +67,11 @@ const std::vector<std::pair<std::string, Elements>>& element_schemes() {
     constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
     static const std::vector<std::pair<std::string, Elements>> all{
         {"uniform-0.5/0.5", {Topology::uniform, halves}},
-        {"uniform-0/0.63", {Topology::uniform, Collocation{}}},
+        {"uniform-0/0.63", {Topology::uniform, Collocation{.alpha_L = 0, .alpha_T = 0.63}}},
         {"geometric", {Topology::geometric, halves}},
         {"knothe", {Topology::knothe, halves}},
         {"cosine", {Topology::cosine, halves}},
-        {"galerkin-uniform", {Topology::uniform, Galerkin{}}},
+        {"galerkin-uniform", {Topology::uniform, Galerkin{.alpha_L = 0, .alpha_T = 0.63}}},
         {"galerkin-cosine", {Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}}},
         {"richardson-uniform", {Topology::uniform, halves, 1}},
         {"richardson-cosine", {Topology::cosine, halves, 2}}};

@@ -331,7 +331,7 @@ TEST_CASE("What is not finite or not square is told", "[steady]") {
                       "solve_steady: number of columns of G_prime = 0 must be positive and equal the number of rows");
     CHECK_THROWS_WITH(solve_steady<double>(MatrixX<double>::Identity(2, 2), three),
                       "solve_steady: number of widths = 3 must equal the number of columns of G_prime");
-    CHECK_THROWS_AS(solve_steady(uniform_mesh(1), Collocation{}, PlaneKernel<double>(1, 0.75, 0.25)),
+    CHECK_THROWS_AS(solve_steady(uniform_mesh(1), Collocation{0, 0.63}, PlaneKernel<double>(1, 0.75, 0.25)),
                     std::invalid_argument);
 }
 

@@ -47,6 +47,17 @@ TEST_CASE("Unknowns and their widths", "[scheme]") {
     CHECK((trailing == mesh.widths().head(6)).all());
 }
 
+TEST_CASE("Schemes are imposed at the leading edges by default", "[scheme]") {
+    for (const Quantity quantity : {Quantity::slope, Quantity::displacement}) {
+        const auto collocation = Collocation{}.rows<double>(quantity, 4);
+        CHECK(collocation.alpha_L == 0.5);
+        CHECK(collocation.alpha_T == 0.5);
+        const auto galerkin = Galerkin{}.rows<double>(quantity, 4);
+        CHECK(galerkin.alpha_L == 0.5);
+        CHECK(galerkin.alpha_T == 0.5);
+    }
+}
+
 TEST_CASE("Schemes refuse what cannot be, by name and value", "[scheme]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_NOTHROW(check_scheme(Collocation{2, -2}, 2));
@@ -56,9 +67,9 @@ TEST_CASE("Schemes refuse what cannot be, by name and value", "[scheme]") {
     CHECK_THROWS_WITH(check_scheme(Galerkin{0, -3}, 4), "Galerkin: alpha_T = -3 must lie in [-2, 2]");
     CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, 4), "Collocation: lambda = 1.5 must lie in [0, 1]");
     CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, 4), "Galerkin: lambda = nan must lie in [0, 1]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{}, 1),
+    CHECK_THROWS_WITH(check_scheme(Collocation{0, 0.63}, 1),
                       "Collocation: n = 1 must be at least 2 where alpha_L and alpha_T differ");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{}, 1),
+    CHECK_THROWS_WITH(check_scheme(Galerkin{0, 0.63}, 1),
                       "Galerkin: n = 1 must be at least 2 where alpha_L and alpha_T differ");
     CHECK_THROWS_WITH(check_scheme(Galerkin{.quadrature = -1}, 4),
                       "Galerkin: quadrature = -1 must be exact_quadrature (0) or lie in [1, 1000]");

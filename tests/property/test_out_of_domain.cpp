@@ -120,8 +120,8 @@ TEST_CASE("Schemes", "[domain]") {
     refuses<double>("lambda", lambdas, [](double x) { check_scheme(Galerkin{.lambda = x}, 5); });
     refuses<int>("quadrature", {-1, 1001, std::numeric_limits<int>::min()},
                  [](int points) { check_scheme(Galerkin{.quadrature = points}, 5); });
-    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Collocation{}, n); });
-    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Galerkin{}, n); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Collocation{0, 0.63}, n); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Galerkin{0, 0.63}, n); });
     refuses<Eigen::Index>("n", {1, 0}, [](Eigen::Index n) { check_scheme(KnotheBoundary{}, n); });
 }
 
