@@ -69,7 +69,7 @@ std::vector<double> make_omegas(const study::Options& options) {
 study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& contact, double omega, Complex c11) {
     const bool has_exact = study::plane_model_decays(contact);
     const Complex exact =
-        has_exact ? rollbem::reference::laplace_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect())
+        has_exact ? rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect())
                   : unknown;
     return {n, omega, c11.real(), c11.imag(), exact.real(), exact.imag(), std::abs(c11 / exact - 1.0)};
 }
@@ -127,7 +127,7 @@ PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double om
 /// and the estimate stays.
 PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order,
                                bool checked) {
-    const rollbem::PolynomialC11<double> result =
+    const rollbem::EstimatedC11<double> result =
         rollbem::polynomial_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
     const bool trusted = result.status == rollbem::Status::ok;
     return {trusted || !checked ? result.c11 : unknown, result.error_estimate, result.status};

@@ -68,7 +68,7 @@ struct ClosedLoop {
     double kappa;  // 2 a^2 b G (1/m + R^2/J) / V^2
 
     Complex characteristic(Complex s) const {
-        return s + kappa * rollbem::reference::laplace_c11(s, poisson_ratio, aspect);
+        return s + kappa * rollbem::reference::plane_c11(s, poisson_ratio, aspect);
     }
 
     /// Its root, by the secant method from that of c11 = C/(1 + (Lambda - 1/2) s).

@@ -53,7 +53,7 @@ Outcome steady(Eigen::Index states, const Kernel& kernel, double reference, doub
 /// solution's own estimate where none is given.
 template <class Kernel>
 Outcome against_strip(Eigen::Index states, const Kernel& kernel, double aspect, double nu, double bound = 0) {
-    const rollbem::reference::StripC11 reference = rollbem::reference::strip_c11(0, nu, aspect);
+    const rollbem::EstimatedC11<double> reference = rollbem::reference::strip_c11(0, nu, aspect);
     Outcome outcome = steady(states, kernel, reference.c11.real(), bound);
     if (bound == 0) outcome.bound = static_cast<double>(solve_steady(Chebyshev{states}, kernel).error_estimate);
     if (!(reference.error_estimate < 1e-11)) outcome.told = "the reference has not converged";
@@ -126,7 +126,7 @@ void add_frequencies(std::vector<Case>& cases, bool large) {
     // and at frequencies far above a relative one of 1/z: there the contact is a rigid shift, which one state has.
     const auto against_bessel = [](Eigen::Index states, double z, double nu) {
         return [=] {
-            const Complex reference = rollbem::reference::laplace_c11({0, z}, nu, 1000);
+            const Complex reference = rollbem::reference::plane_c11({0, z}, nu, 1000);
             const double m = static_cast<double>(states), steady = rollbem::steady_c11(nu);
             const double bound = m >= 1.4 * z + 10 || z < 1e-9 ? 40 * rounding + (states == 1 ? z : 0)
                                  : z < 20 * m                  ? 0.03 / (m * m) * steady / std::abs(reference)

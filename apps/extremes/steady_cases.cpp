@@ -100,7 +100,7 @@ void add_contacts(std::vector<Case>& cases) {
     for (const double aspect : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12}) {
         const Problem p{{Topology::cosine, 80}, equal, aspect};
         cases.push_back({"b/a = " + shown(aspect), "c11 against the spectral solution", [=] {
-                             const rollbem::reference::StripC11 reference =
+                             const rollbem::EstimatedC11<double> reference =
                                  rollbem::reference::strip_c11(0, steel, aspect);
                              Outcome outcome = against(p, reference.c11.real(), 0);
                              outcome.bound = 3e-5 + 4e-5 / aspect / std::max(1.0, 1e-2 / aspect);

@@ -113,7 +113,7 @@ CurveResult compute_response(const Panel& panel, const Curve& curve) {
     for (std::size_t i = 0; i < c11.size(); ++i) {
         const double z = panel.grid[i];
         const std::complex<double> polynomial = polynomial_c11(z);
-        const std::complex<double> exact = rollbem::reference::harmonic_c11(z, poisson_ratio, aspect);
+        const std::complex<double> exact = rollbem::reference::plane_c11({0, z}, poisson_ratio, aspect);
         add_row(result, curve, curve.at, z, c11[i].real(), c11[i].imag(), polynomial.real(), polynomial.imag(),
                 exact.real(), exact.imag(), std::abs(c11[i] - exact) / std::abs(exact));
         if (argand) {

@@ -380,7 +380,7 @@ double finite_aspect(const Scene& scene) {
 std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
 Complex exact_c11(const Scene& scene, const Quantity& quantity) {
-    return rollbem::reference::harmonic_c11(quantity.frequency, scene.contact.poisson_ratio(), finite_aspect(scene));
+    return rollbem::reference::plane_c11({0, quantity.frequency}, scene.contact.poisson_ratio(), finite_aspect(scene));
 }
 
 double element_error(const Scene& scene, const Elements& elements, long n, const Quantity& quantity) {
@@ -577,7 +577,7 @@ double Case::run(const Quantity& quantity) const {
         case Problem::step: return closed ? closed_form_forces(nu, aspect)[0] : polynomial_forces(nu, aspect, n_)[0];
         case Problem::friction: return rollbem::carter_force_ratio(creepage_ratio);
         case Problem::harmonic:
-            return closed ? rollbem::reference::harmonic_c11(quantity.frequency, nu, aspect).real()
+            return closed ? rollbem::reference::plane_c11({0, quantity.frequency}, nu, aspect).real()
                           : rollbem::polynomial_c11(s, nu, aspect, n_).c11.real();
         default: break;
     }

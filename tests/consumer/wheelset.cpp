@@ -46,7 +46,7 @@ Complex exact_loop(const Wheelset& w, const rollbem::Contact<double>& c, int axl
     const long double a = c.half_length();
     const long double force = 2 * c.half_width() * a * c.shear_modulus();
     const std::complex<double> z(s * (a / w.speed));
-    const Complex c11(rollbem::reference::laplace_c11(z, c.poisson_ratio(), c.aspect()));
+    const Complex c11(rollbem::reference::plane_c11(z, c.poisson_ratio(), c.aspect()));
     const Complex twist = static_cast<long double>(2 * axle * w.stiffness) / s;
     return static_cast<long double>(w.inertia) * s +
            force * static_cast<long double>(w.radius * w.radius / w.speed) * c11 + twist;

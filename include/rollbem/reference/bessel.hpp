@@ -120,6 +120,19 @@ inline Complex laplace_c11(Complex s, long double poisson_ratio, long double lam
     return steady_c11(poisson_ratio) * bessel.sum / (bessel.i0 + s * lambda * bessel.sum);
 }
 
+/// The same for s = i omega in double: J0 and J1 by GSL take a hundredth of the time.
+inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, double lambda) {
+    gsl_sf_result j0{};
+    gsl_sf_result j1{};
+    for (const int status : {gsl_sf_bessel_J0_e(omega, &j0), gsl_sf_bessel_J1_e(omega, &j1)}) {
+        if (status != GSL_SUCCESS && status != GSL_EUNDRFLW) {
+            throw std::runtime_error(std::string("reference::plane_c11: GSL: ") + gsl_strerror(status));
+        }
+    }
+    const std::complex<double> sum(j0.val, j1.val);
+    return steady_c11(poisson_ratio) * sum / (j0.val + std::complex<double>(0, omega * lambda) * sum);
+}
+
 /// One Newton step for D(s) = 0. D' = I1 + Lambda (I0 + s (I0 + I1)).
 inline Complex newton_step(Complex s, long double lambda) {
     const ScaledBessel bessel = scaled_bessel(s);
@@ -247,31 +260,19 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
 
 }  // namespace detail
 
-/// Exact complex creep coefficient at the real frequency omega (in V/a; negative ones by conjugate symmetry):
-/// c11 = pi/(2(1-nu)) (J0 + i J1)/(J0 + i omega Lambda (J0 + i J1)), Bessel functions by GSL. `aspect` is b/a.
-/// Throws std::invalid_argument for a non-finite omega, a bad poisson_ratio or aspect, or Lambda <= 0;
-/// std::runtime_error where GSL reports an error (an argument too large for its trigonometric functions).
-inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, double aspect) {
-    const double lambda = stable_plane_lambda("reference::harmonic_c11", poisson_ratio, aspect);
-    detail::require(rollbem::detail::is_finite(omega), "reference::harmonic_c11", "omega", omega, "be finite");
-    gsl_sf_result j0{};
-    gsl_sf_result j1{};
-    for (const int status : {gsl_sf_bessel_J0_e(omega, &j0), gsl_sf_bessel_J1_e(omega, &j1)}) {
-        if (status != GSL_SUCCESS && status != GSL_EUNDRFLW) {
-            throw std::runtime_error(std::string("reference::harmonic_c11: GSL: ") + gsl_strerror(status));
-        }
+/// Exact creep coefficient of the plane model under creepage xi e^{s V t/a}; s = i omega a/V is the harmonic case, 0 the
+/// steady one; `aspect` is b/a. Exact to rounding: by GSL's J0 and J1 for harmonic creepage with |s| < 40, otherwise from
+/// the integrals of I_n by the trapezoidal rule or, for |s| >= 40, Hankel's expansions. The poles are the eigenvalues.
+/// Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0 (or s =
+/// 0).
+inline std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, double aspect) {
+    const double lambda = s == 0.0 ? plane_lambda(poisson_ratio, aspect)
+                                   : stable_plane_lambda("reference::plane_c11", poisson_ratio, aspect);
+    detail::require(rollbem::detail::is_finite(s.real()), "reference::plane_c11", "Re s", s.real(), "be finite");
+    detail::require(rollbem::detail::is_finite(s.imag()), "reference::plane_c11", "Im s", s.imag(), "be finite");
+    if (s.real() == 0 && std::abs(s.imag()) < detail::asymptotic_radius) {
+        return detail::harmonic_c11(s.imag(), poisson_ratio, lambda);
     }
-    const std::complex<double> sum(j0.val, j1.val);
-    return steady_c11(poisson_ratio) * sum / (j0.val + std::complex<double>(0, omega * lambda) * sum);
-}
-
-/// Exact creep coefficient at complex s (in V/a), from the integral of I_n by the trapezoidal rule and, far out, from
-/// Hankel's expansions. The poles are the eigenvalues. Throws std::invalid_argument for a non-finite s, a bad
-/// poisson_ratio or aspect, or Lambda <= 0.
-inline std::complex<double> laplace_c11(std::complex<double> s, double poisson_ratio, double aspect) {
-    const double lambda = stable_plane_lambda("reference::laplace_c11", poisson_ratio, aspect);
-    detail::require(rollbem::detail::is_finite(s.real()), "reference::laplace_c11", "Re s", s.real(), "be finite");
-    detail::require(rollbem::detail::is_finite(s.imag()), "reference::laplace_c11", "Im s", s.imag(), "be finite");
     return std::complex<double>(detail::laplace_c11(detail::Complex(s.real(), s.imag()), poisson_ratio, lambda));
 }
 
@@ -293,9 +294,9 @@ inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double p
 /// trailing.
 class ExactTraction {
 public:
-    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws as laplace_c11.
+    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws as plane_c11 does.
     ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
-        c11_ = laplace_c11(s, poisson_ratio, aspect);  // checks the arguments
+        c11_ = plane_c11(s, poisson_ratio, aspect);  // checks the arguments
         const long double pi = std::numbers::pi_v<long double>;
         const long double lambda = plane_lambda<long double>(poisson_ratio, aspect);
         const long double stiffness = 2 * (1 - static_cast<long double>(poisson_ratio));

@@ -83,7 +83,7 @@ double invert_laplace(const Transform& transform, double q, int terms = 40) {
 }
 
 /// Step response of the force by de Hoog's method: -F/(a G xi) at q/a > 0 after a creepage xi set in at q = 0. The
-/// second route to StepResponse; sharpest for q/a < 2. Throws std::invalid_argument as laplace_c11, or for q/a <= 0.
+/// second route to StepResponse; sharpest for q/a < 2. Throws std::invalid_argument as plane_c11 does, and for q/a <= 0.
 inline double step_response_de_hoog(double q_over_a, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::step_response_de_hoog", poisson_ratio, aspect);
     return invert_laplace([&](detail::Complex s) { return detail::laplace_c11(s, poisson_ratio, lambda) / s; },

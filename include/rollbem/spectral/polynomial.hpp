@@ -10,11 +10,13 @@
 #include <concepts>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 
 #include "../closed_form/carter.hpp"
+#include "../closed_form/estimated_c11.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
@@ -48,14 +50,6 @@ Eigen::Index default_polynomial_order(std::complex<Scalar> s) {
     const Scalar digits = Scalar(std::numeric_limits<Scalar>::digits) / 53;
     return static_cast<Eigen::Index>(std::ceil(modulus + digits * (12 * std::cbrt(modulus) + 20)));
 }
-
-/// The creep coefficient alone, as polynomial_c11 returns it.
-template <std::floating_point Scalar>
-struct PolynomialC11 {
-    std::complex<Scalar> c11;  ///< Eq. (30): force per unit width over -a G xi
-    Scalar error_estimate;     ///< relative, of truncation and rounding together; an upper estimate, not a bound
-    Status status = Status::not_finite;
-};
 
 /// Traction and displacement under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case.
 template <std::floating_point Scalar>
@@ -177,11 +171,13 @@ Scalar chebyshev_tolerance() {
 
 }  // namespace detail
 
-/// c11 at complex s (in V/a) by the Chebyshev basis: solve_chebyshev without storing the coefficients, so without any
-/// allocation. `aspect` is b/a. Throws std::invalid_argument for a non-finite s, order < 1, a bad poisson_ratio or
-/// aspect, or Lambda <= 0 with s != 0.
+/// Creep coefficient of the plane model under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case, by the
+/// Chebyshev basis: solve_chebyshev without storing the coefficients, so without any allocation. `aspect` is b/a. Throws
+/// std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf, Lambda > 0 (or s = 0) and
+/// order >= 1.
 template <std::floating_point Scalar>
-PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect, Eigen::Index order) {
+EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                    std::type_identity_t<Scalar> aspect, Eigen::Index order) {
     using Complex = std::complex<Scalar>;
     const Scalar lambda = detail::polynomial_lambda("polynomial_c11", s, poisson_ratio, aspect, order);
     Complex ratio = 0;  // r_k
@@ -192,7 +188,7 @@ PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_rati
     }
     const Complex sum = detail::chebyshev_sum(s, order, ratio, tail);
     const Complex denominator = Scalar(1) + s * (lambda * sum + ratio / Scalar(4));
-    PolynomialC11<Scalar> result{};
+    EstimatedC11<Scalar> result{};
     result.c11 = steady_c11(poisson_ratio) * sum / denominator;
     // errors of the sum (truncation, rounding), amplified near a pole, and the rounding of the denominator
     const Scalar modulus = std::abs(s);
@@ -208,7 +204,8 @@ PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_rati
 
 /// The same at default_polynomial_order(s).
 template <std::floating_point Scalar>
-PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect) {
+EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                    std::type_identity_t<Scalar> aspect) {
     return polynomial_c11(s, poisson_ratio, aspect, default_polynomial_order(s));
 }
 
@@ -220,8 +217,8 @@ PolynomialC11<Scalar> polynomial_c11(std::complex<Scalar> s, Scalar poisson_rati
 /// bordered band costs O(order), and is stable because the P_n are the recurrence's minimal solution. Arguments and
 /// exceptions as polynomial_c11.
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_chebyshev(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
-                                           Eigen::Index order) {
+PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                           std::type_identity_t<Scalar> aspect, Eigen::Index order) {
     using Complex = std::complex<Scalar>;
     using Vector = typename PolynomialSolution<Scalar>::Vector;
     const Scalar lambda = detail::polynomial_lambda("solve_chebyshev", s, poisson_ratio, aspect, order);
@@ -244,14 +241,15 @@ PolynomialSolution<Scalar> solve_chebyshev(std::complex<Scalar> s, Scalar poisso
         displacement[n] = traction[n] / static_cast<Scalar>(n);
     }
     traction /= 2 * (1 - poisson_ratio);
-    const PolynomialC11<Scalar> scalar = polynomial_c11(s, poisson_ratio, aspect, order);
+    const EstimatedC11<Scalar> scalar = polynomial_c11(s, poisson_ratio, aspect, order);
     return {PolynomialBasis::chebyshev, scalar.c11, traction,     displacement,
             scalar.error_estimate,      Scalar(1),  scalar.status};
 }
 
 /// The same at default_polynomial_order(s).
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_chebyshev(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect) {
+PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                           std::type_identity_t<Scalar> aspect) {
     return solve_chebyshev(s, poisson_ratio, aspect, default_polynomial_order(s));
 }
 
@@ -365,7 +363,7 @@ PolynomialSolution<Scalar> solve_monomial_once(
 /// smaller than 2 x 2, else as polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(
-    std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
+    std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio, std::type_identity_t<Scalar> aspect,
     const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>& b,
     const MonomialOptions<Scalar>& options = {}) {
     detail::require(b.rows() == b.cols(), "solve_monomial", "columns of B", b.cols(), "equal its rows");
@@ -385,8 +383,9 @@ PolynomialSolution<Scalar> solve_monomial(
 
 /// The same with the exact B of an order.
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_monomial(std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
-                                          Eigen::Index order, const MonomialOptions<Scalar>& options = {}) {
+PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                          std::type_identity_t<Scalar> aspect, Eigen::Index order,
+                                          const MonomialOptions<Scalar>& options = {}) {
     detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);
     return solve_monomial<Scalar>(s, poisson_ratio, aspect, displacement_matrix(order, poisson_ratio, aspect), options);
 }

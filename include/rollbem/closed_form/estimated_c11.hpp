@@ -1,0 +1,22 @@
+// EstimatedC11: a creep coefficient with the accuracy that it was computed to.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <complex>
+#include <concepts>
+
+#include "../status.hpp"
+
+namespace rollbem {
+
+/// A creep coefficient under creepage xi e^{s V t/a} that is computed to an estimated accuracy. Closed forms, which are
+/// exact to rounding, return the number itself.
+template <std::floating_point Scalar>
+struct EstimatedC11 {
+    std::complex<Scalar> c11;  ///< Eq. (30): force per unit width over -a G xi
+    Scalar error_estimate;     ///< relative, of truncation and rounding together; an upper estimate, not a bound
+    Status status = Status::not_finite;
+};
+
+}  // namespace rollbem
