@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -280,6 +281,46 @@ TEST_CASE("A twentieth of the traction may push with the creepage, not more", "[
         };
         CHECK(status(0.46) == Status::ok);            // 0.0486
         CHECK(status(0.49) == Status::inconsistent);  // 0.0516
+    }
+}
+
+TEST_CASE("Lateral creepage gives c22 in the units of the contact", "[steady]") {
+    const Contact<double> contact(
+        {.half_length = 0.006, .half_width = 0.012, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+    for (const auto& [name, mesh] : brute_force::every_mesh<double>(15)) {
+        const auto solution = solve_steady_lateral(contact, mesh, Collocation{}, 1e-4);
+        const auto unit = solve_steady(mesh, Collocation{}, StripKernel<double>(2, 1, -0.28));
+        CAPTURE(name);
+        CHECK(solution.status == Status::ok);
+        CHECK(std::abs(solution.c22 / unit.c11 - 1) < 1e-14);
+        CHECK((solution.traction / (8.2e10 * 1e-4) - unit.traction).norm() < 1e-13 * unit.traction.norm());
+        CHECK(solution.traction.maxCoeff() < 0);
+        const double sum = 0.006 * (mesh.widths() * solution.traction.array()).sum();
+        CHECK(std::abs(solution.force_per_width / sum - 1) < 1e-13);
+        CHECK(std::abs(solution.force_per_width / (-0.006 * 8.2e10 * solution.c22 * 1e-4) - 1) < 1e-14);
+        CHECK(solution.residual == unit.residual);
+        CHECK(solution.rcond == unit.rcond);
+    }
+    const auto knothe = solve_steady_lateral(contact, cosine_mesh(15), KnotheBoundary{}, -1e-4);
+    REQUIRE(knothe.traction.size() == 15);
+    CHECK(knothe.traction[14] == 0);
+    CHECK(knothe.force_per_width > 0);
+    CHECK(solve_steady_lateral(contact, uniform_mesh(4), Collocation{}, std::nan("")).status == Status::not_finite);
+}
+
+TEST_CASE("c22 tends to pi/2, whatever Poisson's ratio, as c11 does to its limit", "[steady]") {
+    CHECK(steady_c22() == std::numbers::pi / 2);
+    for (const double nu : {0.0, 0.28, 0.5}) {
+        const Contact<double> wide({.half_length = 1, .shear_modulus = 1, .poisson_ratio = nu});
+        // the plane's equations are those of c11 but for their factor, and so are the errors
+        const double lateral = solve_steady_lateral(wide, cosine_mesh(20), Collocation{}, 1).c22 / steady_c22() - 1;
+        const double longitudinal = solve_steady(wide, cosine_mesh(20), Collocation{}, 1).c11 / steady_c11(nu) - 1;
+        CAPTURE(nu, lateral, longitudinal);
+        CHECK(std::abs(lateral - longitudinal) < 1e-14);
+        CHECK(std::abs(lateral) < 1e-2);
+        const auto far = Contact<double>::dimensionless(1e4, nu);
+        CHECK(std::abs(solve_steady_lateral(far, cosine_mesh(20), Collocation{}, 1).c22 / steady_c22() - 1 - lateral) <
+              1e-7);
     }
 }
 

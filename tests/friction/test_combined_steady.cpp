@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "friction/combined_scene.hpp"
 #include "support/catch.hpp"
@@ -93,6 +94,23 @@ TEST_CASE("Without Poisson's ratio the solution is that of one direction, along 
             CHECK(tangent.by_lateral.longitudinal == Approx((own - across) * cosine * sine).margin(1e-8));
         }
     }
+}
+
+TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction]") {
+    const Contact<double> contact = Contact<double>::dimensionless(2, 0.28);
+    const Mesh<double> mesh = cosine_mesh(20);
+    const CoulombFriction<double> grip{1e6, ArrayX<double>::Ones(20)};
+    const SteadyCombinedModel<double> model(contact, mesh, Collocation{}, StripKernel<double>::longitudinal(contact),
+                                            StripKernel<double>::lateral(contact), grip);
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = model.at_rest();
+    const auto step = model.solve(now, {.longitudinal = 1e-3, .lateral = 2e-3}, next, workspace);
+    REQUIRE(step.status == StepStatus::ok);
+    const auto across = solve_steady_lateral(contact, mesh, Collocation{}, 2e-3);
+    CHECK(std::abs(step.force_per_width.lateral / across.force_per_width - 1) < 1e-12);
+    const auto along = solve_steady(contact, mesh, Collocation{}, 1e-3);
+    CHECK(std::abs(step.force_per_width.longitudinal / along.force_per_width - 1) < 1e-12);
+    CHECK(across.c22 < 0.99 * along.c11);
 }
 
 TEST_CASE("Creepage in one direction is what the models of one direction solve", "[friction]") {

@@ -387,11 +387,19 @@ TEST_CASE("Steady rolling by states in SI units is that of elements", "[chebyshe
     CHECK(std::abs(across.c11 / solve_steady(mesh, halves, lateral).c11 - 1) < 2e-5);
     CHECK(across.force_per_width == -6e-3 * 8e10 * across.c11 * 1e-4);
     CHECK(across.traction(0.3) == Approx(8e10 * 1e-4 * solve_steady(Chebyshev{24}, lateral).traction(0.3)));
+    const auto named = solve_steady_lateral(contact, Chebyshev{24}, 1e-4);
+    CHECK(named.c22 == across.c11);
+    CHECK(named.force_per_width == across.force_per_width);
+    CHECK(named.traction.coefficients == across.traction.coefficients);
+    CHECK(named.error_estimate == across.error_estimate);
+    CHECK(named.rcond == across.rcond);
+    CHECK(named.status == Status::ok);
     const auto wide = solve_steady(contact, Chebyshev{1}, PlaneKernel<double>::longitudinal(contact), 1e-4);
     CHECK(wide.force_per_width == Approx(-6e-3 * 8e10 * steady_c11(0.28) * 1e-4).epsilon(4 * eps));
     const Contact<double> endless({.half_length = 6e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     CHECK(rollbem::solve_steady(endless, Chebyshev{4}, 1e-4).force_per_width ==
           Approx(wide.force_per_width).epsilon(1e-14));
+    CHECK(solve_steady_lateral(endless, Chebyshev{4}, 1e-4).c22 == Approx(steady_c22()).epsilon(1e-14));
     // too few states, and creepages that are no numbers
     const Contact<double> narrow({.half_length = 6e-3, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = 0});
     CHECK(solve_steady(narrow, Chebyshev{3}, 1e-4).status == Status::not_converged);

@@ -49,6 +49,18 @@ struct SteadySolution {
     Status status = Status::not_finite;
 };
 
+/// Solution of a steady problem under lateral creepage, in the units of the contact's parameters.
+template <class Scalar>
+struct LateralSteadySolution {
+    VectorX<Scalar> traction;    ///< q along y on body 1 of each of the mesh's n elements
+                                 ///< [Pa], trailing to leading
+    Scalar force_per_width = 0;  ///< F_y = -a G c22 xi_y [N/m]
+    Scalar c22 = 0;              ///< lateral creep coefficient [-]; pi/2 for b >> a, see steady_c22
+    Scalar residual = 0;         ///< as in UnitSteadySolution
+    Scalar rcond = 0;            ///< as in UnitSteadySolution
+    Status status = Status::not_finite;
+};
+
 namespace detail {
 
 template <class Scalar>
@@ -168,15 +180,15 @@ UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& 
     return detail::solve_steady_on(mesh, scheme, kernel);  // which asks for both: one candidate makes a short message
 }
 
-/// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
-/// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
-template <class Scalar, RollingScheme<Scalar> Scheme>
-SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                                    std::type_identity_t<Scalar> creepage) {
-    const UnitSteadySolution<Scalar> unit = solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact));
+namespace detail {
+
+/// A unit solution at a creepage and in the units of the contact; elements without an unknown carry no traction.
+template <class Scalar>
+SteadySolution<Scalar> steady_in_units(const Contact<Scalar>& contact, Eigen::Index elements,
+                                       const UnitSteadySolution<Scalar>& unit, Scalar creepage) {
     SteadySolution<Scalar> solution;
-    solution.traction.resize(mesh.size());
-    for (Eigen::Index i = 0; i < mesh.size(); ++i) {
+    solution.traction.resize(elements);
+    for (Eigen::Index i = 0; i < elements; ++i) {
         solution.traction[i] =
             i < unit.traction.size() ? contact.shear_modulus() * creepage * unit.traction[i] : Scalar(0);
     }
@@ -184,9 +196,34 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
     solution.c11 = unit.c11;
     solution.residual = unit.residual;
     solution.rcond = unit.rcond;
-    const bool finite = detail::all_finite(solution.traction) && detail::is_finite(solution.force_per_width);
-    solution.status = detail::is_finite(creepage) && finite ? unit.status : Status::not_finite;
+    const bool finite = all_finite(solution.traction) && is_finite(solution.force_per_width);
+    solution.status = is_finite(creepage) && finite ? unit.status : Status::not_finite;
     return solution;
+}
+
+}  // namespace detail
+
+/// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
+/// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
+template <class Scalar, RollingScheme<Scalar> Scheme>
+SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
+                                    std::type_identity_t<Scalar> creepage) {
+    return detail::steady_in_units<Scalar>(
+        contact, mesh.size(), solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact)), creepage);
+}
+
+/// The same at a lateral creepage, which causes traction and force along y, and gives c22 instead of c11.
+template <class Scalar, RollingScheme<Scalar> Scheme>
+LateralSteadySolution<Scalar> solve_steady_lateral(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh,
+                                                   const Scheme& scheme, std::type_identity_t<Scalar> creepage) {
+    SteadySolution<Scalar> solution = detail::steady_in_units<Scalar>(
+        contact, mesh.size(), solve_steady(mesh, scheme, StripKernel<Scalar>::lateral(contact)), creepage);
+    return {std::move(solution.traction),
+            solution.force_per_width,
+            solution.c11,
+            solution.residual,
+            solution.rcond,
+            solution.status};
 }
 
 }  // namespace rollbem

@@ -24,6 +24,13 @@ Scalar steady_c11(Scalar poisson_ratio) {
     return std::numbers::pi_v<Scalar> / (2 * (1 - poisson_ratio));
 }
 
+/// Steady creep coefficient c22 = -F_y/(a G xi_y) = pi/2 for lateral creepage, per unit width as steady_c11. It does not
+/// depend on Poisson's ratio.
+template <std::floating_point Scalar = double>
+constexpr Scalar steady_c22() {
+    return std::numbers::pi_v<Scalar> / 2;
+}
+
 /// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by
 /// F = -a b G C11 xi; an ellipse has pi a b of area where the rectangle has 4 a b and chords that shorten towards its
 /// tips, hence the factor pi/2 to steady_c11. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.

@@ -111,6 +111,17 @@ struct ChebyshevSteadySolutionSI {
     Status status = Status::not_finite;
 };
 
+/// Steady rolling under lateral creepage, in the units of the contact's parameters.
+template <class Scalar>
+struct LateralChebyshevSteadySolution {
+    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is q along y on body 1 [Pa]
+    Scalar force_per_width = 0;          ///< F_y = -a G c22 xi_y [N/m]
+    Scalar c22 = 0;                      ///< lateral creep coefficient [-]; pi/2 for b >> a, see steady_c22
+    Scalar error_estimate = 0;           ///< as in ChebyshevSteadySolution
+    Scalar rcond = 0;                    ///< as in ChebyshevSteadySolution
+    Status status = Status::not_finite;
+};
+
 template <class Value>
 Value ChebyshevTraction<Value>::operator()(const EdgeDistances<Scalar>& position) const {
     detail::require(detail::is_finite(position.trailing) && position.trailing >= 0, "ChebyshevTraction", "trailing",
@@ -252,20 +263,30 @@ template <class Kernel>
 void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a SmoothSplitKernel
 
 /// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
-/// Throws as the dimensionless one; a creepage, or a result, that is not finite gives Status::not_finite.
+/// Throws as the dimensionless one does; a creepage, or a result, that is not finite gives Status::not_finite.
 template <class Scalar>
 ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
                                                std::type_identity_t<Scalar> creepage) {
     return detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
 }
 
-/// The same with a kernel of the contact, e.g. StripKernel<double>::lateral(contact): creepage, traction, force and
-/// creep coefficient (c22) are then those across the rolling direction. Throws std::invalid_argument, besides, for a
-/// kernel of another b/a than the contact's.
+/// The same with a kernel of the contact, whose direction is that of creepage, traction and force: c11 is c22 with a
+/// lateral kernel. Throws std::invalid_argument also if the kernel's b/a is not the contact's.
 template <class Scalar, class Kernel>
 ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
                                                const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
     return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
+}
+
+/// Steady rolling of a contact at a lateral creepage [-] (positive creepage, negative traction), strip kernel. Throws
+/// and tells what is not finite as solve_steady does.
+template <class Scalar>
+LateralChebyshevSteadySolution<Scalar> solve_steady_lateral(const Contact<Scalar>& contact, const Chebyshev& method,
+                                                            std::type_identity_t<Scalar> creepage) {
+    ChebyshevSteadySolutionSI<Scalar> solution =
+        detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::lateral(contact), creepage);
+    return {std::move(solution.traction), solution.force_per_width, solution.c11,
+            solution.error_estimate,      solution.rcond,           solution.status};
 }
 
 }  // namespace rollbem
