@@ -7,18 +7,14 @@
 
 #include "../detail/finite.hpp"
 #include "../types.hpp"
-#include "detail/falling_set.hpp"
+#include "detail/active_set_slip.hpp"
+#include "detail/falling_scratch.hpp"
 #include "law.hpp"
 #include "slip_law.hpp"
 #include "state.hpp"
 #include "workspace.hpp"
 
 namespace rollbem {
-
-namespace detail {
-template <class Law, class Scalar>
-class FallingStages;
-}
 
 /// The law |p| <= mu p_n with mu = mu_s(v) of the slip velocity, or with a memory of it.
 template <class Law, class Scalar = double>
@@ -78,31 +74,15 @@ public:
     using Scalar = Scalar_;
 
     /// For n unknown elements.
-    explicit FallingFrictionWorkspace(Eigen::Index n)
-        : FrictionWorkspace<Scalar>(n),
-          set_(n),
-          friction_(VectorX<Scalar>::Zero(n)),
-          duration_(VectorX<Scalar>::Zero(n)),
-          before_(VectorX<Scalar>::Zero(n)),
-          rise_(VectorX<Scalar>::Zero(n)),
-          change_(VectorX<Scalar>::Zero(n)),
-          carried_change_(VectorX<Scalar>::Zero(n)),
-          before_change_(VectorX<Scalar>::Zero(n)) {}
+    explicit FallingFrictionWorkspace(Eigen::Index n) : FrictionWorkspace<Scalar>(n), scratch_(n) {}
 
 private:
-    template <class, class>
-    friend class detail::FallingStages;
-
     template <class, class>
     friend class SteadyFallingModel;
     template <class, class>
     friend class FallingFrictionModel;
 
-    detail::FallingSet<Scalar> set_;
-    VectorX<Scalar> friction_;  // mu of the present stage
-    VectorX<Scalar> duration_, before_;
-    VectorX<Scalar> rise_;                                     // of mu in the first stage, along the particles' paths
-    VectorX<Scalar> change_, carried_change_, before_change_;  // d mu by dc; that of the first stage; of before_
+    detail::FallingScratch<detail::ActiveSetSlip<Scalar>> scratch_;
 };
 
 }  // namespace rollbem
