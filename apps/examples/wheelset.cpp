@@ -1,6 +1,14 @@
-// A multibody user: two wheels on an elastic axle, each on a contact that is eight linear differential equations. The
-// eigenvalues of the whole, and the answer to a torque, are compared with the closed loop of the exact c11(s). In SI
-// units.
+// Two wheels on an elastic axle, each on a contact in full adhesion that is eight linear differential equations, in SI
+// units. The eigenvalues of the whole and its response to a torque, against the closed loop with the exact c11(s).
+//
+//     ./examples/wheelset
+//
+//     eigenvalue   -721.8996   +783.6460i 1/s, off the exact one by 7.1e-13
+//     eigenvalue   -721.8996   -783.6460i 1/s, off the exact one by 7.1e-13
+//     eigenvalue  -1539.6561     +0.0000i 1/s, off the exact one by 9.6e-14
+//     eigenvalue  -4837.0969     +0.0000i 1/s, off the exact one by 6.3e-16
+//     eigenvalue  -4934.7033     +0.0000i 1/s, off the exact one by 2.4e-14
+//     rotation after 0.004 s: 0.00755786998 rad/s, off the exact one by 1.7e-14
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -17,7 +25,7 @@ namespace {
 using Complex = std::complex<long double>;
 
 // Each wheel: J d(omega)/dt = T - R F -+ k psi, d(psi)/dt = omega_1 - omega_2, about steady rolling at V; creepage
-// xi = -R omega/V drives the rail force F. What differs by side turns against the axle, what is common does not.
+// xi = -R omega/V gives the rail force F.
 struct Wheelset {
     double inertia = 60;       // J [kg m^2]
     double radius = 0.46;      // R [m]
@@ -41,7 +49,7 @@ Eigen::MatrixXd closed_loop(const Wheelset& w, const rollbem::StateSpaceSI<doubl
     return A;
 }
 
-/// T/omega at s [1/s] for both wheels turning alike (axle = 0) or against each other (1), from the exact c11.
+/// T/omega at s [1/s] from the exact c11, for both wheels turning alike (axle = 0) or against each other (1).
 Complex exact_loop(const Wheelset& w, const rollbem::Contact<double>& c, int axle, Complex s) {
     const long double a = c.half_length();
     const long double force = 2 * c.half_width() * a * c.shear_modulus();
@@ -78,7 +86,7 @@ int main() {
         rollbem::in_si(rollbem::state_space(rollbem::Chebyshev{.states = 8}, kernel), contact, wheelset.speed);
     const Eigen::MatrixXd A = closed_loop(wheelset, equations);
 
-    // 2. Eigenvalues of 19 equations, those that are slow against the passage through the contact.
+    // 2. The eigenvalues of all 19 equations that are slow compared with the passage through the contact.
     const double unit = wheelset.speed / contact.half_length();  // [1/s]
     int slow = 0;
     double largest = 0;

@@ -1,5 +1,10 @@
-// A user's program: the small oscillation of the driven wheel of wheel.hpp about steady rolling is compared with the
-// closed loop that the exact creep coefficient c11(s) makes.
+// A driven wheel in full adhesion (wheel.hpp) after a small kick to its rotation, in SI units: frequency and decay of
+// the oscillation about steady rolling, against the roots of the closed loop with the exact creep coefficient c11(s).
+//
+//     ./examples/driven_wheel
+//
+//     frequency 380.27 Hz, exact 380.28 Hz (-2.21e-05)
+//     decay 746.40 1/s, exact 746.65 1/s (-3.37e-04)
 #include <cmath>
 #include <complex>
 #include <cstdio>
@@ -53,7 +58,7 @@ Complex closed_loop(const Wheel& wheel, const Contact& contact, double speed) {
 }  // namespace
 
 int main() {
-    // 1. The contact, and a scheme of second order that is stable on every mesh size, as the verdict finds.
+    // 1. The contact, with a scheme of second order that is stable on every mesh tried; the model asks for the verdict.
     const Wheel wheel;
     const Contact contact({.half_length = 6e-3, .half_width = 12e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const auto system =
@@ -61,7 +66,7 @@ int main() {
                                 rollbem::PlaneKernel<double>::longitudinal(contact));
     const Model model(contact, system, rollbem::judge_stability(system));
 
-    // 2. Steady rolling at 20 m/s, where the rail carries the resistance.
+    // 2. Steady rolling at 20 m/s: the force of the rail balances the resistance.
     const double speed = 20;
     const double slope = model.force(model.steady(1.0));  // dF/dxi
     const double steady = wheel.resistance / slope;
@@ -69,7 +74,7 @@ int main() {
     State<Model> now{speed, speed * (1 - steady) / wheel.radius, wheel.resistance, model.steady(steady)};
     State<Model> next = now;
 
-    // 3. A kick to the rotation, and the sliding speed that follows.
+    // 3. A kick to the rotation, and the sliding speed after it.
     const Complex expected = closed_loop(wheel, contact, speed);
     const double dt = 2 * std::numbers::pi / std::abs(expected.imag()) / 200;
     const int steps = 500;

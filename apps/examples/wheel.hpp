@@ -1,5 +1,6 @@
-// A driven wheel on a rail with a contact of rollbem as its force element, integrated implicitly in steps of equal
-// distance rolled. In SI units. For any model whose advance() takes a RigidMotion: with friction or without.
+// A driven wheel on a rail, with the contact as its force element, integrated implicitly in steps of equal distance
+// rolled, in SI units. For any model whose advance() takes a RigidMotion: without friction in driven_wheel.cpp, with it
+// in slipping_wheel.cpp.
 #pragma once
 
 #include <cmath>
@@ -9,7 +10,7 @@
 
 #include <rollbem/adhesion/transient.hpp>
 
-/// What does not change. The rail force F on the wheel drives the vehicle: m dV/dt = F - D, J d(omega)/dt = T - R F.
+/// What stays the same. The rail force F on the wheel drives the vehicle: m dV/dt = F - D, J d(omega)/dt = T - R F.
 struct Wheel {
     double mass = 6000;        // m, the wheel's share of the vehicle [kg]
     double inertia = 80;       // J [kg m^2]
@@ -17,7 +18,7 @@ struct Wheel {
     double resistance = 2000;  // D [N]
 };
 
-/// All that does change.
+/// What changes in time.
 template <class Model>
 struct State {
     double speed, rotation;  // V [m/s], omega [rad/s]
@@ -31,9 +32,9 @@ inline double creepage(const Wheel& wheel, double speed, double rotation) {
 }
 
 /// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's
-/// method. Each trial advances the contact from the same state: what a rejected trial leaves in `next` is overwritten.
-/// The status is not ok where the contact refuses; the force is not a number where Newton does not settle. `workspace`
-/// is what the model asks for besides: that of this contact with friction, nothing without.
+/// method. Each trial advances the contact from the same state; the next one overwrites what it leaves in `next`.
+/// If the contact refuses the step, its status says why; if Newton's method does not converge, the force is not a
+/// number. `workspace` is that of the model with friction, and nothing without.
 template <class Model, class... Workspace>
 typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
                              State<Model>& next, Workspace&... workspace) {
