@@ -1,4 +1,4 @@
-// rollbem/accuracy/recommendation.hpp: every recommended scheme keeps its promise; and what richardson.hpp extrapolates
+// rollbem/accuracy/recommendation.hpp: recommended schemes stay below their error bounds; richardson.hpp on schemes
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ using Complex = std::complex<double>;
 const Contact<double> wide = Contact<double>::dimensionless(1000, 0.28);
 const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(wide);
 
-TEST_CASE("Schemes that extrapolate, and one that does not", "[richardson]") {
+TEST_CASE("Extrapolation succeeds where the error has the assumed order, and only there", "[richardson]") {
     const double exact = steady_c11(0.28);
     const auto steady = [](const auto& make_mesh, double alpha_L, double alpha_T) {
         return [=](std::ptrdiff_t n) {
@@ -52,7 +52,7 @@ TEST_CASE("Schemes that extrapolate, and one that does not", "[richardson]") {
     CHECK(std::abs(second.value / exact - 1) < 3e-6);
     // the error of 0/0.63 changes its sign near n = 18
     CHECK(extrapolate(steady(uniform, 0, 0.63), 10, 1).status == Status::order_differs);
-    // a frequency that the mesh does not resolve, and one it does
+    // a frequency that the mesh does not resolve, and one that it does
     const auto harmonic = [](double z) {
         return [=](std::ptrdiff_t n) { return solve_harmonic(cosine_mesh(n), Collocation{0.5, 0.5}, kernel, z).c11; };
     };
@@ -62,7 +62,7 @@ TEST_CASE("Schemes that extrapolate, and one that does not", "[richardson]") {
     CHECK(std::abs(resolved.value / reference::plane_c11({0, 1}, 0.28, 1000) - 1.0) < 1e-6);
 }
 
-// What is recommended by `best` has the error found: below its bound, yet not by more than the factor `slack`.
+// The error `found` with `best` is below the bound, and at least tolerance / slack: the scheme is not needlessly fine.
 template <class Recommended>
 void check_promise(const Recommended& best, double tolerance, double slack, double found) {
     CAPTURE(tolerance, found, best.error_bound);
@@ -71,7 +71,7 @@ void check_promise(const Recommended& best, double tolerance, double slack, doub
     CHECK(found >= tolerance / slack);
 }
 
-// Errors against exact results, of states and of elements alike.
+// Errors against exact results, for states and for elements.
 template <class Recommended, class Kernel>
 double steady_error(const Recommended& best, const Kernel& own, double exact) {
     const double c11 = best.evaluate([&](const auto&... method) { return solve_steady(method..., own).c11; });
@@ -92,7 +92,7 @@ double harmonic_error(const Recommended& best, const Kernel& own, const std::vec
     return largest;
 }
 
-// Largest error of the force at q/a = 1, 1 + dq, ... after a step of creepage; the exact one from dq on.
+// Largest error of the force at q/a = 1, 1 + dq, ... after a step of creepage; `exact` begins at dq.
 double step_error(double aspect, double nu, const RollingSystem<double>& system, double dq,
                   const std::vector<double>& exact) {
     CHECK(count_unstable<double>(system).unstable_count == 0);
@@ -118,14 +118,14 @@ std::vector<double> plane_steps(double aspect, double nu, double dq, int count) 
 
 // --- elements
 
-TEST_CASE("Elements recommended for steady rolling", "[recommendation]") {
+TEST_CASE("Elements recommended for steady rolling stay below their error bound", "[recommendation]") {
     for (const double tolerance : {0.5, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-7, 1e-8, 1e-9}) {
         const RecommendedElements best = recommended_elements(tolerance, Purpose::steady);
         check_promise(best, tolerance, tolerance > 2e-3 ? 1e3 : 4, steady_error(best, kernel, steady_c11(0.28)));
     }
 }
 
-TEST_CASE("Elements recommended for steady rolling of a strip", "[recommendation]") {
+TEST_CASE("Elements recommended for steady rolling stay below their error bound on a strip", "[recommendation]") {
     const StripKernel<double> strip(10, 0.72, 0.28);
     const double exact = reference::strip_c11(0, 0.28, 10).c11.real();
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
@@ -134,7 +134,7 @@ TEST_CASE("Elements recommended for steady rolling of a strip", "[recommendation
     }
 }
 
-TEST_CASE("Elements recommended for the frequency response", "[recommendation]") {
+TEST_CASE("Elements recommended for the frequency response stay below their error bound", "[recommendation]") {
     for (const double nu : {0.0, 0.5}) {
         for (const double aspect : {10.0, 1e5}) {
             std::vector<Complex> exact;
@@ -149,7 +149,7 @@ TEST_CASE("Elements recommended for the frequency response", "[recommendation]")
     }
 }
 
-TEST_CASE("Elements recommended for a time loop", "[recommendation]") {
+TEST_CASE("Elements recommended for a time loop stay below their error bound", "[recommendation]") {
     for (const double nu : {0.0, 0.5}) {
         for (const double aspect : {10.0, 1e5}) {
             const std::vector<double> exact = plane_steps(aspect, nu, 0.5, 80);
@@ -167,7 +167,7 @@ TEST_CASE("Elements recommended for a time loop", "[recommendation]") {
 
 // --- Chebyshev states
 
-TEST_CASE("States recommended for steady rolling", "[recommendation]") {
+TEST_CASE("States recommended for steady rolling stay below their error bound", "[recommendation]") {
     for (const double nu : {0.0, 0.28, 0.5}) {
         for (const double aspect : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
             const StripKernel<double> strip(aspect, 1 - nu, nu);
@@ -177,7 +177,7 @@ TEST_CASE("States recommended for steady rolling", "[recommendation]") {
                 const RecommendedStates best = recommended_scheme(tolerance, Purpose::steady, aspect);
                 const double error = steady_error(best, strip, exact);
                 check_promise(best, tolerance, std::numeric_limits<double>::infinity(), error);
-                // no more than twice the states needed: one of three counts near half of them misses the tolerance
+                // at most twice the states needed: one of three counts near half of them misses the tolerance
                 if (aspect < 0.03 || aspect > 3 || tolerance > 1e-4) continue;
                 double missed = 0;
                 for (Eigen::Index m = best.method.states / 2; m < best.method.states / 2 + 3; ++m) {
@@ -194,7 +194,7 @@ TEST_CASE("States recommended for steady rolling", "[recommendation]") {
     }
 }
 
-TEST_CASE("States recommended for the frequency response of the plane", "[recommendation]") {
+TEST_CASE("States recommended for the frequency response stay below their error bound", "[recommendation]") {
     for (const double nu : {0.0, 0.28, 0.5}) {
         for (const double aspect : {10.0, 1e3, 1e5}) {
             const PlaneKernel<double> plane(aspect, 1 - nu, nu);
@@ -213,7 +213,7 @@ TEST_CASE("States recommended for the frequency response of the plane", "[recomm
     }
 }
 
-TEST_CASE("States recommended for the frequency response of strips", "[recommendation]") {
+TEST_CASE("States recommended for the frequency response stay below their error bound on strips", "[recommendation]") {
     for (const double nu : {0.0, 0.5}) {
         for (const double aspect : {0.05, 0.3, 1.0, 3.0, 10.0}) {
             const StripKernel<double> strip(aspect, 1 - nu, nu);
@@ -228,7 +228,7 @@ TEST_CASE("States recommended for the frequency response of strips", "[recommend
     }
 }
 
-TEST_CASE("States recommended for a time loop", "[recommendation]") {
+TEST_CASE("States recommended for a time loop stay below their error bound", "[recommendation]") {
     for (const double nu : {0.0, 0.5}) {
         for (const double aspect : {10.0, 1e5}) {
             const std::vector<double> exact = plane_steps(aspect, nu, 0.25, 40);
@@ -241,7 +241,7 @@ TEST_CASE("States recommended for a time loop", "[recommendation]") {
             }
         }
     }
-    // strips, by another method and the inverse Laplace transform
+    // strips, against an independent solution and its inverse Laplace transform
     for (const double aspect : {0.3, 1.0, 10.0}) {
         std::vector<double> exact;
         for (const int q : {1, 2, 3, 4, 5, 6}) {
@@ -261,7 +261,7 @@ TEST_CASE("States recommended for a time loop", "[recommendation]") {
 
 // --- friction
 
-TEST_CASE("Elements recommended for friction", "[recommendation]") {
+TEST_CASE("Elements recommended for friction stay below their error bound", "[recommendation]") {
     const double peak = 1e-3;
     for (const double tolerance : {0.5, 0.1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4}) {
         const RecommendedElements best = recommended_scheme(tolerance, Purpose::friction);

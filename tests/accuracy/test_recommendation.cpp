@@ -21,11 +21,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // --- Richardson's extrapolation
 
-TEST_CASE("Extrapolation cancels exactly the power it is told", "[richardson]") {
+TEST_CASE("Extrapolation cancels exactly the power of n that it is given", "[richardson]") {
     for (const double order : {0.5, 1.0, 2.0, 3.0}) {
         const auto value = [&](double n) { return 2 + 3 * std::pow(n, -order) + std::pow(n, -order - 1); };
         CAPTURE(order);
-        // what is left is (2^-1 - 1)/(2^order - 1) n^-(order+1), no more and no less
+        // the remainder is exactly (2^-1 - 1)/(2^order - 1) n^-(order+1)
         const double left = richardson(value(8), value(16), order) - 2;
         CHECK(std::abs(left / (-0.5 / (std::exp2(order) - 1) * std::pow(8.0, -order - 1)) - 1) < 1e-9);
         const auto result = extrapolate([&](std::ptrdiff_t n) { return value(static_cast<double>(n)); }, 8, order);
@@ -39,7 +39,7 @@ TEST_CASE("Extrapolation cancels exactly the power it is told", "[richardson]") 
     CHECK(std::abs(richardson(1.0F, 2.0F, 1) - 3.0F) < 1e-6F);
 }
 
-TEST_CASE("Extrapolation is refused where the order does not fit", "[richardson]") {
+TEST_CASE("Extrapolation is rejected where the observed order differs from the assumed one", "[richardson]") {
     const auto run = [](const std::function<double(double)>& value, double order, double band = 0.25) {
         return extrapolate([&](std::ptrdiff_t n) { return value(static_cast<double>(n)); }, 4, order, band);
     };
@@ -64,7 +64,7 @@ TEST_CASE("Extrapolation is refused where the order does not fit", "[richardson]
     CHECK_THROWS_WITH(richardson(1.0, 1.0, -1), "richardson: order = -1 must be positive and finite");
 }
 
-TEST_CASE("Two of three values that agree are no convergence", "[richardson]") {
+TEST_CASE("Two equal values out of three are not taken for convergence", "[richardson]") {
     const auto run = [](double coarse, double middle, double fine) {
         return extrapolate([&](std::ptrdiff_t n) { return n == 1 ? coarse : n == 2 ? middle : fine; }, 1, 1);
     };
@@ -74,8 +74,8 @@ TEST_CASE("Two of three values that agree are no convergence", "[richardson]") {
     }
 }
 
-TEST_CASE("Values that differ by rounding have converged", "[richardson]") {
-    // a last digit up and down shows no order
+TEST_CASE("Values that differ by round-off have converged", "[richardson]") {
+    // a change in the last digit shows no order
     const double epsilon = std::numeric_limits<double>::epsilon();
     for (const double sign : {1.0, -1.0}) {
         const auto noisy = [&](std::ptrdiff_t n) { return 1 + (n == 8 ? sign * epsilon : 0.0); };
@@ -89,9 +89,9 @@ TEST_CASE("Values that differ by rounding have converged", "[richardson]") {
     CHECK(extrapolate(coarse, 4, 2).status == Status::order_differs);
 }
 
-// --- Recommended schemes: that they keep their promise is tested with the problems they are for
+// --- Recommended schemes; test_promise.cpp measures their errors
 
-TEST_CASE("The measured table of elements, and tolerances that are refused", "[recommendation]") {
+TEST_CASE("Recommended elements follow the measured table, and tolerances beyond it are rejected", "[recommendation]") {
     const auto elements = [](double tolerance, auto purpose) { return recommended_elements(tolerance, purpose).n; };
     CHECK(elements(1e-3, Purpose::steady) == 8);
     CHECK(elements(1e-4, Purpose::steady) == 16);
@@ -109,18 +109,18 @@ TEST_CASE("The measured table of elements, and tolerances that are refused", "[r
     CHECK(elements(1e-2, Purpose::friction) == 15);
     CHECK(elements(1e-3, Purpose::friction) == 51);
     CHECK(elements(1e-4, Purpose::friction) == 175);
-    // no fewer were measured
+    // the smallest counts measured
     CHECK(elements(0.5, Purpose::steady) == 6);
     CHECK(elements(0.9, Purpose::frequency) == 4);
     CHECK(elements(0.5, Purpose::time_loop) == 4);
     CHECK(elements(0.5, Purpose::friction) == 4);
-    // the bound is that of the elements there are
+    // the bound is that of the recommended number of elements
     CHECK(recommended_elements(0.5, Purpose::steady).error_bound == Approx(0.19 * std::pow(6, -2.8)).epsilon(1e-14));
     CHECK(recommended_elements(0.5, Purpose::friction).error_bound == Approx(1.4 * std::pow(4, -1.85)).epsilon(1e-14));
     const auto refused = [&](auto purpose) {
         for (const double bad : {1.0, 0.0, -1e-3, nan, 1e-12})
             CHECK_THROWS_AS(elements(bad, purpose), std::invalid_argument);
-        double smallest = 0.5;  // that is not refused, within 3 %
+        double smallest = 0.5;  // accepted tolerance, within 3 %
         Eigen::Index largest = 0;
         try {
             while (true) largest = elements(smallest *= 0.97, purpose);
@@ -137,7 +137,7 @@ TEST_CASE("The measured table of elements, and tolerances that are refused", "[r
                       "recommended_elements: tolerance = 1e-09 must lie in [4.39453125e-07, 1): no more was measured");
 }
 
-TEST_CASE("Recommended are states in full adhesion and elements with friction", "[recommendation]") {
+TEST_CASE("States are recommended in full adhesion, elements with friction", "[recommendation]") {
     static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::steady)), RecommendedStates>);
     static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::frequency)), RecommendedStates>);
     static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::time_loop)), RecommendedStates>);
@@ -167,7 +167,7 @@ TEST_CASE("Recommended are states in full adhesion and elements with friction", 
             Eigen::Index last = 1;
             for (double tolerance = 0.9; tolerance > 1e-6; tolerance *= 0.7) {
                 const Eigen::Index m = states(tolerance, purpose, aspect);
-                CHECK(m >= last);  // a smaller tolerance takes no fewer
+                CHECK(m >= last);  // a smaller tolerance never takes fewer states
                 last = m;
             }
             for (const double bad : {1.0, 0.0, -1e-3, nan, 9e-12}) {
@@ -182,8 +182,8 @@ TEST_CASE("Recommended are states in full adhesion and elements with friction", 
                       "recommended_scheme: aspect = 0.001 must be at least 0.01: no narrower strip was measured");
 }
 
-TEST_CASE("What is recommended hands itself to a solver", "[recommendation]") {
-    // one solver for both: it is told a method, or a mesh and a scheme
+TEST_CASE("A recommendation passes its method, or its mesh and scheme, to a solver", "[recommendation]") {
+    // one solver for both: it is called with a method, or with a mesh and a scheme
     int calls = 0;
     const auto solve = [&](const auto&... method) {
         ++calls;

@@ -1,5 +1,5 @@
-// A pencil in any scalar type, and the comparison of two spectra of it.
-// Shared by the tests of the scalar types, which are apart because each QZ takes long to compile.
+// A pencil in any scalar type, and the comparison of two of its spectra.
+// Shared by the tests of the scalar types, which are separate files because each QZ takes long to compile.
 #pragma once
 
 #include <cmath>

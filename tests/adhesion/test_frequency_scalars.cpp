@@ -11,7 +11,7 @@ namespace {
 
 using namespace rollbem;
 
-// c11 by the sweep, after a comparison with the plain route to the rounding of the type.
+// c11 by the sweep, compared with the direct solution to the round-off of the type.
 template <class Scalar>
 std::complex<long double> c11(long double z) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(40);
@@ -27,7 +27,7 @@ std::complex<long double> c11(long double z) {
     return {point.c11.real(), point.c11.imag()};
 }
 
-TEST_CASE("Sweeps reach the rounding of float and of long double", "[frequency]") {
+TEST_CASE("Sweeps are accurate to round-off in float and in long double", "[frequency]") {
     for (const long double z : {0.125L, 1.0L, 5.0L}) {
         const auto difference = static_cast<double>(std::abs(c11<float>(z) / c11<long double>(z) - 1.0L));
         CAPTURE(z, difference * 1e6);

@@ -31,12 +31,12 @@ Matrix random_matrix(Eigen::Index n, unsigned seed) {
     return A;
 }
 
-// The weights have no part in eigenvalues.
+// The weights do not affect the eigenvalues.
 RollingSystem<double> system_of(const Matrix& G, const Matrix& G_prime) {
     return {G, G_prime, ArrayX<double>::Ones(G.rows())};
 }
 
-TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]") {
+TEST_CASE("QZ finds prescribed eigenvalues, finite and infinite", "[stability]") {
     const Eigen::Index n = 6;
     Matrix S = Matrix::Zero(n, n), T = Matrix::Identity(n, n);
     S.diagonal() << -1, -2, -2, 3, 1, -0.5;
@@ -76,7 +76,7 @@ TEST_CASE("QZ finds given eigenvalues, infinite ones among them", "[stability]")
     CHECK(*singular.cond_G == std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("The numbers that describe a spectrum", "[stability]") {
+TEST_CASE("Abscissa, radius, stiffness and condition number describe a prescribed spectrum", "[stability]") {
     // eigenvalues -4, 2, -1 +- 3i in a basis that is far from orthogonal
     Matrix D = Matrix::Zero(4, 4);
     D.diagonal() << -4, 2, -1, -1;
@@ -101,9 +101,9 @@ TEST_CASE("The numbers that describe a spectrum", "[stability]") {
     CHECK(*condition == Approx(1e9).epsilon(1e-5));
 }
 
-TEST_CASE("Uncertainty follows its definition, from vectors found in another way", "[stability]") {
-    // right vectors from the standard problem, left ones as rows of (G X)^-1: fit while the vectors are
-    // well-conditioned
+TEST_CASE("The uncertainty of an eigenvalue follows its definition", "[stability]") {
+    // right eigenvectors X from the standard problem, left ones as rows of (G X)^-1: accurate while they are
+    // well conditioned
     for (const unsigned seed : {11u, 12u, 13u}) {
         const Eigen::Index n = 12;
         const Matrix G = random_matrix(n, seed) + 3 * Matrix::Identity(n, n);
@@ -127,7 +127,7 @@ TEST_CASE("Uncertainty follows its definition, from vectors found in another way
             CAPTURE(seed, value, found[nearest], result.uncertainty[nearest] / expected);
             CHECK(std::abs(result.uncertainty[nearest] / expected - 1) < 1e-6);
 
-            // moved to the imaginary axis and a little beyond, the sign is open; three bounds away it is settled
+            // shifted to within 0.3 bounds of the imaginary axis, the sign is open; 4 bounds away it is settled
             if (value.imag() < 0) continue;
             const double bound = result.uncertainty[nearest];
             const auto uncertain_at = [&](double distance) {
@@ -143,7 +143,7 @@ TEST_CASE("Uncertainty follows its definition, from vectors found in another way
     }
 }
 
-TEST_CASE("The fast count and QZ give the same answers", "[stability]") {
+TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
     int settled = 0, unstable = 0;
     const auto check = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
         const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
@@ -169,18 +169,18 @@ TEST_CASE("The fast count and QZ give the same answers", "[stability]") {
         }
     }
     CAPTURE(settled, unstable);
-    CHECK(settled > 120);  // of 176: there the counts were equal
+    CHECK(settled > 120);  // of 176: the counts were equal there
     CHECK(unstable > 30);
 }
 
-TEST_CASE("The fast count says so when it cannot be trusted", "[stability]") {
+TEST_CASE("The fast count reports a G' that is nearly singular", "[stability]") {
     const UnstableCount<double> count = count_unstable(rolling_system(uniform_mesh(40), Collocation{0, 1.35}, strip()));
     CHECK(count.status == Status::ill_conditioned);
     CHECK(count.rcond < 1e-4);
     CHECK_FALSE(StabilityVerdict{}.stable());
 }
 
-TEST_CASE("What is stable and what is not", "[stability]") {
+TEST_CASE("The recommended schemes are stable and larger alphas are not", "[stability]") {
     const auto count = [](const auto& mesh, const auto& scheme) {
         return count_unstable(rolling_system(mesh, scheme, strip())).unstable_count;
     };
@@ -196,10 +196,10 @@ TEST_CASE("What is stable and what is not", "[stability]") {
         CHECK(count(cosine_mesh(n), Collocation{0.5, 0.5}) == 0);
         CHECK(count_unstable(rolling_system(cosine_mesh(n), Collocation{0.5, 0.5}, plane(1000))).unstable_count == 0);
     }
-    // the paper's recommendation is lost as n grows, but not for good
+    // the paper's scheme loses stability as n grows, and regains it
     CHECK(count(uniform_mesh(160), Collocation{0, 0.63}) == 2);
     CHECK(count(uniform_mesh(166), Collocation{0, 0.63}) == 0);
-    // an island
+    // an unstable interval of alpha_T
     CHECK(count(uniform_mesh(40), Collocation{0, 0.7680}) == 0);
     CHECK(count(uniform_mesh(40), Collocation{0, 0.7700}) == 1);
     CHECK(count(uniform_mesh(40), Collocation{0, 0.7760}) == 1);
@@ -208,7 +208,7 @@ TEST_CASE("What is stable and what is not", "[stability]") {
     CHECK(count(uniform_mesh(40), Collocation{0, 0.7850}) == 2);
 }
 
-TEST_CASE("lambda below one half removes the instability of finite differences", "[stability]") {
+TEST_CASE("A lambda below one half removes the instability of finite differences", "[stability]") {
     const auto count = [](const auto& mesh, const auto& scheme) {
         return count_unstable(rolling_system(mesh, scheme, strip())).unstable_count;
     };
@@ -233,14 +233,14 @@ TEST_CASE("lambda below one half removes the instability of finite differences",
     CHECK(count(knothe_mesh(60, 0.1), Collocation{0, 0.63, Derivative::analytic, 0.45}) > 0);
 }
 
-TEST_CASE("Stability refuses bad input by name", "[stability]") {
+TEST_CASE("Stability rejects a plane kernel with a negative Lambda", "[stability]") {
     CHECK_THROWS_WITH(count_unstable(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))),
                       Catch::Matchers::ContainsSubstring("Lambda"));
     CHECK_THROWS_AS(solve_stability(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))), std::invalid_argument);
 }
 
-TEST_CASE("A sign is settled beyond its uncertainty, and not before", "[stability]") {
-    // uncertainty of both: 2 eps
+TEST_CASE("A sign is settled if and only if it exceeds its uncertainty", "[stability]") {
+    // the uncertainty of both eigenvalues is 2 eps
     const double eps = std::numeric_limits<double>::epsilon();
     const auto settle = [](double second) {
         return solve_stability(system_of(Matrix::Identity(2, 2), Eigen::Vector2d(1, second).asDiagonal()),
@@ -255,14 +255,14 @@ TEST_CASE("A sign is settled beyond its uncertainty, and not before", "[stabilit
     CHECK(*settled.uncertain_count == 0);
 }
 
-TEST_CASE("The fast count takes no mode without growth for unstable", "[stability]") {
+TEST_CASE("The fast count does not take a neutral mode for an unstable one", "[stability]") {
     const UnstableCount<double> count =
         count_unstable(system_of(Eigen::Vector2d(1, 0).asDiagonal(), -Matrix::Identity(2, 2)));
     CHECK(count.status == Status::ok);
     CHECK(count.unstable_count == 0);
 }
 
-TEST_CASE("The fast count sees two equal equations", "[stability]") {
+TEST_CASE("The fast count detects two equal equations", "[stability]") {
     const UnstableCount<double> count = count_unstable(system_of(
         Eigen::Matrix3d{{2, 1, 1}, {1, 2, 1}, {1, 2, 1}}, Eigen::Matrix3d{{-7, 14, 7}, {20, 10, 0}, {20, 10, 0}} / 80));
     CHECK(count.rcond == 0);

@@ -31,7 +31,7 @@ TEST_CASE("The smallest unstable alpha_T falls with n", "[stability]") {
         int n;
         double first, expected, tolerance;
     };
-    // from a later start where a whole scan takes long
+    // a later start where a scan of the whole range takes long
     for (const Case& c : {Case{20, 0.3, 0.8974, 6e-5}, Case{40, 0.3, 0.7687, 6e-5}, Case{60, 0.3, 0.7230, 6e-5},
                           Case{80, 0.3, 0.6860, 6e-5}, Case{120, 0.6, 0.6496, 6e-5}, Case{160, 0.622, 0.6282, 6e-5},
                           Case{240, 0.600, 0.604, 6e-4}, Case{320, 0.587, 0.589, 6e-4}}) {
@@ -43,12 +43,12 @@ TEST_CASE("The smallest unstable alpha_T falls with n", "[stability]") {
     }
 }
 
-TEST_CASE("The second unstable set at n = 40 starts at 0.784", "[stability]") {
+TEST_CASE("The second unstable interval at n = 40 starts at alpha_T = 0.784", "[stability]") {
     const std::optional<double> found = critical_alpha_T(uniform_mesh(40), collocation, strip(), {.first = 0.777});
     CHECK(std::abs(found.value_or(-1) - 0.784) < 6e-4);
 }
 
-TEST_CASE("Strides do not change what every step finds", "[stability]") {
+TEST_CASE("Scanning by strides finds the same critical alpha_T as scanning every step", "[stability]") {
     const auto check = [](const auto& mesh, const auto& scheme_of) {
         const std::optional<double> strided = critical_alpha_T(mesh, scheme_of, strip());
         CHECK(strided == critical_alpha_T(mesh, scheme_of, strip(), {.largest_stride = 1}));
@@ -79,16 +79,16 @@ TEST_CASE("Equal alphas turn unstable just above one half", "[stability]") {
     CHECK(before < 0.51);
 }
 
-TEST_CASE("Galerkin's method turns unstable later", "[stability]") {
+TEST_CASE("Galerkin's method turns unstable at larger alphas than collocation", "[stability]") {
     const auto fd = seven_points<Derivative::finite_difference>;
     const auto analytic = seven_points<Derivative::analytic>;
     CHECK(std::abs(critical_alpha_T(uniform_mesh(60), fd, strip(), {.first = 0.82}).value_or(-1) - 0.875) < 6e-3);
     CHECK(std::abs(critical_alpha_T(uniform_mesh(60), analytic, strip(), {.first = 0.79}).value_or(-1) - 0.835) < 6e-3);
     CHECK_FALSE(critical_alpha_T(uniform_mesh(20), fd, strip(), {.last = 1}).has_value());
     CHECK_FALSE(critical_alpha_T(uniform_mesh(20), analytic, strip(), {.last = 1}).has_value());
-    // in closed form, plane kernel
+    // Galerkin in closed form, plane kernel
     const PlaneKernel<double> kernel = plane(1000);
-    // from n = 80 on, the first eigenvalues seem to cross where G is singular to rounding: their signs are open
+    // for n >= 80, the first eigenvalues seem to cross where G is singular to round-off: their signs are open
     for (const auto& [n, alpha_T] : {std::pair{80, 0.99}, std::pair{160, 0.82}}) {
         const StabilityResult<double> open = solve_stability(rolling_system(uniform_mesh(n), galerkin(alpha_T), kernel),
                                                              {.settle_signs = true, .condition = true});
@@ -102,11 +102,11 @@ TEST_CASE("Galerkin's method turns unstable later", "[stability]") {
     CHECK(count_unstable(rolling_system(uniform_mesh(320), galerkin(0.63), kernel)).unstable_count == 0);
 }
 
-TEST_CASE("Critical alpha_T: ends of the range and bad input", "[stability]") {
+TEST_CASE("The search for a critical alpha_T respects its range and rejects invalid options", "[stability]") {
     const auto mesh = uniform_mesh(20);
     CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95}) == 0.95);
     CHECK_FALSE(critical_alpha_T(mesh, collocation, strip(), {.last = 0.89}).has_value());
-    // a range of one point, and one whose last step rounds to less than a whole one
+    // a range of one point, and one whose only step is less than a whole one after round-off
     CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95, .last = 0.95}) == 0.95);
     CHECK_FALSE(critical_alpha_T(mesh, collocation, strip(), {.first = 0.5, .last = 0.5}).has_value());
     const CriticalAlphaOptions one_step{.first = 0.8, .last = 0.9, .step = 0.1};
@@ -132,7 +132,7 @@ TEST_CASE("The spectrum of a good scheme converges to the exact one", "[stabilit
         CAPTURE(exact, coarse, fine);
         CHECK(fine < 1e-4);
         CHECK(fine > 1e-7);
-        // second order: 16 times smaller
+        // second order: a factor of 16
         CHECK(coarse / fine > 12);
         CHECK(coarse / fine < 20);
     }

@@ -5,7 +5,7 @@ namespace {
 
 using namespace rollbem;
 
-TEST_CASE("Signs settled in float are those of double", "[stability]") {
+TEST_CASE("Signs settled in float agree with double", "[stability]") {
     for (const int n : {5, 10, 20, 40}) {
         for (const double alpha_T : {0.5, 0.63, 0.95}) {
             const StabilityResult<float> working =
@@ -17,7 +17,7 @@ TEST_CASE("Signs settled in float are those of double", "[stability]") {
     }
 }
 
-TEST_CASE("Both routes count alike in float", "[stability]") {
+TEST_CASE("The fast count agrees with QZ in float", "[stability]") {
     for (const double alpha_T : {0.5, 0.63, 1.0}) {
         const RollingSystem<float> system = recommended<float>(20, alpha_T);
         CHECK(count_unstable(system).status == Status::ok);

@@ -5,7 +5,7 @@ namespace {
 
 using namespace rollbem;
 
-TEST_CASE("Signs settled in double are those of long double", "[stability]") {
+TEST_CASE("Signs settled in double agree with long double", "[stability]") {
     for (const int n : {20, 40, 80, 160}) {
         const StabilityResult<double> working = solve_stability(recommended<double>(n), {.settle_signs = true});
         const StabilityResult<long double> wide = solve_stability(recommended<long double>(n), {.settle_signs = true});
@@ -19,7 +19,7 @@ TEST_CASE("Signs settled in double are those of long double", "[stability]") {
     }
 }
 
-TEST_CASE("Both routes count alike in long double", "[stability]") {
+TEST_CASE("The fast count agrees with QZ in long double", "[stability]") {
     for (const double alpha_T : {0.5, 0.63, 1.0}) {
         const RollingSystem<long double> system = recommended<long double>(20, alpha_T);
         CHECK(count_unstable(system).status == Status::ok);

@@ -39,7 +39,7 @@ Complex response(const Space& space, Complex s) {
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
-TEST_CASE("Eight equations are the contact where nothing changes within its length", "[state_space]") {
+TEST_CASE("Eight equations reproduce the contact where motion is slow over its length", "[state_space]") {
     const StateSpace<double> space = state_space(Chebyshev{8}, plane);
     CHECK(space.A.rows() == 8);
     for (const double angle : {0.0, 0.7, 1.5707963267948966, 2.2}) {
@@ -49,14 +49,14 @@ TEST_CASE("Eight equations are the contact where nothing changes within its leng
             CHECK(relative_error(response(space, s), reference::plane_c11(s, 0.25, 100)) < 1e-12);
         }
     }
-    // and not where something does
+    // but not at higher frequencies
     CHECK(relative_error(response(space, Complex(0, 5)), reference::plane_c11(Complex(0, 5), 0.25, 100)) > 1e-4);
     const Complex exact = reference::eigenvalues(1, 0.25, 100)[0];
     CHECK((dense::spectrum(space.A).values.array() - exact).abs().minCoeff() < 1e-13);
     CHECK(space.D(0, 0) == 0);
 }
 
-TEST_CASE("The state space of a system is the system", "[state_space]") {
+TEST_CASE("A state space has the frequency response of its system", "[state_space]") {
     const auto check = [](const RollingSystem<double>& system, double tolerance) {
         const StateSpace<double> space = state_space(system);
         for (const double z : {0.0, 0.3, 4.0}) {
@@ -70,7 +70,7 @@ TEST_CASE("The state space of a system is the system", "[state_space]") {
     check(rolling_system(Chebyshev{24}, plane), 1e-13);
 }
 
-TEST_CASE("Chebyshev states need no inverse, and give the same", "[state_space]") {
+TEST_CASE("The state space of Chebyshev states, made without an inverse, is the general one", "[state_space]") {
     for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
         for (const double aspect : {0.5, 100.0}) {
             const ChebyshevSystem<double> system =
@@ -89,7 +89,7 @@ TEST_CASE("Chebyshev states need no inverse, and give the same", "[state_space]"
     }
 }
 
-// x(q) of constant creepage from rest, by the classic Runge-Kutta method
+// C x(q) under constant creepage from rest, by the classical Runge-Kutta method
 template <class Space>
 double stepped(const Space& space, double end, int steps) {
     const double h = end / steps;
@@ -102,13 +102,13 @@ double stepped(const Space& space, double end, int steps) {
     return (space.C * x)(0, 0);
 }
 
-TEST_CASE("A step by an integrator of one's own", "[state_space]") {
+TEST_CASE("A Runge-Kutta integration of the state space follows the exact step response", "[state_space]") {
     const reference::StepResponse exact(0.25, 100);
     const StateSpace<double> space = state_space(Chebyshev{24}, plane);
     for (const double q : {5.0, 20.0}) CHECK(std::abs(stepped(space, q, 4000) / exact.step(q) - 1) < 2e-9);
 }
 
-TEST_CASE("In SI units the force is that of the time loop", "[state_space]") {
+TEST_CASE("A state space in SI units gives the force of the time loop", "[state_space]") {
     const Contact<double> contact(
         {.half_length = 6e-3, .half_width = 60e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const double speed = 30, creepage = 1e-4;
@@ -131,7 +131,7 @@ TEST_CASE("In SI units the force is that of the time loop", "[state_space]") {
     CHECK(force < 0);
 }
 
-TEMPLATE_TEST_CASE("State space in every scalar type", "[state_space]", float, double, long double) {
+TEMPLATE_TEST_CASE("A state space can be made in every scalar type", "[state_space]", float, double, long double) {
     using Scalar = TestType;
     const ChebyshevSystem<Scalar> system =
         rolling_system(Chebyshev{10}, StripKernel<Scalar>(1, Scalar(0.75), Scalar(0.25)));
@@ -144,14 +144,14 @@ TEMPLATE_TEST_CASE("State space in every scalar type", "[state_space]", float, d
     CHECK(in_si(direct, contact, 3).C == -2 * direct.C);
 }
 
-TEST_CASE("What a state space refuses", "[state_space]") {
+TEST_CASE("A state space rejects singular systems, infinite widths and invalid speeds", "[state_space]") {
     MatrixX<double> G = MatrixX<double>::Identity(3, 3);
     G(1, 1) = 0;
     const RollingSystem<double> singular(G, MatrixX<double>::Identity(3, 3), ArrayX<double>::Ones(3));
     CHECK_THROWS_WITH(state_space(singular), ContainsSubstring("rcond of G = 0 must exceed") &&
                                                  ContainsSubstring("singular to working precision"));
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
-    // many elements with their points at the leading edge's side
+    // many elements with their points ahead of the centres
     const RollingSystem<double> nearly =
         rolling_system(uniform_mesh(400), Collocation{.alpha_L = 0, .alpha_T = 0.63}, plane);
     CHECK_THROWS_WITH(state_space(nearly), ContainsSubstring("rcond of G"));

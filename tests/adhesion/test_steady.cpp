@@ -68,7 +68,7 @@ TEST_CASE("Uniform elements and finite differences reproduce the errors of CONTA
     }
 }
 
-TEST_CASE("Errors of the paper's schemes", "[steady]") {
+TEST_CASE("The paper's schemes have the documented errors", "[steady]") {
     const auto at = [](int n, double alpha_T) { return error(uniform_mesh(n), Collocation{0, alpha_T}); };
     CHECK(rounds_to(error(uniform_mesh(40), Collocation{0.5, 0.5}), 3.77e-3, 3));
     CHECK(rounds_to(at(40, 0.5), 1.32e-3, 3));
@@ -88,7 +88,7 @@ TEST_CASE("Errors of the paper's schemes", "[steady]") {
     CHECK(std::abs(zero(exact_slope, 0.55, 0.65) - 0.60) < 0.005);
 }
 
-TEST_CASE("Best parameters of the graded meshes", "[steady]") {
+TEST_CASE("Grading does not help 0/0.63, and helps equal alphas on two of three meshes", "[steady]") {
     const Collocation best{0, 0.63}, equal{0.5, 0.5};
     const auto on_grid = [](const std::vector<double>& grid, const auto& f) {
         double least = 1e300, at = 0;
@@ -118,7 +118,7 @@ TEST_CASE("Best parameters of the graded meshes", "[steady]") {
     CHECK(on_grid(epsilons, modified(equal)) == 1);
 }
 
-TEST_CASE("Best alphas", "[steady]") {
+TEST_CASE("Equal alphas are best near 0.515, Galerkin's alpha_T is best at 1", "[steady]") {
     const auto galerkin = [](double alpha_T) {
         return std::abs(error(uniform_mesh(40), Galerkin{0, alpha_T, fd, 1, 7}));
     };
@@ -131,7 +131,7 @@ TEST_CASE("Best alphas", "[steady]") {
     CAPTURE(optimum, equal(optimum) / equal(0.5));
     CHECK(std::abs(optimum - 0.515) < 0.003);
     CHECK(std::abs(1 - equal(optimum) / equal(0.5) - 0.001) < 0.0005);
-    // finite differences are better than the analytic derivative at 0.5, not everywhere
+    // finite differences are better than the analytic derivative at 0.5, but not everywhere
     const auto exact_slope = [](double alpha) {
         return std::abs(error(uniform_mesh(40), Collocation{alpha, alpha, analytic}));
     };
@@ -140,7 +140,7 @@ TEST_CASE("Best alphas", "[steady]") {
     CHECK(equal(0.66) > exact_slope(0.66));
 }
 
-TEST_CASE("Order of convergence of c11: one on uniform, two on cosine meshes", "[steady][convergence]") {
+TEST_CASE("c11 converges at order one on uniform and two on cosine meshes", "[steady][convergence]") {
     const std::pair<int, double> published[] = {{20, 4.3e-4},   {40, 1.06e-4},  {80, 2.63e-5},
                                                 {160, 6.54e-6}, {320, 1.63e-6}, {640, 4.08e-7}};
     std::vector<double> sizes, uniform, cosine;
@@ -161,7 +161,7 @@ TEST_CASE("Order of convergence of c11: one on uniform, two on cosine meshes", "
     CHECK(rounds_to((4 * fine - coarse) / 3, 6.6e-5, 2));
 }
 
-TEST_CASE("The strip's c11 tends to the plane's as (a/b)^2", "[steady][convergence]") {
+TEST_CASE("The c11 of a strip tends to that of the plane as (a/b)^2", "[steady][convergence]") {
     std::vector<double> sizes, errors;
     const double plane = solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, PlaneKernel<double>(1, 0.75, 0.25)).c11;
     for (const double b : {10.0, 20.0, 40.0, 80.0}) {
@@ -174,7 +174,7 @@ TEST_CASE("The strip's c11 tends to the plane's as (a/b)^2", "[steady][convergen
     CHECK(std::abs(order - 2) < 0.03);
 }
 
-TEST_CASE("Tractions tend to Carter's away from the edges", "[steady][convergence]") {
+TEST_CASE("Tractions converge to Carter's away from the edges", "[steady][convergence]") {
     for (const bool graded : {false, true}) {
         std::vector<double> sizes, errors;
         for (const int n : {20, 40, 80, 160}) {
@@ -198,7 +198,8 @@ TEST_CASE("Tractions tend to Carter's away from the edges", "[steady][convergenc
     }
 }
 
-TEMPLATE_TEST_CASE("A solution satisfies its equations and carries its force", "[steady]", float, double, long double) {
+TEMPLATE_TEST_CASE("A steady solution satisfies its equations and carries its force", "[steady]", float, double,
+                   long double) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const auto& [name, mesh] : brute_force::every_mesh<Scalar>(30)) {
@@ -223,7 +224,7 @@ TEMPLATE_TEST_CASE("A solution satisfies its equations and carries its force", "
     }
 }
 
-TEST_CASE("Units scale out", "[steady]") {
+TEST_CASE("A steady solution scales with length, modulus and creepage", "[steady]") {
     const Contact<double> steel(
         {.half_length = 0.006, .half_width = 0.03, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     const Contact<double> unit = Contact<double>::dimensionless(5, 0.28);
@@ -255,8 +256,8 @@ TEST_CASE("Units scale out", "[steady]") {
                    plane_error(cosine_mesh(20), Collocation{0.5, 0.5})) < 1e-14);
 }
 
-TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force for an even one; the status says so",
-                   "[steady]", float, double, long double) {
+TEMPLATE_TEST_CASE("The status reports that alpha = 0 is singular or carries no force", "[steady]", float, double,
+                   long double) {
     using Scalar = TestType;
     const PlaneKernel<Scalar> kernel(Scalar(1000), Scalar(0.75), Scalar(0.25));
     for (Eigen::Index n = 1; n < 60; ++n) {
@@ -271,12 +272,12 @@ TEMPLATE_TEST_CASE("Alpha = 0: singular for an odd number of elements, no force 
     }
 }
 
-TEST_CASE("A twentieth of the traction may push with the creepage, not more", "[steady]") {
+TEST_CASE("At most a twentieth of the traction may assist the creepage", "[steady]") {
     const ArrayX<double> widths = ArrayX<double>::Constant(10, 0.2);
     for (const Eigen::Index wrong : {0, 4, 9}) {
-        const auto status = [&](double pushing) {  // beside nine elements with a traction of -1
+        const auto status = [&](double assisting) {  // traction of one element; that of the other nine is -1
             VectorX<double> diagonal = VectorX<double>::Constant(10, -1);
-            diagonal[wrong] = 1 / pushing;
+            diagonal[wrong] = 1 / assisting;
             return solve_steady<double>(diagonal.asDiagonal().toDenseMatrix(), widths).status;
         };
         CHECK(status(0.46) == Status::ok);            // 0.0486
@@ -324,7 +325,7 @@ TEST_CASE("c22 tends to pi/2, whatever Poisson's ratio, as c11 does to its limit
     }
 }
 
-TEST_CASE("A scheme that converges to something else than full adhesion is told", "[steady]") {
+TEST_CASE("A scheme that does not converge to full adhesion is reported as inconsistent", "[steady]") {
     const PlaneKernel<double> kernel(1000, 0.75, 0.25);
     struct Case {
         Collocation scheme;
@@ -334,7 +335,7 @@ TEST_CASE("A scheme that converges to something else than full adhesion is told"
         for (const Eigen::Index n : {20, 21, 80, 160}) {
             const auto solution = solve_steady(uniform_mesh(n), wrong.scheme, kernel);
             CAPTURE(n, wrong.scheme.alpha_L, wrong.scheme.alpha_T, solution.c11);
-            // residual and condition alone say nothing
+            // residual and condition number alone do not show it
             CHECK(solution.residual < 1e-15);
             CHECK(solution.rcond > 1e-6);
             CHECK(std::abs(solution.c11 / steady_c11(0.25) - wrong.ratio) < 0.05);
@@ -353,7 +354,7 @@ TEST_CASE("A scheme that converges to something else than full adhesion is told"
     }
 }
 
-TEST_CASE("What is not finite or not square is told", "[steady]") {
+TEST_CASE("Input that is not finite is reported, and matrices that are not square are rejected", "[steady]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
     CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, nan).status == Status::not_finite);
@@ -376,7 +377,7 @@ TEST_CASE("What is not finite or not square is told", "[steady]") {
                     std::invalid_argument);
 }
 
-TEST_CASE("Two points in one place leave G' singular; the status says so", "[steady]") {
+TEST_CASE("Two collocation points in one place are reported as ill-conditioned", "[steady]") {
     ArrayX<double> edges(6);
     edges << -1, -0.17594030825560192, 0.005631806488683111, 0.079234900637084937, 0.0825571296575629, 1;
     const double alpha = 0.55507984072057392;
@@ -388,7 +389,7 @@ TEST_CASE("Two points in one place leave G' singular; the status says so", "[ste
     CHECK(solution.status == Status::ill_conditioned);
 }
 
-TEST_CASE("Where the status of a steady solution changes", "[steady]") {
+TEST_CASE("The status of a steady solution changes at the documented thresholds", "[steady]") {
     const double eps = std::numeric_limits<double>::epsilon();
     const ArrayX<double> two = ArrayX<double>::Ones(2);
     const auto diagonal = [&](double first, double second) {
@@ -398,10 +399,10 @@ TEST_CASE("Where the status of a steady solution changes", "[steady]") {
     CHECK(diagonal(-1, -190 * eps).status == Status::ill_conditioned);
     CHECK(diagonal(-1, -210 * eps).status == Status::ok);
     CHECK(diagonal(-1, -210 * eps).rcond == Approx(210 * eps));
-    // tractions on the wrong side mean something only where they can be trusted
+    // tractions that assist the creepage count only where they can be trusted
     CHECK(diagonal(1, 0.5).status == Status::inconsistent);
     CHECK(diagonal(1, 190 * eps).status == Status::ill_conditioned);
-    // a residual of 0.5e-13 or 0.4e-13, trusted up to 100 n eps = 0.444e-13
+    // a residual of 0.5e-13 or 0.4e-13; trusted up to 100 n eps = 0.444e-13
     const auto with_error = [&](double error) {
         MatrixX<double> G_prime = -MatrixX<double>::Identity(2, 2);
         return detail::solve_steady_in_place<double>(
@@ -412,7 +413,7 @@ TEST_CASE("Where the status of a steady solution changes", "[steady]") {
     CHECK(with_error(0.8e-13).status == Status::ok);
 }
 
-/// The strip kernel and how many distances it has been asked for.
+/// The strip kernel, counting the distances at which it is evaluated.
 struct CountingKernel {
     using Scalar = double;
     StripKernel<double> kernel;
@@ -423,7 +424,7 @@ struct CountingKernel {
     ArrayX<double> H_integral(const ArrayX<double>& x) const { return *count += x.size(), kernel.H_integral(x); }
 };
 
-TEST_CASE("A steady solution asks its kernel for G' once and for nothing else", "[steady]") {
+TEST_CASE("A steady solution evaluates its kernel for one assembly of G' and nothing else", "[steady]") {
     Eigen::Index count = 0;
     const CountingKernel kernel{{10, 0.75, 0.25}, &count};
     const Mesh<double> mesh = cosine_mesh(12);
@@ -434,7 +435,7 @@ TEST_CASE("A steady solution asks its kernel for G' once and for nothing else", 
     CHECK(count == 2 * once);
 }
 
-TEST_CASE("The creepage takes the contact's scalar type", "[steady]") {
+TEST_CASE("The creepage is converted to the contact's scalar type", "[steady]") {
     const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
     const Mesh<double> mesh = uniform_mesh(4);
     const SteadySolution<double> half = solve_steady(contact, mesh, Collocation{}, 0.5);
@@ -442,7 +443,7 @@ TEST_CASE("The creepage takes the contact's scalar type", "[steady]") {
     CHECK(solve_steady(contact, mesh, Collocation{}, 1).force_per_width == 2 * half.force_per_width);
 }
 
-TEST_CASE("Forces and widths that are not finite are told", "[steady]") {
+TEST_CASE("Forces and widths that are not finite are reported", "[steady]") {
     const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
     CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1.0).status == Status::ok);
     CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1e10).status == Status::not_finite);
@@ -450,7 +451,7 @@ TEST_CASE("Forces and widths that are not finite are told", "[steady]") {
     CHECK(solve_steady<double>(-MatrixX<double>::Identity(2, 2), widths).status == Status::not_finite);
 }
 
-TEST_CASE("Steady rolling of a system", "[steady]") {
+TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[steady]") {
     const PlaneKernel<double> kernel(100, 0.75, 0.25);
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5}, behind{.alpha_L = -0.5, .alpha_T = -0.5};
     const UnitSteadySolution<double> elements = solve_steady(rolling_system(cosine_mesh(20), halves, kernel));
@@ -458,7 +459,7 @@ TEST_CASE("Steady rolling of a system", "[steady]") {
     CHECK(elements.c11 == solve_steady(cosine_mesh(20), halves, kernel).c11);
     CHECK(solve_steady(rolling_system(cosine_mesh(20), behind, kernel)).status == Status::inconsistent);
 
-    // unknowns that are no tractions may have either sign
+    // unknowns other than tractions may have either sign
     const MatrixX<double> identity = MatrixX<double>::Identity(2, 2);
     CHECK(solve_steady<double>(identity, ArrayX<double>::Ones(2)).status == Status::inconsistent);
     CHECK(solve_steady(RollingSystem<double>(identity, identity, ArrayX<double>::Ones(2))).status == Status::ok);
@@ -470,7 +471,7 @@ TEST_CASE("Steady rolling of a system", "[steady]") {
     const EdgeDistances<double> x{1.3, 0.7};
     CHECK(std::abs(states.traction(solution.traction)(x) / carter_traction(x, 0.25) - 1) < 1e-12);
 
-    // matrices that lead nowhere are told all the same
+    // singular matrices are reported all the same
     MatrixX<double> G_prime = MatrixX<double>::Ones(2, 2);
     CHECK(solve_steady(RollingSystem<double>(G_prime, G_prime, ArrayX<double>::Ones(2))).status != Status::ok);
 }

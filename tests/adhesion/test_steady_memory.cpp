@@ -62,13 +62,13 @@ double peak_doubles(const Call& call) {
     return static_cast<double>(peak - before) / sizeof(double);
 }
 
-TEST_CASE("The counter counts", "[steady]") {
+TEST_CASE("The counter sees the memory of a matrix", "[steady]") {
     const double doubles = peak_doubles([] { CHECK(MatrixX<double>::Ones(100, 100).eval().sum() == 10000); });
     CHECK(doubles >= 10000);
     CHECK(doubles < 20000);
 }
 
-TEST_CASE("A steady problem of 2000 elements holds one matrix and a multiple of n", "[steady]") {
+TEST_CASE("A steady problem of 2000 elements holds one matrix and O(n) more", "[steady]") {
     const PlaneKernel<double> kernel(1000, 0.72, 0.28);
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
     UnitSteadySolution<double> solution;
@@ -97,7 +97,7 @@ VectorX<double> G_prime_times(const Mesh<double>& mesh, const Scheme& scheme, co
                                              detail::KernelView<double>(kernel), Quantity::slope, p);
 }
 
-TEST_CASE("The residual of a large problem is that of its equations", "[steady]") {
+TEST_CASE("The product for the residual of a large problem agrees with the assembled G'", "[steady]") {
     const StripKernel<double> kernel(20, 0.72, 0.28);
     for (const auto& [mesh, scheme] : {std::pair{uniform_mesh(70), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}},
                                        {uniform_mesh(70), Collocation{0, 0.63}},
@@ -118,6 +118,6 @@ TEST_CASE("The residual of a large problem is that of its equations", "[steady]"
 
 #else
 
-TEST_CASE("Memory is counted with glibc only", "[steady]") { SUCCEED(); }
+TEST_CASE("Memory is counted only with glibc", "[steady]") { SUCCEED(); }
 
 #endif

@@ -55,7 +55,7 @@ TransientStep<double> run(const Model& model, double dq, int steps, const Motion
     return step;
 }
 
-TEST_CASE("The exact map follows the exact step response from q/a = 1e-3 to 40", "[transient]") {
+TEST_CASE("The matrix exponential follows the exact step response from q/a = 1e-3 to 40", "[transient]") {
     const reference::StepResponse exact(0.25, 100);
     const Model model = plane_model(40, Integrator::matrix_exponential);
     double largest = 0;
@@ -70,10 +70,10 @@ TEST_CASE("The exact map follows the exact step response from q/a = 1e-3 to 40",
     }
     CAPTURE(largest);
     CHECK(largest < 1.5e-4);
-    CHECK(largest > 5e-5);  // of the mesh: it is there whatever dq
+    CHECK(largest > 5e-5);  // the error of the mesh, independent of dq
 }
 
-TEST_CASE("The exact map does not depend on how the way is divided", "[transient]") {
+TEST_CASE("The matrix exponential does not depend on how the distance is divided into steps", "[transient]") {
     // cosine: G well conditioned; uniform 0/0.63: nearly singular
     const Contact<double> contact = plane_contact();
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
@@ -96,7 +96,7 @@ TEST_CASE("The exact map does not depend on how the way is divided", "[transient
     }
 }
 
-TEST_CASE("Order of convergence in dq", "[transient]") {
+TEST_CASE("Steps converge in dq at the order of their integrator", "[transient]") {
     const double way = 4;
     const Model exact = plane_model(30, Integrator::matrix_exponential);
     const auto sine = [](double dq) {
@@ -106,7 +106,7 @@ TEST_CASE("Order of convergence in dq", "[transient]") {
     const auto rectangles = [](double dq) { return [dq](int k) { return Motion(std::sin((k + 1) * dq)); }; };
     const double ramp_end = response(run(
         exact, way, 1, [&](int) { return Motion::linear(0.0, way); }, exact.at_rest()));
-    // the history itself replaced by chords is of second order: taken at two step sizes and extrapolated
+    // replacing the history by chords has a second-order error: computed with two step sizes and extrapolated
     const double fine = way / 4096;
     const double sine_end = (4 * response(run(exact, fine, 4096, sine(fine), exact.at_rest())) -
                              response(run(exact, 2 * fine, 2048, sine(2 * fine), exact.at_rest()))) /
@@ -135,7 +135,7 @@ TEST_CASE("Order of convergence in dq", "[transient]") {
     }
 }
 
-TEST_CASE("A step is the rational function that its integrator's name says", "[transient]") {
+TEST_CASE("A step applies the stability function of its integrator", "[transient]") {
     // one element: a scalar equation with the eigenvalue w of dq G^-1 G'
     const Contact<double> contact = plane_contact();
     const InfluenceMatrices<double> matrices{Eigen::MatrixXd::Constant(1, 1, 1.0),
@@ -159,7 +159,7 @@ TEST_CASE("A step is the rational function that its integrator's name says", "[t
     }
 }
 
-TEST_CASE("From dq = 1e-9 to 1e6 steps stay bounded and right in both limits", "[transient]") {
+TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[transient]") {
     const Contact<double> contact = plane_contact();
     const InfluenceMatrices<double> matrices =
         assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
@@ -184,7 +184,7 @@ TEST_CASE("From dq = 1e-9 to 1e6 steps stay bounded and right in both limits", "
             CAPTURE(name(integrator), dq, largest);
             CHECK(largest < 1.3 * steady);  // L-stable steps may overshoot once
             if (dq > 0.5) CHECK(std::abs(-model.force(state) / 200 / steady - 1) < 1e-12);
-            // steady rolling stays steady
+            // steady rolling is a fixed point
             state = model.steady(1.0);
             CHECK(std::abs(response(model.advance(state, prepared, 1.0, next)) / steady - 1) < 1e-12);
             CHECK((next.traction - state.traction).norm() < 1e-10 * state.traction.norm());
@@ -225,7 +225,7 @@ TEST_CASE("The tangent is the derivative of the force", "[transient]") {
         const Model::State from = model.steady(0.3);
         const Model::Prepared prepared = model.prepare(0.7);
         Model::State to = from;
-        // the problem is linear: a difference over any distance is the derivative
+        // the problem is linear: any difference quotient is the derivative
         const auto slope = [&](const Motion& low, const Motion& high, double distance) {
             const double below = model.advance(from, prepared, low, to).force;
             const TransientStep<double> above = model.advance(from, prepared, high, to);
@@ -238,7 +238,7 @@ TEST_CASE("The tangent is the derivative of the force", "[transient]") {
     }
 }
 
-TEST_CASE("A rigid shift is creepage times distance, and needs no distance", "[transient]") {
+TEST_CASE("A rigid shift equals creepage times distance, and may occur without rolling", "[transient]") {
     const Contact<double> contact = plane_contact();
     const InfluenceMatrices<double> matrices =
         assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
@@ -261,7 +261,7 @@ TEST_CASE("A rigid shift is creepage times distance, and needs no distance", "[t
     }
 }
 
-TEST_CASE("Matrices whose first pivots vanish are solved all the same", "[transient]") {
+TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient]") {
     InfluenceMatrices<double> matrices{MatrixX<double>(3, 3), MatrixX<double>(3, 3)};
     matrices.G << 0, 2, 1, 1, 0, 3, 2, 1, 0;
     matrices.G_prime << 0, -1, 1, -2, 0, -1, -1, -3, 1e-12;
@@ -292,7 +292,7 @@ TEST_CASE("Matrices whose first pivots vanish are solved all the same", "[transi
     }
 }
 
-TEST_CASE("Sizes, modulus and width only set the scale", "[transient]") {
+TEST_CASE("Half-length, width and modulus only scale the force", "[transient]") {
     const Contact<double> unit = Contact<double>::dimensionless(1.5, 0.28);
     const Contact<double> real({.half_length = 6e-3, .half_width = 9e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const auto force = [](const Contact<double>& contact) {
@@ -310,7 +310,7 @@ TEST_CASE("Sizes, modulus and width only set the scale", "[transient]") {
     CHECK(force(real).force == Approx(force(real).force_per_width * 2 * 9e-3).epsilon(1e-14));
 }
 
-TEST_CASE("Every scheme keeps its own unknowns", "[transient]") {
+TEST_CASE("Every scheme keeps its number of unknowns", "[transient]") {
     const Contact<double> contact = plane_contact();
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     const Mesh<double> mesh = uniform_mesh<double>(12);
@@ -326,7 +326,7 @@ TEST_CASE("Every scheme keeps its own unknowns", "[transient]") {
     check(KnotheBoundary{}, 11);
 }
 
-TEMPLATE_TEST_CASE("The stepper in every scalar type", "[transient]", float, double, long double) {
+TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[transient]", float, double, long double) {
     using Scalar = TestType;
     const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
     const reference::StepResponse exact(0.25, 100);
@@ -352,7 +352,7 @@ TEMPLATE_TEST_CASE("The stepper in every scalar type", "[transient]", float, dou
     }
 }
 
-TEST_CASE("Double meets long double", "[transient]") {
+TEST_CASE("Steps in double agree with steps in long double", "[transient]") {
     const auto force = []<class Scalar>(Scalar) {
         const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
         const TransientModel<Scalar> model(
@@ -373,7 +373,7 @@ TEST_CASE("Double meets long double", "[transient]") {
     CHECK(std::abs(rough / fine - 1) < 1e-11);
 }
 
-TEST_CASE("In the loop bad input is a status and touches nothing", "[transient]") {
+TEST_CASE("Invalid input to a step gives a status and leaves the target state unchanged", "[transient]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const Model model = plane_model(10, Integrator::sdirk2);
@@ -421,7 +421,7 @@ TEST_CASE("In the loop bad input is a status and touches nothing", "[transient]"
     CHECK(to.traction == huge.traction);
 }
 
-TEST_CASE("Construction refuses bad input by name", "[transient]") {
+TEST_CASE("The constructor rejects invalid input and names the quantity", "[transient]") {
     const Contact<double> contact = plane_contact();
     const Mesh<double> mesh = uniform_mesh<double>(8);
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
@@ -474,7 +474,7 @@ TEST_CASE("Construction refuses bad input by name", "[transient]") {
     CHECK_THROWS_AS(model.steady(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
-TEST_CASE("Threads may share a model", "[transient]") {
+TEST_CASE("Threads may share a transient model", "[transient]") {
     const Model model = plane_model(40, Integrator::sdirk2);
     const Model::Prepared prepared = model.prepare(0.05);
     std::array<double, 4> forces{};
@@ -492,11 +492,11 @@ TEST_CASE("Threads may share a model", "[transient]") {
     for (const double force : forces) CHECK(force == forces[0]);
 }
 
-TEST_CASE("A step that nobody took is not ok", "[transient]") {
+TEST_CASE("A default-constructed step is not ok", "[transient]") {
     CHECK(TransientStep<double>{}.status == StepStatus::not_finite);
 }
 
-TEST_CASE("An entry that is not finite is named", "[transient]") {
+TEST_CASE("The constructor names the matrix entry that is not finite", "[transient]") {
     const Contact<double> contact = plane_contact();
     const Mesh<double> mesh = uniform_mesh<double>(8);
     InfluenceMatrices<double> matrices = assemble(mesh, halves, StripKernel<double>::longitudinal(contact));
@@ -508,9 +508,9 @@ TEST_CASE("An entry that is not finite is named", "[transient]") {
                       "RollingSystem: G(7, 0) = nan must be finite (row and column counted from 0)");
 }
 
-TEST_CASE("A nearly singular G' has a mode that even long steps do not end", "[transient]") {
-    // alphas far outside what converges: rcond 3e-12, c11 = 2228 and an eigenvalue of 1.7e-8, by chance without a sign
-    // of it in the tractions
+TEST_CASE("A nearly singular G' has a mode that decays slowly even in long steps", "[transient]") {
+    // alphas far outside the range that converges: rcond 3e-12, c11 = 2228 and an eigenvalue of 1.7e-8; by chance the
+    // tractions do not show it
     const auto solve = []<class Scalar>(Scalar) {
         const Scalar b = Scalar(2.2168610060715257), nu = Scalar(0.044823330173270809);
         const Mesh<Scalar> mesh = knothe_mesh<Scalar>(5, Scalar(0.075454283025000526));
@@ -536,12 +536,12 @@ TEST_CASE("A nearly singular G' has a mode that even long steps do not end", "[t
     const auto [c11, status, rcond, slow, late] = solve(1.0);
     const auto [fine_c11, fine_status, fine_rcond, fine_slow, fine_late] = solve(1.0L);
     CAPTURE(c11, fine_c11, rcond, slow, fine_slow, late, fine_late);
-    // what is told to be good is good to eps/rcond
+    // a result with status ok is accurate to eps/rcond
     const double rounding = std::numeric_limits<double>::epsilon() / rcond;
     CHECK(status == Status::ok);
     CHECK(std::abs(rcond / fine_rcond - 1) < 1e-4);
     CHECK(std::abs(c11 / fine_c11 - 1) < rounding);
-    // 1e9 is 17 times the length of the mode, which leaves 8 % after four steps; that is the scheme, not rounding
+    // 1e9 is 17 times the length of the mode, which leaves 8 % after four steps: an effect of the scheme, not round-off
     CHECK(std::abs(fine_slow - 0.9218) < 1e-4);
     CHECK(std::abs(slow / fine_slow - 1) < rounding);
     CHECK(std::abs(fine_late - 1) < 1e-8);

@@ -1,4 +1,4 @@
-// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp and combined.hpp: no step touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp, combined.hpp: no step touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
@@ -81,7 +81,7 @@ long count(const TransientModel<double>& model, const Dq& dq) {
     return ok ? allocations - before : -1;
 }
 
-TEST_CASE("The counters count", "[transient]") {
+TEST_CASE("The counters see new and malloc", "[transient]") {
     long before = allocations;
     int* volatile number = new int(1);  // volatile: the compiler may leave out a pair of new and delete
     delete number;
@@ -94,7 +94,7 @@ TEST_CASE("The counters count", "[transient]") {
 #endif
 }
 
-TEST_CASE("A prepared step does not allocate at any size", "[transient]") {
+TEST_CASE("A prepared step does not allocate, whatever the size", "[transient]") {
     for (const Integrator integrator :
          {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
         for (const Eigen::Index n : {1, 2, 40, 129, 400}) {
@@ -112,7 +112,7 @@ TEST_CASE("A new dq does not allocate up to 128 elements", "[transient]") {
             CAPTURE(n, name(integrator));
             CHECK(count(make_model(n, integrator), 0.01) == 0);
         }
-        // refusals and copies of a state into one of the same size are free, too
+        // rejections and copies into a state of the same size do not allocate either
         const TransientModel<double> large = make_model(129, integrator);
         const TransientState<double> state = large.at_rest();
         TransientState<double> next = state;
@@ -160,7 +160,7 @@ FrictionModel<double> make_friction_model(Eigen::Index n, double alpha_L, double
             integrator};
 }
 
-TEST_CASE("A step with friction does not allocate at any size", "[friction]") {
+TEST_CASE("A step with friction does not allocate, whatever the size", "[friction]") {
     struct Case {
         Eigen::Index n;
         double alpha_L, alpha_T;
@@ -176,7 +176,7 @@ TEST_CASE("A step with friction does not allocate at any size", "[friction]") {
             bool ok = true;
             int changes = 0;
             const long before = allocations;
-            for (int k = 0; k < c.steps; ++k) {  // from the first: zones and dq change
+            for (int k = 0; k < c.steps; ++k) {  // zones and dq change from the first step
                 const FrictionStep<double> step =
                     k % 50 == 49 ? model.shift(now, 0.2, next, workspace)
                     : c.alpha_L == 0 && k % 50 == 30
@@ -193,7 +193,7 @@ TEST_CASE("A step with friction does not allocate at any size", "[friction]") {
             CHECK((changes >= (c.steps == 200 ? 30 : 3) || c.n == 1));
             CHECK(after == before);
         }
-        // refusals and copies are free, too
+        // rejections and copies do not allocate either
         const FrictionModel<double> model = make_friction_model(300, 0.5, 0.5, integrator);
         const FrictionState<double> now = model.at_rest();
         FrictionState<double> next = now;
@@ -211,7 +211,7 @@ TEST_CASE("A step with friction does not allocate at any size", "[friction]") {
     CHECK(fallbacks >= 4);
 }
 
-TEST_CASE("A step under a load of its own does not allocate", "[friction]") {
+TEST_CASE("A step under a varying load does not allocate", "[friction]") {
     const HertzLine<double> line(
         {.load_per_width = 1, .combined_radius = 1, .body_1 = {1e3, 0.25}, .body_2 = {1e3, 0.25}});
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -255,7 +255,7 @@ TEST_CASE("A step under a load of its own does not allocate", "[friction]") {
     }
 }
 
-TEST_CASE("Friction that falls with slip does not allocate, wherever its search leads", "[friction]") {
+TEST_CASE("A step with friction that falls with slip does not allocate, however long the search", "[friction]") {
     using Law = ExponentialFall<double>;
     for (const double distance : {0.0, 2e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -295,7 +295,7 @@ TEST_CASE("Friction that falls with slip does not allocate, wherever its search 
     }
 }
 
-TEST_CASE("A steady solution with friction does not allocate, its fallback included", "[friction]") {
+TEST_CASE("A steady solution with friction does not allocate, even in its fallback", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     for (const Eigen::Index n : {20, 200}) {
         const Mesh<double> mesh = cosine_mesh<double>(n);
@@ -315,7 +315,7 @@ TEST_CASE("A steady solution with friction does not allocate, its fallback inclu
     }
 }
 
-TEST_CASE("Two directions with friction do not allocate, under any load and by any way to a solution", "[friction]") {
+TEST_CASE("A step with friction in two directions does not allocate, even in its fallbacks", "[friction]") {
     struct Case {
         Eigen::Index n;
         double alpha_L, alpha_T;
@@ -332,7 +332,7 @@ TEST_CASE("Two directions with friction do not allocate, under any load and by a
                 {0.3, mean_hertz_pressure(mesh)}, integrator);
             CombinedFrictionState<double> now = model.at_rest(), next = now;
             const CombinedFrictionWorkspace<double> made = model.workspace();
-            CombinedFrictionWorkspace<double> workspace = made;  // a copy is as good
+            CombinedFrictionWorkspace<double> workspace = made;  // a copy serves as well
             NormalLoad<double> load{now.normal_pressure, 1, now.normal_pressure};
             bool ok = true;
             const long before = allocations;
@@ -355,7 +355,7 @@ TEST_CASE("Two directions with friction do not allocate, under any load and by a
             CHECK(after == before);
         }
     }
-    // full sliding and each direction by itself, where the first attempts fail
+    // full sliding and each direction alone, the fallbacks after the first attempts fail
     detail::CombinedSolver<double> solver(2);
     solver.new_matrix(0) << 0, 1, -1, 0;
     solver.new_matrix(1) << 0, 0, 0, 0;

@@ -1,4 +1,4 @@
-// rollbem/adhesion/transient.hpp: a contact whose length changes from step to step
+// rollbem/adhesion/transient.hpp: a contact whose length changes from step to step ("breathes")
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ constexpr double pi = std::numbers::pi, nu = 0.28;
 constexpr std::array breathing_integrators{Integrator::implicit_euler, Integrator::sdirk2};
 const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 
-/// a/a_0 that varies by a sine of the load: a^2 is proportional to it.
+/// a/a_0 under a sinusoidal load, which is proportional to a^2.
 struct Sine {
     double amplitude, length;
     double operator()(double q) const { return std::sqrt(1 + amplitude * std::sin(2 * pi * q / length)); }
@@ -62,7 +62,7 @@ std::vector<double> series(const Model& model, const Sine& a, double q_0, double
     return forces;
 }
 
-/// The largest difference where both series have a value every `way`.
+/// The largest difference at multiples of `way`, where both series have a value.
 double largest_difference(const std::vector<double>& one, double dq, const std::vector<double>& other, double other_dq,
                           double way) {
     const std::size_t step = static_cast<std::size_t>(std::lround(way / dq)),
@@ -74,8 +74,8 @@ double largest_difference(const std::vector<double>& one, double dq, const std::
     return largest;
 }
 
-/// The stages' equations solved for the tractions themselves, lengths in units of a_0. Where the lengths at the stages
-/// are not the ones on a straight way, the step's own a_1, d_1 and d_2.
+/// The stages' equations solved for the tractions, lengths in units of a_0. The half-length a_1 at the first stage need
+/// not lie on the straight line from a_old to a_new.
 struct Dense {
     explicit Dense(const RollingSystem<double>& system)
         : G(system.G()),
@@ -105,7 +105,7 @@ struct Dense {
     double S;
 };
 
-TEST_CASE("A step on a contact that breathes is what the equations of its stages say", "[breathing]") {
+TEST_CASE("A step on a breathing contact solves the equations of its stages", "[breathing]") {
     const double a_0 = 4e-3, G = 8e10, g = 1 - 1 / std::sqrt(2.0);
     const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
     const ElementSystem<double> of_elements = elements(20, 100);
@@ -147,7 +147,7 @@ TEST_CASE("A step on a contact that breathes is what the equations of its stages
     }
 }
 
-TEST_CASE("Rolling in adhesion on a breathing mesh is of second order in dq", "[breathing]") {
+TEST_CASE("Full adhesion on a breathing mesh converges at second order in dq", "[breathing]") {
     // over one period, from steady rolling at the smallest length; errors in units of the force at a_0
     const Sine a{0.5, 8};
     const double q_0 = 6, full = pi / (2 * (1 - nu)), fine = 0.2 / 512;
@@ -169,7 +169,7 @@ TEST_CASE("Rolling in adhesion on a breathing mesh is of second order in dq", "[
     CHECK(std::abs(first_errors[0] / 3.6e-3 - 1) < 0.05);
     CHECK(std::abs(first_errors[4] / 2.3e-4 - 1) < 0.05);
 
-    // where the length at the stages is known, too, the same scheme is three times as good
+    // with the exact half-length at the stages, the same scheme is two to three times as accurate
     const Dense exact(system);
     const double g = 1 - 1 / std::sqrt(2.0);
     const std::array known{3.1e-5, 9.1e-6, 2.3e-6, 5.8e-7};
@@ -191,7 +191,7 @@ TEST_CASE("Rolling in adhesion on a breathing mesh is of second order in dq", "[
     }
 }
 
-TEST_CASE("A handful of Chebyshev states breathes as well as many elements", "[breathing]") {
+TEST_CASE("A few Chebyshev states resolve a breathing contact as well as many elements", "[breathing]") {
     const Sine a{0.3, 6};
     const double dq = 0.01;
     const auto last_force = [&](const auto& system) {
@@ -208,7 +208,7 @@ TEST_CASE("A handful of Chebyshev states breathes as well as many elements", "[b
     CHECK(by_8 < 3e-8);
     CHECK(by_12 < 2.5e-9);
     CHECK(by_12 > 1e-10);
-    // elements tend to the same
+    // elements converge to the same force
     std::vector<double> counts{20, 40, 80}, errors;
     for (const double n : counts) errors.push_back(error(elements(static_cast<Eigen::Index>(n), 100)));
     CAPTURE(errors);
@@ -216,7 +216,7 @@ TEST_CASE("A handful of Chebyshev states breathes as well as many elements", "[b
     CHECK(std::abs(4 * errors[2] - errors[1]) / 3 < 1e-6);
 }
 
-TEST_CASE("Chebyshev states at their points take the step of the tau method", "[breathing]") {
+TEST_CASE("A breathing step of Chebyshev states is that of the tau method", "[breathing]") {
     // the coefficients of T_0 ... T_{m-1} in U_new - U_old = (dq + da zeta) (1/a) dU/dzeta - xi dq, and sum a_k = 0
     const Eigen::Index m = 7;
     const double a_old = 1.2, a_new = 1.05, dq = 0.4, xi = 1;
@@ -253,7 +253,7 @@ TEST_CASE("Chebyshev states at their points take the step of the tau method", "[
     CHECK((found - expected).norm() < 1e-13 * expected.norm());
 }
 
-TEST_CASE("A half-length that stays is an ordinary step", "[breathing]") {
+TEST_CASE("A step to the same half-length is an ordinary step", "[breathing]") {
     for (const Integrator integrator : breathing_integrators) {
         const Model model(unit_contact(100), elements(30, 100), unchecked, integrator);
         for (const double dq : {1e-9, 1e-3, 0.3, 1e4}) {
@@ -266,7 +266,7 @@ TEST_CASE("A half-length that stays is an ordinary step", "[breathing]") {
                 REQUIRE(step.status == StepStatus::ok);
                 REQUIRE(breathing.status == StepStatus::ok);
                 CHECK((one.traction - other.traction).norm() < 1e-12 * from.traction.norm());
-                // what a short step changes keeps its digits
+                // the small change in a short step keeps its digits
                 const VectorXd change = one.traction - from.traction;
                 CHECK((other.traction - from.traction - change).norm() <
                       1e-10 * change.norm() + 1e-15 * from.traction.norm());
@@ -277,7 +277,7 @@ TEST_CASE("A half-length that stays is an ordinary step", "[breathing]") {
     }
 }
 
-TEST_CASE("A state is never scaled: at another length, a step is that of a contact of this length", "[breathing]") {
+TEST_CASE("A step from a state at another half-length is that of a contact of that half-length", "[breathing]") {
     const double a_0 = 5e-3, a = 6.5e-3, b = 0.2, G = 8e10;
     const auto contact = [&](double half_length) {
         return Contact<double>({.half_length = half_length, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
@@ -299,7 +299,7 @@ TEST_CASE("A state is never scaled: at another length, a step is that of a conta
                 CHECK(step.tangent == Approx(expected.tangent).epsilon(1e-11));
                 CHECK(next.half_length == a);
                 if (tractions) CHECK((next.traction - there_next.traction).norm() < 1e-11 * next.traction.norm());
-                // to the last bit, in whatever way it is asked for
+                // bit for bit the same by each overload
                 CHECK(model.advance(now, prepared, motion, prepared_next).force == step.force);
                 CHECK(model.advance(now, 1e-3, motion, a, by_length).force == step.force);
                 CHECK(prepared_next.traction == next.traction);
@@ -317,7 +317,7 @@ TEST_CASE("A state is never scaled: at another length, a step is that of a conta
     check([](double aspect) { return states(10, aspect); }, false);
 }
 
-TEST_CASE("Tangents by the motion and by the half-length are derivatives of the force", "[breathing]") {
+TEST_CASE("The tangents by motion and by half-length are derivatives of the force", "[breathing]") {
     const double a_0 = 4e-3;
     const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = 8e10, .poisson_ratio = nu});
     const auto check = [&](const auto& system) {
@@ -356,7 +356,7 @@ TEST_CASE("Tangents by the motion and by the half-length are derivatives of the 
     check(states(8, 100));
 }
 
-TEST_CASE("In full adhesion the trailing edge releases what work does not store", "[breathing]") {
+TEST_CASE("The trailing edge releases the work that full adhesion does not store", "[breathing]") {
     // -xi F = dE/dq + (1 - a') pi c1 P^2, p = P/sqrt(a + x) at the trailing edge, over a period
     const Sine a{0.3, 6};
     const double c1 = 1 - nu;
@@ -392,7 +392,7 @@ TEST_CASE("In full adhesion the trailing edge releases what work does not store"
         }
         return (work - released - (energy(now) - start)) / work;
     };
-    // the trapezoidal rule and the steps are of second order: taken twice and extrapolated
+    // the trapezoidal rule and the steps are of second order: computed twice and extrapolated
     const auto limit = [&](Eigen::Index m) { return std::abs(4 * residual(m, 2400) - residual(m, 1200)) / 3; };
     const double by_6 = limit(6), by_12 = limit(12), by_24 = limit(24);
     CAPTURE(by_6, by_12, by_24);
@@ -401,7 +401,7 @@ TEST_CASE("In full adhesion the trailing edge releases what work does not store"
     CHECK(by_24 < 3.5e-9);
 }
 
-TEST_CASE("Where the length varies slowly, the force is that of steady rolling", "[breathing]") {
+TEST_CASE("The force tends to that of steady rolling as the half-length varies ever more slowly", "[breathing]") {
     const Model model(unit_contact(100), states(10, 100), unchecked);
     std::vector<double> lengths, errors;
     for (const double length : {1e3, 1e4, 1e5}) {
@@ -421,7 +421,7 @@ TEST_CASE("Where the length varies slowly, the force is that of steady rolling",
     CHECK(errors[2] < 1e-3);
 }
 
-TEST_CASE("What a contact cannot do is a status and touches nothing", "[breathing]") {
+TEST_CASE("An impossible half-length gives a status and leaves the target state unchanged", "[breathing]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Contact<double> contact = unit_contact(100);
     const auto check_refusals = [&](const Model& model, const auto& ask, StepStatus expected) {
@@ -446,7 +446,7 @@ TEST_CASE("What a contact cannot do is a status and touches nothing", "[breathin
         const Model model(contact, elements(10, 100), unchecked, integrator);
         for (const double bad : {0.0, -1.0, nan, infinity, -infinity}) {
             check_refusals(model, to_length(0.1, bad), StepStatus::invalid_load);
-            // nor is a state at such a length one of the model's
+            // a state with such a half-length is rejected too
             check_refusals(
                 model,
                 [&](const Model& m, Model::State& from, Model::State& to) {
@@ -477,7 +477,7 @@ TEST_CASE("What a contact cannot do is a status and touches nothing", "[breathin
         CHECK(to.half_length == 1);
     }
 
-    // those that cannot breathe keep their length, and take a step at it
+    // systems that cannot breathe take steps only at their own half-length
     const auto rigid = [&](const Model& model, StepStatus at_its_length) {
         CHECK_FALSE(model.can_breathe());
         check_refusals(model, to_length(0.1, 1.01), StepStatus::needs_fixed_mesh);
@@ -511,7 +511,7 @@ TEST_CASE("What a contact cannot do is a status and touches nothing", "[breathin
     rigid(Model(contact, elements(Model::largest_unprepared + 1, 100), unchecked), StepStatus::needs_prepare);
 }
 
-TEST_CASE("A state written as text goes on to the last bit", "[breathing]") {
+TEST_CASE("A breathing state written as text and read again continues bit for bit", "[breathing]") {
     const Sine a{0.4, 5};
     const Model model(unit_contact(100), states(9, 100), unchecked);
     const auto roll = [&](Model::State now, int first, int last) {
@@ -535,7 +535,7 @@ TEST_CASE("A state written as text goes on to the last bit", "[breathing]") {
     CHECK(on.half_length == whole.half_length);
 }
 
-TEMPLATE_TEST_CASE("A contact that breathes in every scalar type", "[breathing]", float, double, long double) {
+TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", float, double, long double) {
     using Scalar = TestType;
     const auto force = []<class Real>(Real) {
         const Contact<Real> contact = Contact<Real>::dimensionless(100, Real(0.25));

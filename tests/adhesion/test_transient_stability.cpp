@@ -1,5 +1,5 @@
-// rollbem/adhesion/transient.hpp: growth and decay are those of the scheme's eigenvalues.
-// Apart from test_transient.cpp because the eigenvalue headers are slow to compile.
+// rollbem/adhesion/transient.hpp: growth and decay follow the scheme's eigenvalues.
+// Separate from test_transient.cpp because the eigenvalue headers are slow to compile.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -29,8 +29,8 @@ StabilityVerdict make_verdict(Eigen::Index n, const Collocation& scheme) {
         rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())));
 }
 
-/// Free motion after a kick, q from 0 to steps * dq: the forces, and the state's size at the end relative to the
-/// kick's.
+/// Free motion after an initial shift, q from 0 to steps * dq: the forces, and the norm of the final state relative to
+/// that after the shift.
 struct Decay {
     std::vector<double> forces;
     double growth;
@@ -53,7 +53,7 @@ Decay free_motion(const TransientModel<double>& model, double dq, int steps) {
     return decay;
 }
 
-/// Rate of the pair of modes that rules the end of a series: f_{k+2} = t f_{k+1} - d f_k.
+/// Growth rate of the pair of modes that dominates the end of a series: f_{k+2} = t f_{k+1} - d f_k.
 double leading_rate(const std::vector<double>& f, double dq) {
     const std::size_t k = f.size() - 4;
     const double det = f[k + 1] * f[k + 1] - f[k] * f[k + 2];
@@ -63,7 +63,7 @@ double leading_rate(const std::vector<double>& f, double dq) {
     return std::log(std::max(std::abs(t / 2 + root), std::abs(t / 2 - root))) / dq;
 }
 
-TEST_CASE("An unstable scheme grows like its largest eigenvalue, a stable one stays bounded", "[transient]") {
+TEST_CASE("An unstable scheme grows at the rate of its largest eigenvalue, a stable one stays bounded", "[transient]") {
     const Collocation unstable{.alpha_L = 0, .alpha_T = 0.92}, stable{.alpha_L = 0.5, .alpha_T = 0.5};
     const Eigen::Index n = 20;
     const StabilityVerdict bad = make_verdict(n, unstable), good = make_verdict(n, stable);
@@ -88,7 +88,7 @@ TEST_CASE("An unstable scheme grows like its largest eigenvalue, a stable one st
     CHECK(largest < 1.05 * std::abs(calm.forces[0]));
 }
 
-TEST_CASE("The slowest decay is that of the largest eigenvalue", "[transient]") {
+TEST_CASE("A stable scheme decays at the rate of its largest eigenvalue", "[transient]") {
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     const double abscissa = make_verdict(30, scheme).spectral_abscissa;
     const auto rate = [&](Integrator integrator, double dq) {
@@ -101,7 +101,7 @@ TEST_CASE("The slowest decay is that of the largest eigenvalue", "[transient]") 
     CHECK(rate(Integrator::implicit_euler, 0.1) == Approx(std::log(1 / (1 - 0.1 * abscissa)) / 0.1).epsilon(1e-10));
 }
 
-TEST_CASE("A verdict decides whether a model is built", "[transient]") {
+TEST_CASE("A model is built only with a verdict that says stable", "[transient]") {
     const auto build = [](const Mesh<double>& mesh, const Collocation& scheme) {
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact());
         TransientModel<double>(contact(), rolling_system(mesh, scheme, kernel),
