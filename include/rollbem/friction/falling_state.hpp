@@ -7,18 +7,14 @@
 
 #include "../detail/finite.hpp"
 #include "../types.hpp"
-#include "detail/falling_set.hpp"
+#include "detail/active_set_slip.hpp"
+#include "detail/falling_scratch.hpp"
 #include "law.hpp"
 #include "slip_law.hpp"
 #include "state.hpp"
 #include "workspace.hpp"
 
 namespace rollbem {
-
-namespace detail {
-template <class Law, class Scalar>
-class FallingStages;
-}
 
 /// The law |p| <= mu p_n with mu = mu_s(v) of the slip velocity, or with a memory of it.
 template <class Law, class Scalar = double>
@@ -51,17 +47,16 @@ CoulombFriction<Scalar> checked_pressure(const char* who, const FallingFriction<
 }
 
 /// Whether these are coefficients: as many as there are elements, finite and not negative.
-template <class Scalar>
-bool fits_friction(const FallingFrictionState<Scalar>& from, const FallingFrictionState<Scalar>& to,
-                   Eigen::Index size) noexcept {
+template <class State>
+bool fits_friction(const State& from, const State& to, Eigen::Index size) noexcept {
     return from.friction_coefficient.size() == size && to.friction_coefficient.size() == size &&
            all_finite(from.friction_coefficient) && !(from.friction_coefficient.minCoeff() < 0);
 }
 
 /// The coefficients at the end of a step; those of its start where it has come to nothing.
-template <class Scalar>
-void hand_over(const FrictionStep<Scalar>& step, const FallingFrictionState<Scalar>& from,
-               const VectorX<Scalar>& friction, FallingFrictionState<Scalar>& to) noexcept {
+template <class Step, class State>
+void hand_over(const Step& step, const State& from, const VectorX<typename State::Scalar>& friction,
+               State& to) noexcept {
     if (step.status == StepStatus::not_finite) {
         to.friction_coefficient = from.friction_coefficient;
     } else {
@@ -78,31 +73,15 @@ public:
     using Scalar = Scalar_;
 
     /// For n unknown elements.
-    explicit FallingFrictionWorkspace(Eigen::Index n)
-        : FrictionWorkspace<Scalar>(n),
-          set_(n),
-          friction_(VectorX<Scalar>::Zero(n)),
-          duration_(VectorX<Scalar>::Zero(n)),
-          before_(VectorX<Scalar>::Zero(n)),
-          rise_(VectorX<Scalar>::Zero(n)),
-          change_(VectorX<Scalar>::Zero(n)),
-          carried_change_(VectorX<Scalar>::Zero(n)),
-          before_change_(VectorX<Scalar>::Zero(n)) {}
+    explicit FallingFrictionWorkspace(Eigen::Index n) : FrictionWorkspace<Scalar>(n), scratch_(n) {}
 
 private:
-    template <class, class>
-    friend class detail::FallingStages;
-
     template <class, class>
     friend class SteadyFallingModel;
     template <class, class>
     friend class FallingFrictionModel;
 
-    detail::FallingSet<Scalar> set_;
-    VectorX<Scalar> friction_;  // mu of the present stage
-    VectorX<Scalar> duration_, before_;
-    VectorX<Scalar> rise_;                                     // of mu in the first stage, along the particles' paths
-    VectorX<Scalar> change_, carried_change_, before_change_;  // d mu by dc; that of the first stage; of before_
+    detail::FallingScratch<detail::ActiveSetSlip<Scalar>> scratch_;
 };
 
 }  // namespace rollbem

@@ -78,10 +78,11 @@ public:
         if (possible == StepStatus::ok && !detail::is_finite(creepage)) possible = StepStatus::not_finite;
         if (possible == StepStatus::ok && !(detail::is_finite(speed) && speed > 0)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
-        detail::FallingStages<Law, Scalar> stages(law_, memory_, from.friction_coefficient, speed,
-                                                  model_.core_.widths(), from.half_length, with_tangents_, workspace);
+        detail::FallingStages<Law, detail::ActiveSetSlip<Scalar>> stages(law_, memory_, from.friction_coefficient,
+                                                                         speed, model_.core_.widths(), from.half_length,
+                                                                         with_tangents_, workspace.scratch_);
         const Step step = model_.solve(stages, from, creepage, to, workspace);
-        detail::hand_over(step, from, workspace.friction_, to);
+        detail::hand_over(step, from, workspace.scratch_.friction, to);
         return step;
     }
 

@@ -120,7 +120,7 @@ public:
 private:
     using Core = detail::FrictionCore<Scalar>;
     using Load = typename Core::Load;
-    using Stages = detail::FallingStages<Law, Scalar>;
+    using Stages = detail::FallingStages<Law, detail::ActiveSetSlip<Scalar>>;
 
     void require_points() const {
         detail::require(memory_.distance == 0 || model_.system_.points().has_value(), "FallingFrictionModel",
@@ -138,10 +138,10 @@ private:
         const Scalar unit = model_.core_.half_length();
         Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.system_.points() : nullptr,
                       from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, with_tangents_,
-                      workspace);
+                      workspace.scratch_);
         if constexpr (loaded) model_.core_.begin_tangents(ArrayX<Scalar>(), false, workspace);  // none by the load
         const Step step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
-        detail::hand_over(step, from, workspace.friction_, to);
+        detail::hand_over(step, from, workspace.scratch_.friction, to);
         return step;
     }
 
@@ -153,10 +153,10 @@ private:
         if (possible == StepStatus::ok && !positive(speed)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
         Stages stages(law_, memory_, from.friction_coefficient, speed, model_.core_.widths(), load.half_length,
-                      with_tangents_, workspace);
+                      with_tangents_, workspace.scratch_);
         const Step step =
             model_.core_.solve_steady(stages, from, creepage, model_.system_.G_prime(), load, to, workspace);
-        detail::hand_over(step, from, workspace.friction_, to);
+        detail::hand_over(step, from, workspace.scratch_.friction, to);
         return step;
     }
 

@@ -1,4 +1,4 @@
-// Stick and slip where the bound of each element depends on how fast it slips: rounds around ActiveSet.
+// Stick and slip where the bound of each element depends on how fast it slips: rounds around a solver for given bounds.
 // Knows neither rolling nor where the equations come from.
 #pragma once
 
@@ -16,8 +16,6 @@
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../slip_law.hpp"
-#include "../state.hpp"
-#include "active_set.hpp"
 
 namespace rollbem::detail {
 
@@ -31,27 +29,43 @@ struct FrictionPassage {
     Scalar velocity_per_slip;       ///< [m/s] by the solver's slip
 };
 
+/// What tangents are taken by.
+template <class Slip>
+struct FallingChange {
+    using Vector = VectorX<typename Slip::Scalar>;
+
+    const typename Slip::Vectors& constant;  ///< dc
+    const Vector* before = nullptr;          ///< d mu_before of each particle; null for none
+    const Vector* bound = nullptr;           ///< d bound while mu stays; null for none
+};
+
 /// Finds mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), v the velocity of slip that bounds mu p_n lead to.
 ///
 /// Newton's method on the difference of both sides, with a line search; the derivative is exact while no element begins
 /// to slip or to stick. Where it stands still, a solution has usually vanished in a fold, and the next is far away: then
 /// rounds of mu = right-hand side from the start on, which pass the bottleneck and find it, and Newton's method again.
 /// All rounds are bounded. Where several solutions exist, it is one that this way leads to from the mu to start with.
-template <class Scalar>
+///
+/// `Slip` stands for the solver, in one direction or two: see ActiveSetSlip.
+template <class Slip>
 class FallingSet {
 public:
+    using Scalar = typename Slip::Scalar;
+    using Solver = typename Slip::Solver;
+    using Vectors = typename Slip::Vectors;
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
 
     struct Outcome {
-        typename ActiveSet<Scalar>::Outcome solution;  ///< of the last; rounds and pivots of all
-        int solutions = 0;                             ///< how often stick and slip were found
-        Scalar change = 0;                             ///< largest difference of both sides
+        typename Slip::Outcome solution;  ///< of the last; rounds and pivots of all
+        int solutions = 0;                ///< how often stick and slip were found
+        Scalar change = 0;                ///< largest difference of both sides
     };
 
     explicit FallingSet(Index n)
-        : start_(n),
+        : slip_(n),
+          start_(n),
           residual_(n),
           tried_(n),
           step_(n),
@@ -59,36 +73,29 @@ public:
           slope_(n),
           kept_(n),
           response_(n),
-          unit_(n),
-          slip_by_traction_(n, n),
           by_friction_(n, n),
           newton_(n, n),
           right_(n),
           newton_slope_(n),
           newton_gain_(n),
           newton_kept_(n),
-          swaps_(static_cast<std::size_t>(n)),
-          slipping_(static_cast<std::size_t>(n)),
-          zones_(static_cast<std::size_t>(n), Zone::stick) {}
+          swaps_(static_cast<std::size_t>(n)) {}
 
     Index size() const { return start_.size(); }
 
-    /// From `zones` and the `friction` to start with, which becomes the result; matrix and constant of the solver are
+    /// From `start` and the `friction` to start with, which becomes the result; matrices and constants of the solver are
     /// set. `friction` is finite and not negative.
     template <class Law>
     Outcome solve(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                  const std::vector<Zone>& zones, ActiveSet<Scalar>& solver, Vector& friction) noexcept {
+                  const typename Slip::Start& start, Solver& solver, Vector& friction) noexcept {
         Outcome outcome;
         start_ = friction;
-        zones_ = zones;
+        slip_.begin(start);
         const auto find = [&](const Vector& mu) {
             tried_ = mu.cwiseProduct(passage.pressure);
-            const typename ActiveSet<Scalar>::Outcome found = solver.solve(tried_, zones_);
-            zones_ = solver.zones();
-            const int rounds = outcome.solution.rounds + found.rounds, pivots = outcome.solution.pivots + found.pivots;
+            typename Slip::Outcome found = slip_.solve(tried_, solver);
+            Slip::add(outcome.solution, found);
             outcome.solution = found;
-            outcome.solution.rounds = rounds;
-            outcome.solution.pivots = pivots;
             ++outcome.solutions;
             evaluate(law, memory, passage, solver, mu);
             outcome.change = residual_.cwiseAbs().maxCoeff();
@@ -111,27 +118,31 @@ public:
         return outcome;
     }
 
-    /// dp and d mu that follow a change dc, and `before_change` of passage.before (null where it stays), while no
-    /// element changes its zone; of what was solved last. `friction_change` must not be `before_change`.
+    /// dp and d mu that follow a change while no element changes its zone; of what was solved last. `friction_change` and
+    /// `traction_change` must be none of those in `change`.
     template <class Law>
     void respond(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                 ActiveSet<Scalar>& solver, const Vector& friction, const Vector& change, const Vector* before_change,
-                 Vector& traction_change, Vector& friction_change) {
+                 Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
+                 Vector& friction_change) {
         factorise(law, memory, passage, solver, friction);
-        solver.respond(change, traction_change);
-        unit_ = change;
-        unit_.noalias() += solver.matrix() * traction_change;
+        if (change.bound == nullptr) {
+            solver.respond(change.constant, traction_change);
+        } else {
+            solver.respond(change.constant, *change.bound, traction_change);
+        }
+        slip_.change_size(solver, change.constant, traction_change, response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
-            ahead = slope_[i] * passage.velocity_per_slip * solver.signs()[i] * unit_[i] + kept_[i] * ahead;
-            if (before_change != nullptr && passage.pressure[i] > 0) {
-                ahead += memory.kept(velocity_[i], passage.duration[i]) * (*before_change)[i];
+            ahead = slope_[i] * passage.velocity_per_slip * response_[i] + kept_[i] * ahead;
+            if (change.before != nullptr && passage.pressure[i] > 0) {
+                ahead += memory.kept(velocity_[i], passage.duration[i]) * (*change.before)[i];
             }
             friction_change[i] = ahead;
         }
         spread(friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
-        solver.respond(change, tried_, traction_change);
+        if (change.bound != nullptr) tried_ += *change.bound;
+        solver.respond(change.constant, tried_, traction_change);
     }
 
 private:
@@ -140,11 +151,10 @@ private:
     // Velocities of slip, both sides' difference, and the derivatives of the right-hand side.
     template <class Law>
     void evaluate(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                  const ActiveSet<Scalar>& solver, const Vector& mu) {
+                  const Solver& solver, const Vector& mu) {
         Scalar ahead = law(Scalar(0));
         for (Index i = mu.size() - 1; i >= 0; --i) {
-            const Scalar sign = solver.signs()[i];
-            velocity_[i] = passage.velocity_per_slip * std::max(Scalar(0), sign * solver.slip()[i]);
+            velocity_[i] = passage.velocity_per_slip * slip_.size(solver, i);
             const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
             ahead = passage.pressure[i] > 0 ? passed(law, memory, passage.duration[i], before, velocity_[i])
                                             : static_cast<Scalar>(law(Scalar(0)));
@@ -161,7 +171,7 @@ private:
     /// Steps until settled, true; or until none brings the difference down.
     template <class Law, class Find>
     bool newton(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                ActiveSet<Scalar>& solver, Scalar settled, const Find& find, const Outcome& outcome, Vector& friction) {
+                Solver& solver, Scalar settled, const Find& find, const Outcome& outcome, Vector& friction) {
         for (int step = 0; step < most_steps; ++step) {
             if (outcome.change <= settled) return true;
             if (!is_finite(outcome.change)) return false;
@@ -211,7 +221,7 @@ private:
     // nothing.
     template <class Law>
     void linearise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                   ActiveSet<Scalar>& solver, const Vector& mu) {
+                   Solver& solver, const Vector& mu) {
         factorise(law, memory, passage, solver, mu);
         step_ = residual_;
         spread(step_);
@@ -221,8 +231,8 @@ private:
     // unless it is the one there is.
     template <class Law>
     void factorise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                   ActiveSet<Scalar>& solver, const Vector& mu) {
-        find_slip_by_traction(solver);
+                   Solver& solver, const Vector& mu) {
+        slip_.linearise(solver);
         // differences as wide as the velocities at hand allow, for where an element hardly slips
         const Scalar unit = memory.least_velocity + velocity_.maxCoeff() / 1000;
         Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
@@ -240,66 +250,51 @@ private:
             kept_[i] = pressed && passage.before == nullptr ? memory.kept(v, duration) : Scalar(0);
             ahead = residual_[i] + mu[i];
         }
-        step_ = passage.velocity_per_slip * solver.signs().cwiseProduct(slope_);
-        right_ = -solver.signs().cwiseProduct(passage.pressure);
-        if (newton_revision_ == slip_revision_ && newton_slope_ == step_ && newton_gain_ == right_ &&
+        step_ = passage.velocity_per_slip * slip_.sense(solver).cwiseProduct(slope_);
+        right_ = -slip_.sense(solver).cwiseProduct(passage.pressure);
+        if (newton_revision_ == slip_.revision() && newton_slope_ == step_ && newton_gain_ == right_ &&
             newton_kept_ == kept_) {
             return;
         }
-        newton_revision_ = slip_revision_;
+        newton_revision_ = slip_.revision();
         newton_slope_ = step_;
         newton_gain_ = right_;
         newton_kept_ = kept_;
-        for (Index k = 0; k < slipping_count_; ++k) {
-            const Scalar gain = right_[slipping_[static_cast<std::size_t>(k)]];
+        const Matrix& slip_by_traction = slip_.by_traction();
+        const Index count = slip_.slipping_count();
+        for (Index k = 0; k < count; ++k) {
+            const Scalar gain = right_[slip_.slipping(k)];
             Scalar leading = 0;
             for (Index i = size() - 1; i >= 0; --i) {
-                leading = step_[i] * gain * slip_by_traction_(i, k) + kept_[i] * leading;
+                leading = step_[i] * gain * slip_by_traction(i, k) + kept_[i] * leading;
                 by_friction_(i, k) = leading;
             }
-            for (Index l = 0; l < slipping_count_; ++l) {
-                newton_(l, k) = (k == l ? 1 : 0) - by_friction_(slipping_[static_cast<std::size_t>(l)], k);
+            for (Index l = 0; l < count; ++l) {
+                newton_(l, k) = (k == l ? 1 : 0) - by_friction_(slip_.slipping(l), k);
             }
         }
-        factorise_in_place<Scalar>(newton_.topLeftCorner(slipping_count_, slipping_count_), swaps_.data());
+        factorise_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data());
     }
 
     // What the coefficients change in all when by themselves they change by `change`, which it overwrites.
     void spread(Vector& change) {
-        for (Index k = 0; k < slipping_count_; ++k) response_[k] = change[slipping_[static_cast<std::size_t>(k)]];
-        solve_in_place<Scalar>(newton_.topLeftCorner(slipping_count_, slipping_count_), swaps_.data(),
-                               response_.head(slipping_count_));
-        change.noalias() += by_friction_.leftCols(slipping_count_) * response_.head(slipping_count_);
-    }
-
-    // Column k: slip of all elements by the traction of the k-th that slips, while the others stick or keep theirs.
-    void find_slip_by_traction(ActiveSet<Scalar>& solver) {
-        if (slip_revision_ == solver.revision()) return;
-        slip_revision_ = solver.revision();
-        newton_revision_ = never;
-        slipping_count_ = 0;
-        for (Index j = 0; j < size(); ++j) {
-            if (solver.signs()[j] == 0) continue;
-            unit_ = solver.matrix().col(j);
-            solver.respond(unit_, response_);
-            unit_.noalias() += solver.matrix() * response_;
-            slip_by_traction_.col(slipping_count_) = unit_;
-            slipping_[static_cast<std::size_t>(slipping_count_++)] = j;
-        }
+        const Index count = slip_.slipping_count();
+        for (Index k = 0; k < count; ++k) response_[k] = change[slip_.slipping(k)];
+        solve_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data(), response_.head(count));
+        change.noalias() += by_friction_.leftCols(count) * response_.head(count);
     }
 
     static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
 
+    Slip slip_;
     Vector start_, residual_, tried_, step_;
     Vector velocity_, slope_, kept_;  // v; d right-hand side / d v; and by that of the element ahead
-    Vector response_, unit_;
-    Matrix slip_by_traction_, by_friction_, newton_;
+    Vector response_;
+    Matrix by_friction_, newton_;
     Vector right_;
     Vector newton_slope_, newton_gain_, newton_kept_;  // what by_friction_ and newton_ were made of
-    unsigned long slip_revision_ = never, newton_revision_ = never;
-    std::vector<Index> swaps_, slipping_;
-    Index slipping_count_ = 0;
-    std::vector<Zone> zones_;
+    unsigned long newton_revision_ = never;
+    std::vector<Index> swaps_;
 };
 
 }  // namespace rollbem::detail

@@ -5,16 +5,15 @@
 #include "../../detail/language.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <cstddef>
 
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
-#include "../falling_state.hpp"
 #include "../slip_law.hpp"
-#include "active_set.hpp"
+#include "falling_scratch.hpp"
 #include "falling_set.hpp"
 #include "load_tangents.hpp"
 #include "rolling_stage.hpp"
@@ -48,18 +47,22 @@ private:
 
 /// One step or one steady solution. In time, mu of a particle follows its equation along its path through the contact by
 /// the same stages as the tractions: implicit Euler, or sdirk2, whose second stage goes on from where the first has led.
-template <class Law, class Scalar>
+/// For one direction or two, as `Slip` says.
+template <class Law, class Slip>
 class FallingStages {
 public:
+    using Scalar = typename Slip::Scalar;
+    using Solver = typename Slip::Solver;
+    using Vectors = typename Slip::Vectors;
     using Vector = VectorX<Scalar>;
-    using Workspace = FallingFrictionWorkspace<Scalar>;
+    using Scratch = FallingScratch<Slip>;
     static constexpr bool bounds_are_given = false;
 
     /// Of a step that rolls by `dq` in `duration` [s] from a half-length, lengths in a_0 = `unit` [m]. `points` are those
     /// of the equations; null where nothing is remembered. Keeps references to all but the numbers.
     FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>* points,
                   const ArrayX<Scalar>& friction, Scalar unit, Scalar dq, Scalar duration, Scalar half_length,
-                  bool with_tangents, Workspace& workspace) noexcept
+                  bool with_tangents, Scratch& scratch) noexcept
         : law_(law),
           memory_(memory),
           with_tangents_(with_tangents),
@@ -69,29 +72,29 @@ public:
           dq_(dq),
           duration_(duration),
           half_length_(half_length),
-          workspace_(workspace) {
-        workspace_.friction_ = friction.matrix();
-        if (points == nullptr) workspace_.before_.setZero();
+          scratch_(scratch) {
+        scratch_.friction = friction.matrix();
+        if (points == nullptr) scratch_.before.setZero();
     }
 
     /// Of steady rolling at a speed [m/s]: each particle has come from the element ahead. Widths in the half-length [m].
     FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>& friction, Scalar speed,
-                  const Vector& widths, Scalar half_length, bool with_tangents, Workspace& workspace) noexcept
+                  const Vector& widths, Scalar half_length, bool with_tangents, Scratch& scratch) noexcept
         : law_(law),
           memory_(memory),
           with_tangents_(with_tangents),
           start_(friction),
           steady_(true),
           velocity_per_slip_(speed),
-          workspace_(workspace) {
-        workspace_.friction_ = friction.matrix();
-        workspace_.duration_ = half_length / speed * widths;
+          scratch_(scratch) {
+        scratch_.friction = friction.matrix();
+        scratch_.duration = half_length / speed * widths;
     }
 
     void enter(const StagePlace<Scalar>& place, const RollingStage<Scalar>& stage) noexcept {
         const Scalar duration = place.part * duration_;
         velocity_per_slip_ = unit_ / duration;
-        workspace_.duration_.setConstant(duration);
+        scratch_.duration.setConstant(duration);
         second_ = place.progress > place.part;
         if (points_ == nullptr) return;
         const auto origin = [&](Index i, Scalar rolled, Scalar half_length) {
@@ -100,27 +103,31 @@ public:
         AlongContact<Scalar> start(*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0))));
         if (!second_) {
             for (Index i = 0; i < size(); ++i) {
-                workspace_.before_[i] = start(origin(i, place.progress * dq_, half_length_));
+                scratch_.before[i] = start(origin(i, place.progress * dq_, half_length_));
             }
             first_half_length_ = stage.half_length;
             return;
         }
-        workspace_.rise_ = workspace_.friction_ - workspace_.before_;
-        AlongContact<Scalar> rise(*points_, workspace_.rise_.data(), Scalar(0));
-        AlongContact<Scalar> rise_change(*points_, workspace_.carried_change_.data(), Scalar(0));
+        scratch_.rise = scratch_.friction - scratch_.before;
+        AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
+        const auto between = [&](Index i) { return origin(i, (1 - place.part) * dq_, first_half_length_); };
         for (Index i = 0; i < size(); ++i) {
-            const Scalar between = origin(i, (1 - place.part) * dq_, first_half_length_);
-            const Scalar before =
-                start(origin(i, place.progress * dq_, half_length_)) + sdirk2_ratio<Scalar> * rise(between);
-            workspace_.before_[i] = std::max(before, Scalar(0));  // goes too far where much is forgotten in a step
-            workspace_.before_change_[i] = before < 0 ? Scalar(0) : sdirk2_ratio<Scalar> * rise_change(between);
+            scratch_.before[i] =
+                start(origin(i, place.progress * dq_, half_length_)) + sdirk2_ratio<Scalar> * rise(between(i));
         }
+        for (std::size_t k = 0; k < scratch_.before_change.size(); ++k) {
+            AlongContact<Scalar> rise_change(*points_, scratch_.carried_change[k].data(), Scalar(0));
+            for (Index i = 0; i < size(); ++i) {
+                const Scalar change = sdirk2_ratio<Scalar> * rise_change(between(i));
+                scratch_.before_change[k][i] = scratch_.before[i] < 0 ? Scalar(0) : change;
+            }
+        }
+        scratch_.before = scratch_.before.cwiseMax(Scalar(0));  // it goes too far where much is forgotten in a step
     }
 
-    typename ActiveSet<Scalar>::Outcome solve(ActiveSet<Scalar>& solver, const Vector& pressure,
-                                              const std::vector<Zone>& zones) noexcept {
-        typename FallingSet<Scalar>::Outcome outcome =
-            workspace_.set_.solve(law_, memory_, passage(pressure), zones, solver, workspace_.friction_);
+    typename Slip::Outcome solve(Solver& solver, const Vector& pressure, const typename Slip::Start& from) noexcept {
+        typename FallingSet<Slip>::Outcome outcome =
+            scratch_.set.solve(law_, memory_, passage(pressure), from, solver, scratch_.friction);
         outcome.solution.residual = std::max(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         outcome.solution.tangent_exists = outcome.solution.tangent_exists && with_tangents_;
@@ -128,16 +135,25 @@ public:
         return outcome.solution;
     }
 
-    /// dp by a change dc of the stage solved last, to which belongs `carried` times what carry_response() has kept.
-    void respond(ActiveSet<Scalar>& solver, const Vector& change, Scalar carried, Vector& traction_change) noexcept {
-        const bool remembers = second_ && points_ != nullptr;
-        if (remembers) workspace_.rise_ = carried * workspace_.before_change_;
-        workspace_.set_.respond(law_, memory_, passage(*pressure_), solver, workspace_.friction_, change,
-                                remembers ? &workspace_.rise_ : nullptr, traction_change, workspace_.change_);
+    /// dp by a change dc of the stage solved last, and by `share` of one of its pressures, to which belongs `carried` times
+    /// what carry_response() has kept of the same parameter.
+    void respond(Solver& solver, const Vectors& change, Scalar carried, Vectors& traction_change,
+                 std::size_t parameter = 0, const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
+        FallingChange<Slip> changes{change};
+        if (second_ && points_ != nullptr) {
+            scratch_.rise = carried * scratch_.before_change[parameter];
+            changes.before = &scratch_.rise;
+        }
+        if (pressure_change != nullptr) {
+            scratch_.bound = share * scratch_.friction.cwiseProduct(*pressure_change);
+            changes.bound = &scratch_.bound;
+        }
+        scratch_.set.respond(law_, memory_, passage(*pressure_), solver, scratch_.friction, changes, traction_change,
+                             scratch_.change);
     }
 
     /// After the first of two stages: the response of the second starts from its.
-    void carry_response() noexcept { workspace_.carried_change_ = workspace_.change_; }
+    void carry_response(std::size_t parameter = 0) noexcept { scratch_.carried_change[parameter] = scratch_.change; }
 
 private:
     using Index = Eigen::Index;
@@ -145,7 +161,7 @@ private:
     Index size() const { return start_.size(); }
 
     FrictionPassage<Scalar> passage(const Vector& pressure) const {
-        return {pressure, workspace_.duration_, steady_ ? nullptr : &workspace_.before_, velocity_per_slip_};
+        return {pressure, scratch_.duration, steady_ ? nullptr : &scratch_.before, velocity_per_slip_};
     }
 
     const Law& law_;
@@ -157,7 +173,7 @@ private:
     Scalar unit_ = 1, dq_ = 0, duration_ = 0, half_length_ = 1, first_half_length_ = 1;
     Scalar velocity_per_slip_ = 0;  // [m/s] by the solver's slip
     const Vector* pressure_ = nullptr;
-    Workspace& workspace_;
+    Scratch& scratch_;
 };
 
 }  // namespace rollbem::detail

@@ -1,0 +1,41 @@
+// The memory behind a workspace of friction that falls with slip, besides that of constant friction.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <array>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "falling_set.hpp"
+
+namespace rollbem::detail {
+
+/// For one direction or two, as `Slip` says. All is allocated by the constructor.
+template <class Slip>
+struct FallingScratch {
+    using Vector = VectorX<typename Slip::Scalar>;
+
+    explicit FallingScratch(Eigen::Index n)
+        : set(n),
+          friction(Vector::Zero(n)),
+          duration(friction),
+          before(friction),
+          rise(friction),
+          change(friction),
+          bound(friction) {
+        carried_change.fill(friction);
+        before_change.fill(friction);
+    }
+
+    FallingSet<Slip> set;
+    Vector friction;  // mu of the present stage
+    Vector duration, before;
+    Vector rise;    // of mu in the first stage, along the particles' paths
+    Vector change;  // d mu by what the last tangent was taken by
+    Vector bound;   // its d bound while mu stays
+    std::array<Vector, Slip::parameters> carried_change, before_change;  // that of the first stage; of before
+};
+
+}  // namespace rollbem::detail
