@@ -174,23 +174,27 @@ TEST_CASE("A step with friction does not allocate, whatever the size", "[frictio
             FrictionState<double> now = model.at_rest(), next = now;
             FrictionWorkspace<double> workspace = model.workspace();
             bool ok = true;
-            int changes = 0;
+            int changes = 0, cheap = 0;
             const long before = allocations;
-            for (int k = 0; k < c.steps; ++k) {  // zones and dq change from the first step
+            // zones and dq change from the first step; in the end there are enough steps without a change for cheap ones
+            for (int k = 0; k < c.steps; ++k) {
                 const FrictionStep<double> step =
-                    k % 50 == 49 ? model.shift(now, 0.2, next, workspace)
+                    k >= 130 && k < 198 ? model.advance(now, 0.4, 0.2, next, workspace)
+                    : k % 50 == 49      ? model.shift(now, 0.2, next, workspace)
                     : c.alpha_L == 0 && k % 50 == 30
                         ? model.steady(now, 1.5 * 0.3 * 0.95, next, workspace)
                         : model.advance(now, k % 20 < 15 ? 0.1 : 0.3, (k % 13 - 6) * 0.15, next, workspace);
                 ok = ok && step.status == StepStatus::ok;
                 changes += step.rounds > 2 ? 1 : 0;
                 fallbacks += step.pivots > 0 ? 1 : 0;
+                cheap += now.unchanged_steps > 1 + c.n / 2 ? 1 : 0;
                 std::swap(now, next);
             }
             const long after = allocations;
-            CAPTURE(c.n, c.alpha_L, c.alpha_T, name(integrator), changes);
+            CAPTURE(c.n, c.alpha_L, c.alpha_T, name(integrator), changes, cheap);
             CHECK(ok);
-            CHECK((changes >= (c.steps == 200 ? 30 : 3) || c.n == 1));
+            CHECK((changes >= (c.steps == 200 ? 15 : 3) || c.n == 1));
+            CHECK((cheap > 5 || c.n > 40 || c.alpha_L == 0));
             CHECK(after == before);
         }
         // rejections and copies do not allocate either

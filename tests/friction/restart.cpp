@@ -41,6 +41,10 @@ void write_state(std::ostream& file, const State& state) {
     for (const double p : state.normal_pressure) write(file, p);
     write(file, state.half_length);
     for (const auto zone : state.zones) file << static_cast<int>(zone) << '\n';
+    if constexpr (requires { state.unchanged_steps; }) {
+        file << state.unchanged_steps << '\n';
+        write(file, state.unchanged_distance);
+    }
 }
 // Into a state of as many elements, of which nothing is left.
 template <class State>
@@ -53,6 +57,10 @@ void read_state(std::istream& file, State& state) {
         int value = 9;
         file >> value;
         zone = static_cast<std::remove_reference_t<decltype(zone)>>(value);
+    }
+    if constexpr (requires { state.unchanged_steps; }) {
+        file >> state.unchanged_steps;
+        state.unchanged_distance = read(file);
     }
 }
 
@@ -140,10 +148,12 @@ struct LoadedRide {
     LoadedCombinedStep<double> both_result;
 };
 
-// The states of one scene: with friction by both integrators, and in full adhesion.
+// The states of one scene: with friction by both integrators, and in full adhesion. An even ride goes on as it is until
+// no element changes any more.
 struct Ride {
-    explicit Ride(const Scene& scene)
-        : models{scene.transient(Integrator::implicit_euler), scene.transient(Integrator::sdirk2)},
+    explicit Ride(const Scene& scene, bool even_ = false)
+        : even(even_),
+          models{scene.transient(Integrator::implicit_euler), scene.transient(Integrator::sdirk2)},
           adhesion(scene.contact, scene.system(), unchecked),
           states{models[0].at_rest(), models[1].at_rest()},
           workspaces{models[0].workspace(), models[1].workspace()},
@@ -153,9 +163,10 @@ struct Ride {
     void roll(int first, int last) {
         TransientState<double> sticking_next = sticking;
         for (int k = first; k < last; ++k) {
-            const double dq = k % 7 == 0 ? 0.4 : 0.1;
-            const RigidMotion<double> motion = k % 5 == 3 ? RigidMotion<double>::shift(peak * 0.3)
-                                                          : RigidMotion<double>(creepage(1.2 * std::sin(0.3 * k)));
+            const double dq = even || k % 7 == 0 ? 0.4 : 0.1;
+            const RigidMotion<double> motion = even         ? RigidMotion<double>(creepage(0.5))
+                                               : k % 5 == 3 ? RigidMotion<double>::shift(peak * 0.3)
+                                                            : RigidMotion<double>(creepage(1.2 * std::sin(0.3 * k)));
             for (int i = 0; i < 2; ++i) {
                 FrictionState<double> next = states[i];
                 results[i] = models[i].advance(states[i], dq, motion, next, workspaces[i]);
@@ -198,6 +209,7 @@ struct Ride {
         }
     }
 
+    bool even;
     FrictionModel<double> models[2];
     TransientModel<double> adhesion;
     FrictionState<double> states[2];
@@ -235,6 +247,7 @@ int main(int argc, char** argv) try {
     const std::string what = argc == 3 ? argv[1] : "";
     if (what != "save" && what != "resume") throw std::runtime_error("restart: save FILE or resume FILE");
     const Ride rides[] = {Ride(Scene(cosine_mesh<double>(30), half, 1, 10)),
+                          Ride(Scene(cosine_mesh<double>(18), half, 1, 10), true),
                           Ride(Scene(cosine_mesh<double>(21), {.alpha_L = 0, .alpha_T = 0.63}, 1, 10))};
     const LoadedRide loaded[] = {LoadedRide(cosine_mesh<double>(24), true, Integrator::sdirk2),
                                  LoadedRide(uniform_mesh<double>(30), false, Integrator::sdirk2),

@@ -1,5 +1,6 @@
-// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp
+// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp, stick_transform.hpp
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -106,6 +107,74 @@ TEST_CASE("A solver that has solved other problems gives what a fresh one gives,
         if (!first.tangent_exists) ++singular;
     }
     CHECK(singular > 10);
+}
+
+TEST_CASE("The transform gives what the equations give, or leaves it to them", "[friction]") {
+    // diagonals that make elimination without pivoting safe, fair and poor
+    std::mt19937 generator(3);
+    std::normal_distribution<double> normal;
+    const Eigen::Index n = 30;
+    const auto random = [&] {
+        return VectorX<double>(VectorX<double>::NullaryExpr(n, [&] { return normal(generator); }));
+    };
+    const double rounding = (n + 10) * std::numeric_limits<double>::epsilon();
+    int good = 0, inaccurate = 0, left = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+        MatrixX<double> matrix = MatrixX<double>::NullaryExpr(n, n, [&] { return normal(generator); });
+        matrix.diagonal().array() += std::sqrt(static_cast<double>(n)) * (trial % 3 == 0   ? 3
+                                                                          : trial % 3 == 1 ? 1
+                                                                                           : 0.3);
+        const VectorX<double> bound = VectorX<double>::Constant(n, trial % 2 == 0 ? 1e9 : 0.3);
+        detail::ActiveSet<double> solver(n), other(n);
+        solver.new_matrix() = other.new_matrix() = matrix;
+        solver.constant() = random();
+        solver.begin(detail::Effort::equations);
+        solver.solve(bound, std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick));
+        const std::vector<Zone> zones = solver.zones();
+        const VectorX<double> expected = solver.traction();
+        for (const double change : {0.0, 1e-3, 3.0}) {
+            solver.constant() += change * random();
+            const bool checked = change < 1;
+            solver.begin(checked ? detail::Effort::transform_check : detail::Effort::transform);
+            const auto outcome = solver.solve(bound, zones);
+            CAPTURE(trial, change, outcome.residual, outcome.rounds);
+            REQUIRE(outcome.status == StepStatus::ok);
+            if (!solver.unchanged()) {
+                // to the last bit what the equations give alone
+                ++(checked && solver.zones() == zones ? inaccurate : left);
+                other.constant() = solver.constant();
+                other.begin(detail::Effort::equations);
+                const auto alone = other.solve(bound, zones);
+                REQUIRE(solver.traction() == other.traction());
+                REQUIRE(solver.slip() == other.slip());
+                REQUIRE(outcome.residual == alone.residual);
+                REQUIRE(outcome.rounds == alone.rounds);
+                continue;
+            }
+            ++good;
+            REQUIRE(solver.zones() == zones);
+            REQUIRE(outcome.rounds == 1);
+            if (change == 0) {
+                REQUIRE((solver.traction() - expected).cwiseAbs().maxCoeff() < 1e-9 * expected.cwiseAbs().maxCoeff());
+            }
+            const VectorX<long double> product = matrix.cast<long double>() * solver.traction().cast<long double>();
+            const VectorX<long double> constant = solver.constant().cast<long double>();
+            const auto scale = static_cast<double>(product.cwiseAbs().maxCoeff() + constant.cwiseAbs().maxCoeff());
+            const auto off =
+                static_cast<double>((product + constant - solver.slip().cast<long double>()).cwiseAbs().maxCoeff());
+            if (checked) REQUIRE(off < 5 * rounding * scale);
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const double p = solver.traction()[i], s = solver.slip()[i];
+                REQUIRE(std::abs(p) <= bound[i]);
+                REQUIRE(p * s <= 0);
+                REQUIRE((std::abs(p) == bound[i] || s == 0));
+            }
+        }
+    }
+    CAPTURE(good, inaccurate, left);
+    CHECK(good > 300);
+    CHECK(inaccurate > 20);
+    CHECK(left > 100);
 }
 
 }  // namespace

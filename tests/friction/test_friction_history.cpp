@@ -33,7 +33,8 @@ bool same(const VectorX<double>& x, const VectorX<double>& y) {
     return equal;
 }
 bool same(const State& x, const State& y) {
-    return same(x.traction, y.traction) && x.zones == y.zones && x.system == y.system;
+    return same(x.traction, y.traction) && x.zones == y.zones && x.system == y.system &&
+           x.unchanged_steps == y.unchanged_steps && same(x.unchanged_distance, y.unchanged_distance);
 }
 bool same(const Step& x, const Step& y) {
     return same(x.force, y.force) && same(x.force_per_width, y.force_per_width) && same(x.tangent, y.tangent) &&
@@ -161,6 +162,98 @@ TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothi
             CHECK(undisturbed.traction.cwiseAbs().maxCoeff() > 0);
             CHECK(same(ride(true), undisturbed));
         }
+    }
+}
+
+TEST_CASE("Long runs without a change of zones give what a fresh workspace gives at any step", "[friction]") {
+    constexpr Eigen::Index n = 18;
+    const Scene scene(cosine_mesh<double>(n), half, 1, 10);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        Random random(4);
+        State now = model.at_rest(), next = now, alone = now, thrown_away = now;
+        Workspace used = model.workspace();
+        int cheap = 0, cut_short = 0, checked = 0;
+        for (int k = 0; k < 1500; ++k) {
+            // long runs at one creepage, which end by another creepage, another distance or a shift
+            const double xi = creepage(k % 300 < 150 ? 0.6 : -0.3 + 1e-4 * std::sin(k));
+            const double dq = k % 300 < 80 ? 0.1 : 0.2;
+            const auto step = [&](State& to, Workspace& workspace) {
+                return k % 290 == 200 ? model.shift(now, 0.1 * peak, to, workspace)
+                                      : model.advance(now, dq, xi, to, workspace);
+            };
+            if (random.integer(6) == 0) Task::any(random).run(model, now, thrown_away, used);
+            Workspace fresh = model.workspace();
+            const Step found = step(next, used), expected = step(alone, fresh);
+            CAPTURE(name(integrator), k, now.unchanged_steps);
+            REQUIRE(found.status == StepStatus::ok);
+            REQUIRE(same(found, expected));
+            REQUIRE(same(next, alone));
+            REQUIRE(same(used.slip(), fresh.slip()));
+            REQUIRE(same(used.slip_work(), fresh.slip_work()));
+            const bool is_cheap = now.unchanged_steps > n / 2;
+            cheap += is_cheap ? 1 : 0;
+            cut_short += is_cheap && next.unchanged_steps < now.unchanged_steps && next.zones != now.zones ? 1 : 0;
+            checked += is_cheap && next.unchanged_steps < now.unchanged_steps && next.zones == now.zones ? 1 : 0;
+            std::swap(now, next);
+        }
+        CAPTURE(name(integrator), cheap, cut_short, checked);
+        CHECK(cheap > 700);
+        CHECK(cut_short > 5);
+        CHECK(checked > 5);
+    }
+}
+
+TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
+    constexpr int high = std::numeric_limits<int>::max(), low = std::numeric_limits<int>::min();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<double> model = scene.transient(integrator);
+        Workspace workspace = model.workspace();
+        State now = model.at_rest(), next = now, expected = now;
+        for (int k = 0; k < 60; ++k) {
+            REQUIRE(model.advance(now, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
+            std::swap(now, next);
+        }
+        const State rolled = now;
+        REQUIRE(rolled.unchanged_steps > 10);
+        now.unchanged_steps = 0;
+        const Step step = model.advance(now, 0.1, creepage(0.5), expected, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        CHECK(expected.unchanged_steps == 1);
+        for (const int steps : {high, low, -1, 75}) {
+            now.unchanged_steps = steps;
+            CAPTURE(name(integrator), steps);
+            CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
+            CHECK(same(next, expected));
+        }
+        for (const double distance : {nan, 0.0, -rolled.unchanged_distance, 2 * rolled.unchanged_distance}) {
+            now = rolled;
+            now.unchanged_distance = distance;
+            CAPTURE(name(integrator), distance);
+            CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
+            CHECK(same(next, expected));
+        }
+        // counts that could be, but were not
+        for (const int steps : {1, 11, 12, 74}) {
+            for (const double xi : {0.5, 1.2, -0.4}) {
+                now = rolled;
+                now.unchanged_steps = 0;
+                const Step found = model.advance(now, 0.1, creepage(xi), expected, workspace);
+                now.unchanged_steps = steps;
+                const Step claimed = model.advance(now, 0.1, creepage(xi), next, workspace);
+                CAPTURE(name(integrator), steps, xi);
+                CHECK(claimed.status == StepStatus::ok);
+                CHECK(claimed.force_per_width == Approx(found.force_per_width).epsilon(1e-12));
+                CHECK(next.zones == expected.zones);
+            }
+        }
+        // a step of the other integrator has another matrix
+        const FrictionModel<double> other =
+            scene.transient(integrator == Integrator::sdirk2 ? Integrator::implicit_euler : Integrator::sdirk2);
+        CHECK(other.advance(rolled, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
+        CHECK(next.unchanged_steps <= 1);
     }
 }
 

@@ -328,6 +328,66 @@ TEST_CASE("a step is as good as the worse of its two stages", "[friction]") {
     CHECK(worse_last > 0);
 }
 
+TEST_CASE("Ten thousand steps, of which few are checked, stay within rounding", "[friction]") {
+    // n = 24, implicit Euler, at a creepage that varies too little for any element to change its zone
+    constexpr Eigen::Index n = 24;
+    constexpr double dq = 0.05;
+    constexpr int steps = 10000;
+    const Scene scene(cosine_mesh<double>(n), half, 1, 10);
+    const ElementSystem<double> system = scene.system();
+    const FrictionModel<double> model = scene.transient(Integrator::implicit_euler);
+    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<double> now = model.at_rest(), next = now;
+    for (int k = 0; k < 1000; ++k) {
+        REQUIRE(model.advance(now, dq, creepage(0.5), next, workspace).status == StepStatus::ok);
+        std::swap(now, next);
+    }
+    // the same in long double, for these zones
+    using Vector = VectorX<long double>;
+    const MatrixX<long double> G = system.G().cast<long double>();
+    const MatrixX<long double> M = G - dq * system.G_prime().cast<long double>();
+    std::vector<Eigen::Index> stick;
+    Vector exact = now.traction.cast<long double>(), sliding = exact;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        if (now.zones[static_cast<std::size_t>(i)] != Zone::stick) continue;
+        stick.push_back(i);
+        sliding[i] = 0;
+    }
+    REQUIRE(stick.size() > 5);
+    REQUIRE(stick.size() < 20);
+    const Eigen::PartialPivLU<MatrixX<long double>> lu(MatrixX<long double>(M(stick, stick)));
+    const Vector product = M * sliding;
+
+    FrictionState<double> checked = now, checked_next = now;
+    FrictionWorkspace<double> checked_workspace = model.workspace();
+    const std::vector<Zone> zones = now.zones;
+    double error = 0, checked_error = 0;
+    int checks = 0;
+    for (int k = 0; k < steps; ++k) {
+        const double xi = creepage(0.5 * (1 + 1e-3 * std::sin(0.01 * k)));
+        const FrictionStep<double> step = model.advance(now, dq, xi, next, workspace);
+        checked.unchanged_steps = 0;
+        model.advance(checked, dq, xi, checked_next, checked_workspace);
+        std::swap(now, next);
+        std::swap(checked, checked_next);
+        REQUIRE(step.status == StepStatus::ok);
+        REQUIRE(now.zones == zones);
+        checks += step.complementarity_residual > 0 ? 1 : 0;
+        const Vector constant = Vector::Constant(n, static_cast<long double>(xi * dq)) - G * exact + product;
+        const Vector solution = lu.solve(Vector(constant(stick)));
+        for (std::size_t j = 0; j < stick.size(); ++j) exact[stick[j]] = -solution[static_cast<Eigen::Index>(j)];
+        const auto off = [&](const FrictionState<double>& state) {
+            return static_cast<double>((state.traction.cast<long double>() - exact).cwiseAbs().maxCoeff()) / peak;
+        };
+        error = std::max(error, off(now));
+        checked_error = std::max(checked_error, off(checked));
+    }
+    CAPTURE(error, checked_error, checks);
+    CHECK(error < 1e-13);
+    CHECK(checked_error < 1e-13);
+    CHECK(std::abs(checks - steps / 64) <= 1);
+}
+
 TEST_CASE("units: the same problem in SI", "[friction]") {
     const double a = 6e-3, G = 8e10, b = 0.06, mu = 0.3;
     const Contact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});

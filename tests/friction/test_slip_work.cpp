@@ -29,6 +29,14 @@ TEST_CASE("a slip linear in x is met exactly at the centres", "[friction]") {
         }
         VectorX<double> work = VectorX<double>::Constant(n, 0.1);
         slip_work.add(VectorX<double>::Constant(n, -3), slip, work);
+        // element by element, for any slip
+        const VectorX<double> traction = points.sin().matrix(), uneven = (7 * points).cos().matrix();
+        VectorX<double> works = VectorX<double>::Zero(n);
+        slip_work.add(traction, uneven, works, 2.0);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double one = -2 * mesh.widths()[i] * traction[i] * slip_work.at_centre(i, uneven);
+            CHECK(std::abs(works[i] - one) < 1e-15);
+        }
         const double length = mesh.widths().head(n).sum();
         CHECK(std::abs(work.sum() - 0.1 * static_cast<double>(n) -
                        3 * (expected.array() * mesh.widths().head(n)).sum()) < 1e-13 * length * 3);

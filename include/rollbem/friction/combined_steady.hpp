@@ -84,15 +84,29 @@ public:
     /// half-length must be the contact's. `to` must be another state of as many elements; it is left alone where the
     /// status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite. No allocation.
     Step solve(const State& from, const Creepage<Scalar>& creepage, State& to, Workspace& workspace) const noexcept {
-        const StepStatus possible = core_.check(from, to, workspace);
+        const StepStatus possible = check(from, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        if (from.half_length != core_.half_length()) return Core::failed(StepStatus::needs_fixed_mesh);
-        return core_.solve_steady(from, creepage, G_prime_[0], G_prime_[1], {from.normal_pressure, from.half_length},
-                                  to, workspace);
+        detail::ConstantCombinedStages<Scalar> stages;
+        return solve(stages, from, creepage, to, workspace);
     }
 
 private:
     using Core = detail::CombinedCore<Scalar>;
+    template <class, class>
+    friend class SteadyCombinedFallingModel;
+
+    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
+        const StepStatus possible = core_.check(from, to, workspace);
+        if (possible != StepStatus::ok) return possible;
+        return from.half_length == core_.half_length() ? StepStatus::ok : StepStatus::needs_fixed_mesh;
+    }
+
+    template <class Stages>
+    Step solve(Stages& stages, const State& from, const Creepage<Scalar>& creepage, State& to,
+               Workspace& workspace) const noexcept {
+        return core_.solve_steady(stages, from, creepage, G_prime_[0], G_prime_[1],
+                                  {from.normal_pressure, from.half_length}, to, workspace);
+    }
 
     struct Checked {};  // tells the constructor from the one whose law may come in braces
 

@@ -117,7 +117,8 @@ public:
         LoadedStep step;
         step.status = check(from, dq, motion, load, to, workspace);
         if (step.status != StepStatus::ok) return step;
-        roll(from, dq / core_.half_length(), motion, load, {}, to, Core::memory(workspace), step);
+        Stages stages;
+        roll(stages, from, dq / core_.half_length(), motion, load, {}, to, Core::memory(workspace), step);
         return step;
     }
 
@@ -134,7 +135,8 @@ public:
         const Asked asked{load.pressure_rate.size() > 0, breathes};
         Memory& memory = Core::memory(workspace);
         if (asked.by_load) core_.set_bound_rate(load.pressure_rate, memory);
-        roll(from, dq / core_.half_length(), motion, end, asked, to, memory, step);
+        Stages stages;
+        roll(stages, from, dq / core_.half_length(), motion, end, asked, to, memory, step);
         return step;
     }
 
@@ -149,7 +151,9 @@ private:
     using Memory = detail::CombinedMemory<Scalar>;
     using Parameter = detail::Parameter;
     using Stage = detail::RollingStage<Scalar>;
-    using Tangent = detail::CombinedTangent<Scalar>;
+    using Stages = detail::ConstantCombinedStages<Scalar>;
+    template <class, class>
+    friend class CombinedFallingModel;
 
     static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
@@ -160,8 +164,9 @@ private:
     };
 
     // A step whose arguments have been checked; dq in a_0.
-    void roll(const State& from, Scalar dq, const Motion& motion, const Load& load, const Asked& asked, State& to,
-              Memory& memory, LoadedStep& step) const noexcept {
+    template <class AnyStages>
+    void roll(AnyStages& stages, const State& from, Scalar dq, const Motion& motion, const Load& load,
+              const Asked& asked, State& to, Memory& memory, LoadedStep& step) const noexcept {
         const Scalar unit = core_.half_length(), a = from.half_length / unit, a_end = load.half_length / unit;
         // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
         const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
@@ -171,21 +176,26 @@ private:
         core_.begin(from, memory);
         remember(a, 1, memory);
         if (two_stages) {
-            enter(Stage::within(part, dq, a, a_end), memory);
+            const Stage stage = Stage::within(part, dq, a, a_end);
+            enter(stage, memory);
+            stages.enter({part, part}, stage);
             memory.pressure = from.normal_pressure + part * (load.pressure.head(size()) - from.normal_pressure);
-            core_.solve(between(motion, gamma, travel), from.zones, ratio, memory, course);
-            if (course.tangent_exists) carry(motion.is_linear() ? gamma * travel : travel, asked, memory);
+            core_.solve(stages, between(motion, gamma, travel), from.zones, ratio, memory, course);
+            if (course.tangent_exists) carry(stages, motion.is_linear() ? gamma * travel : travel, asked, memory);
             remember(memory.stage.half_length, ratio, memory);
         }
-        enter(Stage::last(part, dq, a, a_end), memory);
+        const Stage stage = Stage::last(part, dq, a, a_end);
+        enter(stage, memory);
+        stages.enter({part, 1}, stage);
         memory.pressure = load.pressure.head(size());
-        core_.solve(between(motion, 1, travel), two_stages ? memory.solver.zones() : from.zones, 1, memory, course);
+        core_.solve(stages, between(motion, 1, travel), two_stages ? memory.solver.zones() : from.zones, 1, memory,
+                    course);
         core_.finish(from, course, load, unit, to, memory, step);
         if (step.status == StepStatus::not_finite || !course.tangent_exists) return;
-        core_.add_tangent(travel, two_stages, load.half_length, memory, step);
-        if (asked.by_load) core_.add_load_tangent(two_stages, load.half_length, memory, step);
+        core_.add_tangent(stages, travel, two_stages, load.half_length, memory, step);
+        if (asked.by_load) core_.add_load_tangent(stages, two_stages, load.half_length, memory, step);
         if (asked.by_half_length) {
-            core_.add_half_length_tangent(systems_, part, two_stages, load.half_length, memory, step);
+            core_.add_half_length_tangent(stages, systems_, part, two_stages, load.half_length, memory, step);
         }
     }
 
@@ -200,19 +210,20 @@ private:
     }
 
     // What the first of two stages hands on, each tangent's part dq xi depending by `imposed` on its creepage.
-    void carry(Scalar imposed, const Asked& asked, Memory& memory) const noexcept {
+    template <class AnyStages>
+    void carry(AnyStages& stages, Scalar imposed, const Asked& asked, Memory& memory) const noexcept {
         for (const Parameter direction : {Parameter::longitudinal, Parameter::lateral}) {
-            Tangent tangent(memory, direction, false);
+            detail::CombinedTangent tangent(stages, memory, direction, false);
             tangent.by_creepage(imposed);
             tangent.carry(systems_, ratio, gamma);
         }
         if (asked.by_load) {
-            Tangent tangent(memory, Parameter::load, false);
+            detail::CombinedTangent tangent(stages, memory, Parameter::load, false);
             tangent.by_load(gamma);
             tangent.carry(systems_, ratio, gamma);
         }
         if (asked.by_half_length) {
-            Tangent tangent(memory, Parameter::half_length, false);
+            detail::CombinedTangent tangent(stages, memory, Parameter::half_length, false);
             tangent.by_half_length(systems_, {gamma, gamma});
             tangent.carry(systems_, ratio, gamma);
         }
@@ -235,10 +246,18 @@ private:
 
     Step settle(const State& from, const Creepage<Scalar>& creepage, const Load& load, State& to,
                 Workspace& workspace) const noexcept {
-        StepStatus possible = core_.check(from, to, workspace);
-        if (possible == StepStatus::ok) possible = check_growth(0, load.half_length, load.half_length);
+        const StepStatus possible = check_steady(from, load, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return core_.solve_steady(from, creepage, systems_[0].G_prime(), systems_[1].G_prime(), load, to, workspace);
+        Stages stages;
+        return core_.solve_steady(stages, from, creepage, systems_[0].G_prime(), systems_[1].G_prime(), load, to,
+                                  workspace);
+    }
+
+    // Whether a steady solution can be sought at all.
+    StepStatus check_steady(const State& from, const Load& load, const State& to,
+                            const Workspace& workspace) const noexcept {
+        const StepStatus possible = core_.check(from, to, workspace);
+        return possible == StepStatus::ok ? check_growth(0, load.half_length, load.half_length) : possible;
     }
 
     // Whether a step can be made at all.

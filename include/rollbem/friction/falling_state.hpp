@@ -47,17 +47,16 @@ CoulombFriction<Scalar> checked_pressure(const char* who, const FallingFriction<
 }
 
 /// Whether these are coefficients: as many as there are elements, finite and not negative.
-template <class Scalar>
-bool fits_friction(const FallingFrictionState<Scalar>& from, const FallingFrictionState<Scalar>& to,
-                   Eigen::Index size) noexcept {
+template <class State>
+bool fits_friction(const State& from, const State& to, Eigen::Index size) noexcept {
     return from.friction_coefficient.size() == size && to.friction_coefficient.size() == size &&
            all_finite(from.friction_coefficient) && !(from.friction_coefficient.minCoeff() < 0);
 }
 
 /// The coefficients at the end of a step; those of its start where it has come to nothing.
-template <class Scalar>
-void hand_over(const FrictionStep<Scalar>& step, const FallingFrictionState<Scalar>& from,
-               const VectorX<Scalar>& friction, FallingFrictionState<Scalar>& to) noexcept {
+template <class Step, class State>
+void hand_over(const Step& step, const State& from, const VectorX<typename State::Scalar>& friction,
+               State& to) noexcept {
     if (step.status == StepStatus::not_finite) {
         to.friction_coefficient = from.friction_coefficient;
     } else {

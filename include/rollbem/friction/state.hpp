@@ -27,6 +27,11 @@ struct FrictionState {
     ArrayX<Scalar> normal_pressure;
     Scalar half_length = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
+    /// Steps in a row in which no element has changed its zone, and the distance [m] that each rolled for one solution.
+    /// After many of them a step is cheaper, and the equations check its slip in every 64th only; the count then goes
+    /// round. Any other numbers cost time or a check, not the solution.
+    int unchanged_steps = 0;
+    Scalar unchanged_distance = 0;
 };
 
 /// Result of a steady solution, a step or a rigid shift. Per unit width of a contact that is plane across, y = 0.
@@ -45,7 +50,8 @@ struct FrictionStep {
     /// at a creepage ratio of 0.5); for ready matrices times the slip of their own equation, of first order.
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     /// Largest violation of |p| <= mu p_n (over the largest mu p_n) and of s (over the largest slip there would be
-    /// without traction).
+    /// without traction). 0 in a step whose slip is not checked (see FrictionState::unchanged_steps): its tractions and
+    /// its slip keep the law exactly, and the equations but for rounding that is not known.
     Scalar complementarity_residual = std::numeric_limits<Scalar>::quiet_NaN();
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< rounds of the active set

@@ -163,7 +163,7 @@ private:
         const Scalar part = two_stages ? gamma : Scalar(1);
         const Scalar travel = motion.is_shift() ? part / unit : part * dq;
         const detail::StagePlace<Scalar> first{part, part}, last{part, 1};
-        core_.remember(from, system_, a, a != a_end, workspace);
+        core_.remember(from, system_, a, a != a_end, part * dq, workspace);
         typename Core::Before before{.zones = &from.zones};
         typename Core::Gain gain{.first = 0, .last = travel};
         if (two_stages) {

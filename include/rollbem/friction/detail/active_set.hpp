@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -17,8 +18,16 @@
 #include "../state.hpp"
 #include "complementary_path.hpp"
 #include "stick_equations.hpp"
+#include "stick_transform.hpp"
 
 namespace rollbem::detail {
+
+/// How ActiveSet finds a solution.
+enum class Effort {
+    equations,        ///< solves the equations of the elements that stick, and checks the slip
+    transform,        ///< by StickTransform, for as long as no element changes its zone
+    transform_check,  ///< the same, checked by the equations
+};
 
 /// Finds p and s = M p + c with |p_i| <= bound_i, s_i = 0 where |p_i| < bound_i, and s_i p_i <= 0: a linear
 /// complementarity problem with bounds. Because the bounds are finite, a solution exists for every M (a continuous
@@ -47,6 +56,7 @@ public:
 
     explicit ActiveSet(Index n)
         : equations_(n),
+          transform_(n),
           path_(n),
           sign_(Vector::Zero(n)),
           stick_(Vector::Ones(n)),
@@ -57,12 +67,14 @@ public:
           right_(n),
           correction_(n),
           sliding_traction_(Vector::Zero(n)),
-          sliding_product_(Vector::Zero(n)) {}
+          sliding_product_(Vector::Zero(n)),
+          sliding_bound_(Vector::Zero(n)) {}
 
     Index size() const { return equations_.size(); }
 
     /// M, to be filled before the first solve and whenever it changes.
     Matrix& new_matrix() {
+        transform_ready_ = false;
         sliding_traction_.setZero();
         sliding_product_.setZero();
         return equations_.new_matrix();
@@ -78,13 +90,28 @@ public:
     const Vector& signs() const { return sign_; }
     Index stick_count() const { return stick_count_; }
 
+    /// How the solutions to come shall be found. Where the transform does not do, the equations are solved.
+    void begin(Effort effort) {
+        effort_ = effort;
+        unchanged_ = true;
+    }
+    /// Whether each solution since then has been found at once, with the zones that it started from.
+    bool unchanged() const { return unchanged_; }
+
     /// Solves for bounds >= 0, all finite, starting from `zones`.
     Outcome solve(const Vector& bound, const std::vector<Zone>& zones) noexcept {
+        Outcome outcome;
+        if (effort_ != Effort::equations) {
+            if (transform(bound, zones, outcome)) return outcome;
+            effort_ = Effort::equations;
+            unchanged_ = false;
+        }
+        transform_ready_ = false;
         imposed_ = constant_.cwiseAbs().maxCoeff();
         start_from(bound, zones);
-        Outcome outcome;
         outcome.tangent_exists = settle(bound, outcome) || finish_by_path(bound, outcome);
-        publish_zones();
+        const bool same_zones = publish_zones(zones);
+        unchanged_ = unchanged_ && same_zones && outcome.rounds == 1 && !refined_ && !equations_.uses_pivoted();
         return judge(bound, outcome);
     }
 
@@ -113,6 +140,12 @@ private:
     static constexpr int patience = 10;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
+    // Quicker than ==. Zeros of two signs or paddings that differ cost time, not more.
+    template <class Values>
+    static bool same_bits(const Values& x, const Values& y) {
+        return std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(*x.data())) == 0;
+    }
+
     bool sticks(Index i) const { return sign_[i] == 0; }
     void set_zone(Index i, Scalar sign) {
         sign_[i] = sign;
@@ -129,12 +162,54 @@ private:
         }
     }
 
-    void publish_zones() {
+    // Whether they are those of `before`, which may be zones_ itself.
+    bool publish_zones(const std::vector<Zone>& before) {
         stick_count_ = 0;
+        bool same = true;
         for (Index i = 0; i < size(); ++i) {
-            zones_[static_cast<std::size_t>(i)] = static_cast<Zone>(static_cast<signed char>(sign_[i]));
+            const auto k = static_cast<std::size_t>(i);
+            const Zone zone = static_cast<Zone>(static_cast<signed char>(sign_[i]));
+            same = same && before[k] == zone;
+            zones_[k] = zone;
             if (sticks(i)) ++stick_count_;
         }
+        return same;
+    }
+
+    // The transform, and what the elements that slip contribute. False where zones or factors do not allow it.
+    bool prepare_transform(const Vector& bound, const std::vector<Zone>& zones) {
+        if (transform_ready_ && same_bits(zones, zones_) && same_bits(bound, sliding_bound_)) return true;
+        transform_ready_ = false;
+        start_from(bound, zones);
+        if (!publish_zones(zones) || !equations_.factorise(stick_) || equations_.uses_pivoted()) return false;
+        transform_.make(equations_);
+        find_sliding(bound);
+        sliding_bound_ = bound;
+        return transform_ready_ = true;
+    }
+
+    // False, with nothing of use, where an element would have to change its zone or the check fails.
+    bool transform(const Vector& bound, const std::vector<Zone>& zones, Outcome& outcome) {
+        if (!prepare_transform(bound, zones)) return false;
+        right_ = constant_ + sliding_product_;
+        transform_.apply(equations_, right_, correction_);
+        traction_ = sliding_traction_ + stick_.cwiseProduct(correction_);
+        slip_ = sign_.cwiseAbs2().cwiseProduct(correction_ + right_);
+        const Scalar margin =
+            (stick_.cwiseProduct(bound - traction_.cwiseAbs()) + sign_.cwiseProduct(slip_)).minCoeff();
+        if (!(margin >= 0)) return false;
+        if (effort_ == Effort::transform_check) {
+            imposed_ = constant_.cwiseAbs().maxCoeff();
+            correction_.noalias() = equations_.matrix() * traction_;
+            slip_scale_ = rounding() * (correction_.cwiseAbs().maxCoeff() + imposed_);
+            const Scalar difference = (correction_ + constant_ - slip_).cwiseAbs().maxCoeff();
+            if (!(difference <= 4 * slip_scale_)) return false;
+            outcome.residual = imposed_ > 0 ? difference / imposed_ : difference;
+        }
+        outcome.rounds = 1;
+        outcome.tangent_exists = true;
+        outcome.status = StepStatus::ok;
+        return true;
     }
 
     // The rounds of the active set. False when they do not settle.
@@ -155,16 +230,20 @@ private:
     // p and s from the zones. False when stick elements creep more than rounding explains, whatever the factors.
     bool evaluate(const Vector& bound) {
         for (;;) {
-            right_ = -sign_.cwiseProduct(bound);
-            const bool same = right_ == sliding_traction_;  // mostly the same elements slide as before
-            sliding_traction_ = right_;
-            if (!same) sliding_product_.noalias() = equations_.matrix() * sliding_traction_;
+            find_sliding(bound);
             right_ = -sliding_product_ - constant_;
             equations_.solve(right_, correction_);
             traction_ = sliding_traction_ + correction_;
             if (verify()) return true;
             if (equations_.uses_pivoted() || !equations_.pivot()) return false;
         }
+    }
+
+    void find_sliding(const Vector& bound) {
+        right_ = -sign_.cwiseProduct(bound);
+        if (right_ == sliding_traction_) return;  // mostly the same elements slide as before
+        sliding_traction_ = right_;
+        sliding_product_.noalias() = equations_.matrix() * sliding_traction_;
     }
 
     // s from M itself, and how much of it is rounding
@@ -180,6 +259,7 @@ private:
     bool verify() {
         for (int attempt = 0;; ++attempt) {
             find_slip();
+            refined_ = attempt > 0;
             if (creep_ <= 4 * slip_scale_) return true;
             if (attempt == 2 || !is_finite(creep_)) return is_finite(creep_) && creep_ <= 1000 * slip_scale_;
             right_ = -slip_;
@@ -248,18 +328,24 @@ private:
     }
 
     StickEquations<Scalar> equations_;
+    StickTransform<Scalar> transform_;
     ComplementaryPath<Scalar> path_;
     Vector sign_, stick_;
     std::vector<Zone> zones_;
     Vector traction_, slip_, constant_, right_, correction_;
     Vector sliding_traction_,
         sliding_product_;    // of the elements that slip, and what it contributes to the slip of all
+    Vector sliding_bound_;   // the bounds that they belong to where transform_ready_
     Scalar imposed_ = 0;     // max |c|
     Scalar slip_scale_ = 0;  // rounding of the slip
     Scalar creep_ = 0;       // largest slip of an element that should stick
     Scalar wrong_slip_ = 0;  // largest slip in the direction of the traction
     Scalar excess_ = 0;      // largest traction above its bound
     Index stick_count_ = 0;
+    Effort effort_ = Effort::equations;
+    bool unchanged_ = false;
+    bool refined_ = false;          // the tractions of the last round
+    bool transform_ready_ = false;  // for zones_, with what slides
 };
 
 }  // namespace rollbem::detail

@@ -30,6 +30,34 @@
 
 namespace rollbem::detail {
 
+/// Where a solution is sought: at tractions in G and the zones that go with them.
+template <class Scalar>
+struct CombinedStart {
+    const ElementVectors<Scalar>& traction;
+    const std::vector<CombinedZone>& zones;
+};
+
+/// ConstantStages in two directions.
+template <class Scalar>
+struct ConstantCombinedStages {
+    using Solver = CombinedSolver<Scalar>;
+
+    void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
+    typename Solver::Outcome solve(Solver& solver, const VectorX<Scalar>& bound,
+                                   const CombinedStart<Scalar>& start) noexcept {
+        return solver.solve(bound, start.traction, start.zones);
+    }
+    void respond(Solver& solver, const ElementVectors<Scalar>& change, Scalar, ElementVectors<Scalar>& traction_change,
+                 std::size_t, const VectorX<Scalar>* bound_change, Scalar share) noexcept {
+        if (bound_change == nullptr) {
+            solver.respond(change, traction_change);
+        } else {
+            solver.respond(change, *bound_change, traction_change, share);
+        }
+    }
+    void carry_response(std::size_t) noexcept {}
+};
+
 /// The part of a model of combined friction that does not know where its equations s = M p + c come from.
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length.
 template <class Scalar>
@@ -55,6 +83,7 @@ public:
 
     Eigen::Index size() const { return widths_.size(); }
     Scalar half_length() const { return half_length_; }
+    const VectorX<Scalar>& widths() const { return widths_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     State at_rest() const {
         return {ElementVectors<Scalar>::Zero(size(), 2),
@@ -134,14 +163,16 @@ public:
 
     /// One stage, c = imposed - displacement, under memory.pressure; its slip counts `weight` times. Its tractions are
     /// where the next is sought.
-    void solve(const Creepage<Scalar>& imposed, const std::vector<CombinedZone>& zones, Scalar weight, Memory& memory,
-               Course& course) const noexcept {
+    template <class Stages>
+    void solve(Stages& stages, const Creepage<Scalar>& imposed, const std::vector<CombinedZone>& zones, Scalar weight,
+               Memory& memory, Course& course) const noexcept {
         memory.bound = friction_.friction_coefficient / shear_modulus_ * memory.pressure.matrix();
         ElementVectors<Scalar>& constant = memory.solver.constant();
         constant = -memory.displacement;
         constant.col(0).array() += imposed.longitudinal;
         constant.col(1).array() += imposed.lateral;
-        const typename CombinedSolver<Scalar>::Outcome outcome = memory.solver.solve(memory.bound, memory.start, zones);
+        const typename CombinedSolver<Scalar>::Outcome outcome =
+            stages.solve(memory.solver, memory.bound, {memory.start, zones});
         course.residual = std::max(course.residual, outcome.residual);
         course.rounds += outcome.rounds;
         course.tangent_exists = course.tangent_exists && outcome.tangent_exists;
@@ -189,9 +220,10 @@ public:
     }
 
     /// Steady rolling, s/V = creepage - G' p, sought from `from` under a load that has been checked.
-    Step solve_steady(const State& from, const Creepage<Scalar>& creepage, const MatrixX<Scalar>& longitudinal_G_prime,
-                      const MatrixX<Scalar>& lateral_G_prime, const Load& load, State& to,
-                      Workspace& workspace) const noexcept {
+    template <class Stages>
+    Step solve_steady(Stages& stages, const State& from, const Creepage<Scalar>& creepage,
+                      const MatrixX<Scalar>& longitudinal_G_prime, const MatrixX<Scalar>& lateral_G_prime,
+                      const Load& load, State& to, Workspace& workspace) const noexcept {
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
         Memory& memory = workspace.memory_;
         // the equations do not know the half-length, slip work does
@@ -202,20 +234,22 @@ public:
         begin(from, memory);
         memory.pressure = load.pressure.head(size());
         Course course;
-        solve(creepage, from.zones, 1, memory, course);
+        solve(stages, creepage, from.zones, 1, memory, course);
         Step step;
         finish(from, course, load, 1, to, memory, step);
         if (step.status != StepStatus::not_finite && course.tangent_exists) {
-            add_tangent(1, false, load.half_length, memory, step);
+            add_tangent(stages, 1, false, load.half_length, memory, step);
         }
         return step;
     }
 
     /// Tangents by both creepages at the end of the last or only stage, where part dq xi depends by `imposed` on each;
     /// `carried`: memory.carried counts, from a stage before.
-    void add_tangent(Scalar imposed, bool carried, Scalar half_length, Memory& memory, Step& step) const noexcept {
+    template <class Stages>
+    void add_tangent(Stages& stages, Scalar imposed, bool carried, Scalar half_length, Memory& memory,
+                     Step& step) const noexcept {
         for (const Parameter direction : {Parameter::longitudinal, Parameter::lateral}) {
-            CombinedTangent<Scalar>(memory, direction, carried).by_creepage(imposed);
+            CombinedTangent(stages, memory, direction, carried).by_creepage(imposed);
             const Force rate = sum(memory.response, half_length * shear_modulus_);
             const bool along = direction == Parameter::longitudinal;
             (along ? step.tangent_per_width.by_longitudinal : step.tangent_per_width.by_lateral) = rate;
@@ -223,16 +257,18 @@ public:
         }
     }
     /// By the load, on whose pressures memory.bound_rate depends,
-    void add_load_tangent(bool carried, Scalar half_length, Memory& memory,
+    template <class Stages>
+    void add_load_tangent(Stages& stages, bool carried, Scalar half_length, Memory& memory,
                           LoadedCombinedStep<Scalar>& step) const noexcept {
-        CombinedTangent<Scalar>(memory, Parameter::load, carried).by_load(1);
+        CombinedTangent(stages, memory, Parameter::load, carried).by_load(1);
         step.tangent_by_load_per_width = sum(memory.response, half_length * shear_modulus_);
         step.tangent_by_load = times(width_, step.tangent_by_load_per_width);
     }
     /// and by the half-length.
-    void add_half_length_tangent(const SystemPair<Scalar>& systems, Scalar part, bool carried, Scalar half_length,
-                                 Memory& memory, LoadedCombinedStep<Scalar>& step) const noexcept {
-        CombinedTangent<Scalar>(memory, Parameter::half_length, carried).by_half_length(systems, {part, 1});
+    template <class Stages>
+    void add_half_length_tangent(Stages& stages, const SystemPair<Scalar>& systems, Scalar part, bool carried,
+                                 Scalar half_length, Memory& memory, LoadedCombinedStep<Scalar>& step) const noexcept {
+        CombinedTangent(stages, memory, Parameter::half_length, carried).by_half_length(systems, {part, 1});
         const Force own = sum(memory.start, shear_modulus_);
         const Force change = sum(memory.response, half_length / half_length_ * shear_modulus_);
         step.tangent_by_half_length_per_width = {own.longitudinal + change.longitudinal, own.lateral + change.lateral};

@@ -41,6 +41,8 @@ public:
           whole_(2 * n, 2 * n),
           right_(2 * n),
           tangent_(ElementVectors<Scalar>::Zero(n, 2)),
+          slip_(ElementVectors<Scalar>::Zero(n, 2)),
+          change_(ElementVectors<Scalar>::Zero(n, 2)),
           slipping_(n),
           sticking_(n),
           eliminated_for_(n),
@@ -71,6 +73,24 @@ public:
             solve_whole(s, change);
         } else {
             solve_reduced(s, change);
+        }
+    }
+
+    /// Elements that slip, as they were factorised for.
+    Index slipping_count() const { return slipping_.count; }
+    Index slipping(Index k) const { return slipping_[k]; }
+
+    /// Column k: what the k-th element that slips does to each of them by a traction along its own, while the others
+    /// keep the size of theirs: their slip along their own traction. Rows of elements that do not slip stay as they are.
+    void couple(Matrix& coupling) {
+        if (!is_whole_) find_across();
+        for (Index k = 0; k < slipping_.count; ++k) {
+            if (is_whole_) {
+                couple_whole(k);
+            } else {
+                couple_reduced(k);
+            }
+            for (Index l = 0; l < slipping_.count; ++l) coupling(slipping_[l], k) = right_[l];
         }
     }
 
@@ -226,6 +246,42 @@ private:
         }
     }
 
+    // The unit vector along the traction of the k-th element that slips.
+    Scalar along(Index k, std::size_t direction) const { return direction == 0 ? tangent_(k, 1) : -tangent_(k, 0); }
+
+    // Slip along tractions by tractions across them, to whole_, which is free.
+    void find_across() {
+        const Index count = slipping_.count;
+        for (Index k = 0; k < count; ++k) {
+            for (Index l = 0; l < count; ++l) {
+                whole_(l, k) = along(l, 0) * side_[0].reduced(l, k) * tangent_(k, 0) +
+                               along(l, 1) * side_[1].reduced(l, k) * tangent_(k, 1);
+            }
+        }
+    }
+
+    // A column of couple(), to right_.
+    void couple_reduced(Index k) {
+        const Index count = slipping_.count;
+        auto turn = right_.segment(count, count);
+        for (Index l = 0; l < count; ++l) {
+            const Scalar x = side_[0].reduced(l, k) * along(k, 0), y = side_[1].reduced(l, k) * along(k, 1);
+            right_[l] = along(l, 0) * x + along(l, 1) * y;
+            turn[l] = tangent_(l, 0) * x + tangent_(l, 1) * y;
+        }
+        solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), turn);
+        right_.head(count).noalias() -= whole_.topLeftCorner(count, count) * turn;
+    }
+    void couple_whole(Index k) {
+        for (std::size_t d = 0; d < 2; ++d) slip_.col(column(d)) = along(k, d) * matrix(d).col(slipping_[k]);
+        change_.setZero();
+        solve_whole(slip_, change_);
+        for (std::size_t d = 0; d < 2; ++d) slip_.col(column(d)).noalias() += matrix(d) * change_.col(column(d));
+        for (Index l = 0; l < slipping_.count; ++l) {
+            right_[l] = along(l, 0) * slip_(slipping_[l], 0) + along(l, 1) * slip_(slipping_[l], 1);
+        }
+    }
+
     // The leading part of a matrix. False where it is singular to working precision.
     bool factorise_first(Matrix& A, Index count) {
         factorise_in_place<Scalar>(A.topLeftCorner(count, count), swaps_.data());
@@ -239,6 +295,7 @@ private:
     Matrix factors_, whole_;
     Vector right_;
     ElementVectors<Scalar> tangent_;  // of the elements that slip, in their order
+    ElementVectors<Scalar> slip_, change_;
     List slipping_, sticking_, eliminated_for_;
     std::vector<Index> swaps_;
     bool is_whole_ = false;

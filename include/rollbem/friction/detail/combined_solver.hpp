@@ -113,9 +113,26 @@ public:
     void respond(const ElementVectors<Scalar>& change, ElementVectors<Scalar>& traction_change) {
         equations_.solve(change, traction_change);
     }
-    /// Unit vector along the traction of each element that slips, zero for others: how it follows a change of its
-    /// bound.
+    /// The same where the bounds change too, by `share` of `bound_change`: what slips follows its bound along its
+    /// traction.
+    void respond(const ElementVectors<Scalar>& change, const Vector& bound_change,
+                 ElementVectors<Scalar>& traction_change, Scalar share = 1) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            const auto column = static_cast<Index>(d);
+            trial_.col(column) = share * bound_change.cwiseProduct(part_.direction.col(column));
+            trial_slip_.col(column) = change.col(column);
+            trial_slip_.col(column).noalias() += matrix(d) * trial_.col(column);
+        }
+        equations_.solve(trial_slip_, traction_change);
+        traction_change += trial_;
+    }
+
+    /// Unit vector along the traction of each element that slips, zero for others.
     const ElementVectors<Scalar>& direction() const { return part_.direction; }
+    /// 1 for each element that slips under pressure, zero for others.
+    const Vector& slides() const { return part_.slide; }
+    /// What the last outcome's tangent is made of.
+    CombinedEquations<Scalar>& equations() { return equations_; }
 
 private:
     using Vectors = ElementVectors<Scalar>;

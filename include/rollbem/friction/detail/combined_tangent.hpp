@@ -24,13 +24,14 @@ enum class Parameter : unsigned char { longitudinal, lateral, load, half_length 
 template <class Scalar>
 using SystemPair = std::array<ElementSystem<Scalar>, 2>;
 
-/// Derivatives of the stage that memory.solver has solved last by one parameter. Each leaves dp in memory.response.
-template <class Scalar>
+/// Derivatives of the stage that `stages` have solved last, in memory.solver, by one parameter. Each leaves dp in
+/// memory.response.
+template <class Scalar, class Stages>
 class CombinedTangent {
 public:
     /// `carried`: what a stage before has left in memory.carried shifts the equations.
-    CombinedTangent(CombinedMemory<Scalar>& memory, Parameter parameter, bool carried)
-        : memory_(memory), parameter_(parameter) {
+    CombinedTangent(Stages& stages, CombinedMemory<Scalar>& memory, Parameter parameter, bool carried)
+        : stages_(stages), memory_(memory), parameter_(parameter) {
         if (carried) {
             memory.right = memory.carried[place(parameter)];
         } else {
@@ -41,21 +42,11 @@ public:
     /// By a creepage, on which part dq xi depends by `imposed`.
     void by_creepage(Scalar imposed) {
         memory_.right.col(parameter_ == Parameter::longitudinal ? 0 : 1).array() += imposed;
-        memory_.solver.respond(memory_.right, memory_.response);
+        respond();
     }
 
     /// By the load: bounds change by `progress` times memory.bound_rate, and what slips follows its bound.
-    void by_load(Scalar progress) {
-        const ElementVectors<Scalar>& direction = memory_.solver.direction();
-        for (std::size_t d = 0; d < 2; ++d) {
-            memory_.column = progress * memory_.bound_rate.cwiseProduct(direction.col(column(d)));
-            memory_.right.col(column(d)).noalias() += memory_.solver.matrix(d) * memory_.column;
-        }
-        memory_.solver.respond(memory_.right, memory_.response);
-        for (Eigen::Index d = 0; d < 2; ++d) {
-            memory_.response.col(d) += progress * memory_.bound_rate.cwiseProduct(direction.col(d));
-        }
-    }
+    void by_load(Scalar progress) { respond(&memory_.bound_rate, progress); }
 
     /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p.
     void by_half_length(const SystemPair<Scalar>& systems, const StagePlace<Scalar>& stage) {
@@ -64,7 +55,7 @@ public:
             memory_.product.noalias() = systems[d].G_prime() * memory_.column;
             memory_.right.col(column(d)).array() -= stage.part * *systems[d].points() * memory_.product.array();
         }
-        memory_.solver.respond(memory_.right, memory_.response);
+        respond();
     }
 
     /// To the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, and what
@@ -78,11 +69,16 @@ public:
             if (parameter_ == Parameter::half_length) add_displacement_rate(systems[d], d, progress, carried);
         }
         carried *= -ratio;
+        stages_.carry_response(place(parameter_));
     }
 
 private:
     static Eigen::Index column(std::size_t direction) { return static_cast<Eigen::Index>(direction); }
     static std::size_t place(Parameter parameter) { return static_cast<std::size_t>(parameter); }
+
+    void respond(const VectorX<Scalar>* bound_change = nullptr, Scalar share = 1) {
+        stages_.respond(memory_.solver, memory_.right, 1, memory_.response, place(parameter_), bound_change, share);
+    }
 
     // Adds progress dU/da; leaves the tractions of the direction in memory.column.
     void add_displacement_rate(const ElementSystem<Scalar>& system, std::size_t d, Scalar progress,
@@ -93,6 +89,7 @@ private:
         sum.col(column(d)) += progress * memory_.rate;
     }
 
+    Stages& stages_;
     CombinedMemory<Scalar>& memory_;
     Parameter parameter_;
 };

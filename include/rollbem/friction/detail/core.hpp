@@ -126,6 +126,7 @@ public:
                       const Load& load, State& to, Workspace& workspace) const noexcept {
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
         if (MatrixX<Scalar>* matrix = claim({.distance = steadily}, workspace)) *matrix = -G_prime;
+        workspace.solver_.begin(Effort::equations);
         workspace.solver_.constant().setConstant(creepage);
         press(load.pressure, workspace);
         return solve_last(stages, from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
@@ -150,10 +151,15 @@ public:
             friction_.friction_coefficient / shear_modulus_ * (from + progress * (to.head(size()) - from)).matrix();
     }
 
-    /// Starts a step from tractions at the half-length `half_length` in a_0, that `grows` in it or not.
+    /// Starts a step from tractions at the half-length `half_length` in a_0, that `grows` in it or not; each stage rolls
+    /// by `distance`.
     void remember(const State& from, const RollingSystem<Scalar>& system, Scalar half_length, bool grows,
-                  Workspace& workspace) const noexcept {
-        workspace.memory_.begin(system, from.traction / shear_modulus_, half_length, grows);
+                  Scalar distance, Workspace& workspace) const noexcept {
+        const int unchanged = grows ? 0 : unchanged_steps(from, distance);
+        workspace.solver_.begin(unchanged < transform_from()    ? Effort::equations
+                                : unchanged == transform_from() ? Effort::transform_check
+                                                                : Effort::transform);
+        workspace.memory_.begin(system, 1 / shear_modulus_ * from.traction, half_length, grows);
     }
     /// After the first of two stages.
     void extrapolate_memory(const RollingSystem<Scalar>& system, Scalar ratio, Workspace& workspace) const noexcept {
@@ -211,8 +217,7 @@ public:
         const Scalar force = widths_.dot(solver.traction());
         set_slip(workspace);
         slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
-        slip_work_.end(workspace.work_);
-        workspace.work_ *= half_length_ * shear_modulus_ * slip_unit;
+        slip_work_.end(workspace.work_, half_length_ * shear_modulus_ * slip_unit);
         to.system = fingerprint_;
         const Scalar force_per_width = load.half_length * shear_modulus_ * force;
         const Scalar work_per_width = workspace.work_.sum();
@@ -224,6 +229,8 @@ public:
             to.zones = from.zones;
             to.normal_pressure = from.normal_pressure;
             to.half_length = from.half_length;
+            to.unchanged_steps = from.unchanged_steps;
+            to.unchanged_distance = from.unchanged_distance;
             return failed(StepStatus::not_finite);
         }
         if (!only) workspace.slip_ += workspace.response_;
@@ -232,6 +239,7 @@ public:
         to.traction = shear_modulus_ * solver.traction();
         to.normal_pressure = load.pressure.head(size());
         to.half_length = load.half_length;
+        count_unchanged(from, workspace, to);
         Step step;
         step.stick_count = solver.stick_count();
         step.force_per_width = force_per_width;
@@ -285,6 +293,28 @@ public:
 
 private:
     static constexpr Scalar steadily = -1;  // in place of a distance rolled, which is 0 for a rigid shift
+
+    // How many unchanged steps make the transform worth its while. It costs about n/2 products of matrix and vector, and
+    // saves one or two a step.
+    int transform_from() const { return 1 + static_cast<int>(size() / 2); }
+    static constexpr int check_period = 64;
+
+    // Those that a state claims, for stages that roll by `distance`; 0 where it claims what no step leaves.
+    int unchanged_steps(const State& from, Scalar distance) const {
+        const bool known = from.unchanged_distance == half_length_ * distance && from.unchanged_steps > 0 &&
+                           from.unchanged_steps < transform_from() + check_period;
+        return known ? from.unchanged_steps : 0;
+    }
+
+    void count_unchanged(const State& from, const Workspace& workspace, State& to) const {
+        const RollingStage<Scalar>& stage = workspace.stage_;
+        to.unchanged_steps = 0;
+        to.unchanged_distance = 0;
+        if (stage.distance < 0 || stage.growth != 0 || !workspace.solver_.unchanged()) return;
+        const int steps = unchanged_steps(from, stage.distance) + 1;
+        to.unchanged_steps = steps < transform_from() + check_period ? steps : transform_from();
+        to.unchanged_distance = half_length_ * stage.distance;
+    }
 
     // stick leaves rounding behind, and so may the border of slip
     static void set_slip(Workspace& workspace) {

@@ -135,17 +135,17 @@ public:
         return outcome.solution;
     }
 
-    /// dp by a change dc of the stage solved last, and one of its pressures where there is one, to which belongs `carried`
-    /// times what carry_response() has kept of the same parameter.
+    /// dp by a change dc of the stage solved last, and by `share` of one of its pressures, to which belongs `carried` times
+    /// what carry_response() has kept of the same parameter.
     void respond(Solver& solver, const Vectors& change, Scalar carried, Vectors& traction_change,
-                 std::size_t parameter = 0, const Vector* pressure_change = nullptr) noexcept {
+                 std::size_t parameter = 0, const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
         FallingChange<Slip> changes{change};
         if (second_ && points_ != nullptr) {
             scratch_.rise = carried * scratch_.before_change[parameter];
             changes.before = &scratch_.rise;
         }
         if (pressure_change != nullptr) {
-            scratch_.bound = scratch_.friction.cwiseProduct(*pressure_change);
+            scratch_.bound = share * scratch_.friction.cwiseProduct(*pressure_change);
             changes.bound = &scratch_.bound;
         }
         scratch_.set.respond(law_, memory_, passage(*pressure_), solver, scratch_.friction, changes, traction_change,

@@ -26,12 +26,14 @@ public:
     /// `widths` of the elements with unknown tractions, which begin at the trailing edge; `points` x/a of their
     /// equations. Without points each slip is taken as it is.
     SlipWork(const ArrayX<Scalar>& widths, const std::optional<ArrayX<Scalar>>& points)
-        : widths_(widths), between_(static_cast<std::size_t>(widths.size())) {
+        : widths_(widths), between_(static_cast<std::size_t>(widths.size())), shares_(widths.size()) {
         Scalar edge = 0;  // 1 + x/a of the trailing edge of element i
         for (Index i = 0; i < size(); ++i) {
             place(i, edge + widths[i] / 2, points);
+            shares_[i] = between_[static_cast<std::size_t>(i)].share;
             edge += widths[i];
         }
+        find_run();
     }
 
     Eigen::Index size() const { return widths_.size(); }
@@ -47,7 +49,16 @@ public:
     /// Adds -p s dx of each element to `work`, on a contact of another half-length where one is given.
     template <class Traction, class Slip>
     void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work, Scalar half_length = 1) const {
-        for (Index i = 0; i < size(); ++i) work[i] -= half_length * widths_[i] * traction[i] * at_centre(i, slip);
+        const auto one_by_one = [&](Index begin, Index end) {
+            for (Index i = begin; i < end; ++i) work[i] -= half_length * widths_[i] * traction[i] * at_centre(i, slip);
+        };
+        one_by_one(0, begin_);
+        const auto behind = slip.segment(begin_ + behind_, count_).array();
+        const auto ahead = slip.segment(begin_ + ahead_, count_).array();
+        work.segment(begin_, count_).array() -= half_length * widths_.segment(begin_, count_) *
+                                                traction.segment(begin_, count_).array() *
+                                                (behind + shares_.segment(begin_, count_) * (ahead - behind));
+        one_by_one(begin_ + count_, size());
     }
 
     /// Sum of p u dx of all elements: with u the displacements in all equations, twice the elastic energy.
@@ -58,9 +69,9 @@ public:
         return sum;
     }
 
-    /// Ends a sum: no element gains energy. Where the slip turns round or ends within an element, interpolation may say
-    /// so, by an amount of second order.
-    static void end(VectorX<Scalar>& work) { work = work.cwiseMax(Scalar(0)); }
+    /// Ends a sum, in other units if so wished: no element gains energy. Where the slip turns round or ends within an
+    /// element, interpolation may say so, by an amount of second order.
+    static void end(VectorX<Scalar>& work, Scalar unit = 1) { work = unit * work.cwiseMax(Scalar(0)); }
 
 private:
     using Index = Eigen::Index;
@@ -85,8 +96,24 @@ private:
         between = {.behind = behind, .ahead = behind + 1, .share = (centre - point(behind)) / distance};
     }
 
+    // The longest run of elements whose neighbours lie as many elements behind and ahead: on most meshes nearly all.
+    void find_run() {
+        for (Index begin = 0, end = 0; begin < size(); begin = end) {
+            const auto behind = [&](Index i) { return between_[static_cast<std::size_t>(i)].behind - i; };
+            const auto ahead = [&](Index i) { return between_[static_cast<std::size_t>(i)].ahead - i; };
+            while (end < size() && behind(end) == behind(begin) && ahead(end) == ahead(begin)) ++end;
+            if (end - begin <= count_) continue;
+            begin_ = begin;
+            count_ = end - begin;
+            behind_ = behind(begin);
+            ahead_ = ahead(begin);
+        }
+    }
+
     ArrayX<Scalar> widths_;
     std::vector<Between> between_;
+    ArrayX<Scalar> shares_;
+    Index begin_ = 0, count_ = 0, behind_ = 0, ahead_ = 0;  // the run
 };
 
 }  // namespace rollbem::detail

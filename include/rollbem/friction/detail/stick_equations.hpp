@@ -119,6 +119,12 @@ public:
         }
     }
 
+    /// Column k of M(S, S)^-1 in the list's order, from the factors without pivoting.
+    void find_inverse_column(Index k, Vector& column) const {
+        const Index rest = count_ - k;
+        column.head(count_).noalias() = upper_.block(0, k, count_, rest) * lower_.col(k).segment(k, rest);
+    }
+
     /// Changes whenever M, S or the kind of factors does.
     unsigned long revision() const { return revision_; }
 

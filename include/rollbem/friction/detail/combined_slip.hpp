@@ -1,0 +1,91 @@
+// How fast the elements of a CombinedSolver slip, and what their bounds do to that: FallingSet in two directions.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "../combined_state.hpp"
+#include "combined_core.hpp"
+#include "combined_solver.hpp"
+
+namespace rollbem::detail {
+
+/// As ActiveSetSlip. |s| of an element changes by the slip against its traction. Everything is allocated by the
+/// constructor.
+template <class Scalar_>
+class CombinedSlip {
+public:
+    using Scalar = Scalar_;
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Vectors = ElementVectors<Scalar>;
+    using Solver = CombinedSolver<Scalar>;
+    using Outcome = typename Solver::Outcome;
+    using Start = CombinedStart<Scalar>;
+    static constexpr int parameters = 4;  // as CombinedMemory::carried
+
+    explicit CombinedSlip(Index n)
+        : traction_(Vectors::Zero(n, 2)),
+          slip_change_(n, 2),
+          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          coupling_(MatrixX<Scalar>::Zero(n, n)),
+          slipping_(static_cast<std::size_t>(n)) {}
+
+    void begin(const Start& start) {
+        traction_ = start.traction;
+        zones_ = start.zones;
+    }
+    Outcome solve(const Vector& bound, Solver& solver) {
+        const Outcome outcome = solver.solve(bound, traction_, zones_);
+        traction_ = solver.traction();
+        zones_ = solver.zones();
+        is_regular_ = outcome.tangent_exists;
+        ++solution_;
+        return outcome;
+    }
+    static void add(const Outcome& before, Outcome& outcome) { outcome.rounds += before.rounds; }
+
+    static Scalar size(const Solver& solver, Index i) { return std::hypot(solver.slip()(i, 0), solver.slip()(i, 1)); }
+    static const Vector& sense(const Solver& solver) { return solver.slides(); }
+
+    /// Nothing slips for what has no tangent.
+    void linearise(Solver& solver) {
+        if (revision_ == solution_) return;
+        revision_ = solution_;
+        CombinedEquations<Scalar>& equations = solver.equations();
+        count_ = is_regular_ ? equations.slipping_count() : 0;
+        for (Index k = 0; k < count_; ++k) slipping_[static_cast<std::size_t>(k)] = equations.slipping(k);
+        coupling_.leftCols(count_).setZero();
+        if (is_regular_) equations.couple(coupling_);
+    }
+    const MatrixX<Scalar>& by_traction() const { return coupling_; }
+    Index slipping_count() const { return count_; }
+    Index slipping(Index k) const { return slipping_[static_cast<std::size_t>(k)]; }
+    unsigned long revision() const { return revision_; }
+
+    void change_size(const Solver& solver, const Vectors& change, const Vectors& traction_change, Vector& size_change) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            const auto column = static_cast<Index>(d);
+            slip_change_.col(column) = change.col(column);
+            slip_change_.col(column).noalias() += solver.matrix(d) * traction_change.col(column);
+        }
+        size_change = -slip_change_.cwiseProduct(solver.direction()).rowwise().sum();
+    }
+
+private:
+    Vectors traction_, slip_change_;
+    std::vector<CombinedZone> zones_;
+    MatrixX<Scalar> coupling_;
+    std::vector<Index> slipping_;
+    Index count_ = 0;
+    bool is_regular_ = false;
+    unsigned long solution_ = 0, revision_ = 0;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,63 @@
+// Tractions of the elements that stick and slip of those that slip, by one product of matrix and vector.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "stick_equations.hpp"
+
+namespace rollbem::detail {
+
+/// The principal transform of s = M p + c for the elements S that stick, where s = 0, while the tractions of the others
+/// are zero: p_S = -M(S, S)^-1 c_S and s_L = c_L - M(L, S) M(S, S)^-1 c_S. Depends on M and S alone, to the last bit.
+/// Everything is allocated by the constructor.
+template <class Scalar>
+class StickTransform {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+
+    explicit StickTransform(Index n)
+        : matrix_(MatrixX<Scalar>::Zero(n, n)), listed_(n), column_(Vector::Zero(n)), slip_(n) {}
+
+    /// Made for what the equations are factorised for, unless it is already: about |S| products of matrix and vector.
+    /// Not for factors with pivoting.
+    void make(StickEquations<Scalar>& equations) {
+        if (revision_ == equations.revision()) return;
+        revision_ = equations.revision();
+        const Index count = equations.count();
+        if (count == 0) return;
+        Index first = equations.size(), last = 0;
+        for (Index k = 0; k < count; ++k) {
+            first = std::min(first, equations.listed(k));
+            last = std::max(last, equations.listed(k));
+        }
+        const Index length = last - first + 1;
+        column_.setZero();
+        for (Index k = 0; k < count; ++k) {
+            equations.find_inverse_column(k, listed_);
+            for (Index j = 0; j < count; ++j) column_[equations.listed(j)] = listed_[j];
+            slip_.noalias() = equations.matrix().middleCols(first, length) * column_.segment(first, length);
+            for (Index j = 0; j < count; ++j) slip_[equations.listed(j)] = listed_[j];
+            matrix_.col(k) = -slip_;
+        }
+    }
+
+    /// p of the elements that stick; s - c of the others.
+    void apply(const StickEquations<Scalar>& equations, const Vector& constant, Vector& result) {
+        const Index count = equations.count();
+        for (Index k = 0; k < count; ++k) listed_[k] = constant[equations.listed(k)];
+        result.noalias() = matrix_.leftCols(count) * listed_.head(count);
+    }
+
+private:
+    MatrixX<Scalar> matrix_;  // its k-th column belongs to the k-th element of the equations' list
+    Vector listed_, column_, slip_;
+    unsigned long revision_ = std::numeric_limits<unsigned long>::max();
+};
+
+}  // namespace rollbem::detail
