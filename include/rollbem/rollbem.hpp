@@ -1,6 +1,6 @@
-// rollbem: the two-dimensional tangential rolling contact problem by boundary elements.
-// Umbrella of all that needs Eigen alone; what a program does not use costs next to nothing to compile. Apart are
-// rollbem/reference/, which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
+// rollbem: the two-dimensional tangential rolling contact problem by boundary elements. Includes every header that
+// needs Eigen alone; what a program does not use costs next to nothing to compile. Not included are rollbem/reference/,
+// which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
 #pragma once
 
 #include "detail/language.hpp"

@@ -1,43 +1,43 @@
-// What became of a computation, with names for messages and tables: Status of a solution, StepStatus of a state that
-// follows from another. A broken precondition throws; a computation that went wrong says so here.
+// Outcomes of computations, with names for messages and tables: Status of a solution, StepStatus of a step from one
+// state to the next. A broken precondition throws; a computation that fails reports it here.
 #pragma once
 
 #include "detail/language.hpp"
 
 namespace rollbem {
 
-/// Whether a number that was computed can be used.
+/// Whether a computed number can be used.
 enum class Status {
     ok,
     ill_conditioned,  ///< the matrix is singular to working precision, or the residual is far above rounding
-    inconsistent,     ///< solved well, but tractions of steady rolling that push with the creepage show that the scheme
-                      ///< does not converge to full adhesion: alpha <= 0, or alpha > 1
+    inconsistent,     ///< solved accurately, but the tractions of steady rolling assist the creepage: the scheme does
+                      ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
     not_converged,    ///< the order of a polynomial is too low, or monomials have broken down by cancellation
-    order_differs,    ///< values to be extrapolated do not converge with the order that was given
-    not_finite,       ///< an input or a result is not a number or infinite
+    order_differs,    ///< values to be extrapolated do not converge with the given order
+    not_finite,       ///< an input or a result is NaN or infinite
 };
 
-/// What became of a step, or of a solution with friction that was sought from a state.
+/// Outcome of a step, or of a solution with friction that starts from a state.
 enum class StepStatus {
     ok,
-    /// Friction: no solution was found to rounding, and the complementarity residual tells how far off this one is.
-    /// With finite bounds a solution always exists, so only matrices that are singular to rounding lead here; with both
-    /// creepages also some for which Newton's method finds no end, none of them seen in rolling.
+    /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
+    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding and,
+    /// with both creepages, if Newton's method does not converge, which has not been seen in rolling.
     no_solution,
-    not_finite,     ///< the motion or the result is not a number or infinite
+    not_finite,     ///< the motion or the result is NaN or infinite
     invalid_step,   ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
-    needs_prepare,  ///< the distance rolled has to be prepared: too many elements, or Integrator::matrix_exponential
-    wrong_state,    ///< a state or workspace of another system, a prepared step of another model, or one object both
-                    ///< `from` and `to`
+    needs_prepare,  ///< the step must be prepared: too many elements, or Integrator::matrix_exponential
+    wrong_state,    ///< a state or workspace of another system, a prepared step of another model, or the same object
+                    ///< as `from` and `to`
     invalid_load,   ///< a pressure is negative or not finite, their number is not that of the elements, or the
                     ///< half-length is not positive and finite
-    /// The half-length differs from what the mesh can follow: it changes by as much as the step rolls or more, or the
-    /// system knows one half-length only (the strip kernel, Galerkin, ready matrices). Take a fixed mesh, on the largest
-    /// contact, whose elements gain and lose pressure.
+    /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
+    /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices). Use a fixed mesh on the
+    /// largest contact, whose elements gain and lose pressure.
     needs_fixed_mesh,
 };
 
-/// The name of a status as it stands in this header.
+/// The name of a status as spelt in this header.
 constexpr const char* name(Status status) {
     switch (status) {
         case Status::ok: return "ok";

@@ -1,5 +1,5 @@
-// Columns of numbers and matrices, as they go through the whole library.
-// Arrays work element by element, vectors and matrices as in linear algebra.
+// The column and matrix types used throughout the library. Arrays work element by element, vectors and matrices as in
+// linear algebra.
 #pragma once
 
 #include "detail/language.hpp"

@@ -133,8 +133,9 @@ TEST_CASE("Recommended elements follow the measured table, and tolerances beyond
     refused(Purpose::frequency);
     refused(Purpose::time_loop);
     refused(Purpose::friction);
-    CHECK_THROWS_WITH(elements(1e-9, Purpose::time_loop),
-                      "recommended_elements: tolerance = 1e-09 must lie in [4.39453125e-07, 1): no more was measured");
+    CHECK_THROWS_WITH(
+        elements(1e-9, Purpose::time_loop),
+        "recommended_elements: tolerance = 1e-09 must lie in [4.39453125e-07, 1): smaller ones were not measured");
 }
 
 TEST_CASE("States are recommended in full adhesion, elements with friction", "[recommendation]") {
@@ -176,10 +177,11 @@ TEST_CASE("States are recommended in full adhesion, elements with friction", "[r
         }
     }
     CHECK(states(1.4e-7, Purpose::time_loop) <= 400);
-    CHECK_THROWS_WITH(states(1e-7, Purpose::time_loop),
-                      "recommended_scheme: tolerance = 1e-07 must lie in [1.375e-07, 1): no more was measured");
+    CHECK_THROWS_WITH(
+        states(1e-7, Purpose::time_loop),
+        "recommended_scheme: tolerance = 1e-07 must lie in [1.375e-07, 1): smaller ones were not measured");
     CHECK_THROWS_WITH(states(1e-3, Purpose::steady, 0.001),
-                      "recommended_scheme: aspect = 0.001 must be at least 0.01: no narrower strip was measured");
+                      "recommended_scheme: aspect = 0.001 must be at least 0.01: narrower strips were not measured");
 }
 
 TEST_CASE("A recommendation passes its method, or its mesh and scheme, to a solver", "[recommendation]") {

@@ -394,7 +394,7 @@ TEST_CASE("Friction in time asks of its system what full adhesion asks", "[frict
     refused(scene.contact, system, StabilityVerdict{}, "n of the verdict = 0");
     // a scheme that does not converge, whatever its eigenvalues are said to be
     const Scene divergent(cosine_mesh<double>(12), {.alpha_L = -0.2, .alpha_T = -0.2}, 1, 10);
-    refused(scene.contact, divergent.system(), good, "share of steady traction that pushes with the creepage");
+    refused(scene.contact, divergent.system(), good, "share of steady traction that assists the creepage");
     CHECK_NOTHROW(divergent.transient());
 
     // b/a of the kernel is the contact's

@@ -34,13 +34,13 @@ TEST_CASE("a pressure given at points", "[pressure]") {
     const ArrayX<double> constant = PressureTable<double>(array({-1, 1}), array({0.7, 0.7}))(fine);
     CHECK((constant / 0.7 - 1).abs().maxCoeff() < 1e-15);
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1}), array({0.7}))),
-                      "PressureTable: number of pressures = 1 must equal that of places");
+                      "PressureTable: number of pressures = 1 must equal that of points");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1.5}), array({1, 1}))),
                       "PressureTable: x/a = 1.5 must lie in [-1, 1]");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1.5, 1}), array({1, 1}))),
                       "PressureTable: x/a = -1.5 must lie in [-1, 1]");
     CHECK_THROWS_WITH((PressureTable<double>(array({0, -0.5}), array({1, 1}))),
-                      "PressureTable: x/a = -0.5 must not lie behind the place before");
+                      "PressureTable: x/a = -0.5 must not be less than at the previous point");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1}), array({1, -2}))),
                       "PressureTable: pressure = -2 must be finite and not negative");
     CHECK_THROWS_WITH((PressureTable<double>(array({0, 0}), array({1, 1}))),

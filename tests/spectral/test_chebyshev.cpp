@@ -574,7 +574,7 @@ TEST_CASE("What Chebyshev states refuse", "[chebyshev]") {
     CHECK_THROWS_WITH(rolling_system(Chebyshev{}, PlaneKernel<double>(0.1, 0.75, 0.25)),
                       ContainsSubstring("use the strip kernel"));
     CHECK_THROWS_WITH(rolling_system(Chebyshev{}, strip(5e-4)),
-                      ContainsSubstring("take elements for so narrow a strip"));
+                      ContainsSubstring("use elements for so narrow a strip"));
     CHECK_THROWS_WITH(solve_steady(Chebyshev{}, StripKernel<double>(1, -0.5, 0.2)), ContainsSubstring("strength"));
     const ChebyshevSystem<double> system = rolling_system(Chebyshev{8}, plane);
     CHECK_THROWS_WITH(system.traction(VectorX<double>::Zero(7).eval()),

@@ -1,5 +1,5 @@
-// How to discretise for a required precision: how many Chebyshev states in full adhesion, which mesh and how many
-// elements with friction. Stands on measured errors, tables below; knows no matrices.
+// How to discretise for a required accuracy: how many Chebyshev states in full adhesion, which mesh and how many
+// elements with friction. Based on tables of measured errors below; independent of any matrices.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -22,51 +22,52 @@
 
 namespace rollbem {
 
-/// What a scheme is wanted for, and which relative error its tolerance limits: Purpose::steady, Purpose::frequency,
-/// Purpose::time_loop, Purpose::friction. Full adhesion and friction are types of their own, because what is
-/// recommended for them is.
+/// The purpose of a scheme, and the relative error that its tolerance limits: Purpose::steady, Purpose::frequency,
+/// Purpose::time_loop, Purpose::friction. Full adhesion and friction have different types because different kinds of
+/// schemes are recommended for them.
 struct Purpose {
     enum class Adhesion {
         steady,     ///< c11 of steady rolling
         frequency,  ///< |c11| at frequencies omega a/V from 0 to 5
-        time_loop,  ///< the force from q/a = 1 on after a step of creepage; what the integrator adds comes on top
+        time_loop,  ///< the force for q/a >= 1 after a step of creepage, without the error of the integrator
     };
     enum class Friction {
-        friction,  ///< the steady force with Coulomb friction under Hertz pressure, at creepage ratios from 0.05 on
+        friction,  ///< the steady force with Coulomb friction under Hertz pressure, at creepage ratios >= 0.05
     };
     using enum Adhesion;
     using enum Friction;
 };
 
-/// Chebyshev states for full adhesion. They are stable in any number.
+/// Chebyshev states for full adhesion. They are stable for any number of states.
 struct RecommendedStates {
     Chebyshev method;
-    double error_bound = 0;  ///< of the relative error, at most the tolerance asked for
+    double error_bound = 0;  ///< of the relative error, at most the required tolerance
 
-    /// solve(method); `solve` returns a real or complex number. A solve that takes whatever it is handed works for
-    /// states and elements alike; see RecommendedElements.
+    /// solve(method); `solve` returns a real or complex number. One generic `solve` can serve states and elements
+    /// alike; see RecommendedElements.
     template <class Scalar = double, class Solve>
     auto evaluate(const Solve& solve) const {
         return solve(method);
     }
 };
 
-/// Elements: always collocation with finite differences at alpha_L = alpha_T = 0.5, which no mesh tried made unstable.
+/// Elements: always collocation with finite differences at alpha_L = alpha_T = 0.5, which was stable on every mesh
+/// tried.
 struct RecommendedElements {
     Topology topology = Topology::cosine;  ///< uniform or cosine
-    Eigen::Index n = 0;      ///< elements; of the finer mesh where results are extrapolated, and even then
+    Eigen::Index n = 0;      ///< elements; if results are extrapolated, those of the finer mesh, an even number
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
-    double error_bound = 0;  ///< of the relative error, at most the tolerance asked for
+    double error_bound = 0;  ///< of the relative error, at most the required tolerance
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
 
-    /// The recommended mesh with another number of elements. Throws for count < 1.
+    /// The recommended mesh with another number of elements. Throws std::invalid_argument if count < 1.
     template <class Scalar = double>
     Mesh<Scalar> mesh(Eigen::Index count) const {
         return make_mesh<Scalar>({.topology = topology, .n = count});
     }
 
-    /// solve(mesh, scheme), extrapolated where that is recommended; `solve` returns a real or complex number. For
-    /// states and elements alike:
+    /// solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex number. For states
+    /// and elements alike:
     ///
     ///     const auto c11 = [&](const auto&... method) { return solve_steady(method..., kernel).c11; };
     ///     const double by_states = recommended_scheme(1e-6, Purpose::steady).evaluate(c11);
@@ -80,7 +81,7 @@ struct RecommendedElements {
 
 namespace detail {
 
-/// A measured bound of relative errors of elements: below factor n^-exponent for n from least_n on.
+/// A measured bound of relative errors of elements: below factor n^-exponent for n >= least_n.
 struct MeasuredError {
     Topology topology;
     double order;  ///< of Richardson's extrapolation; 0: none
@@ -89,8 +90,8 @@ struct MeasuredError {
 };
 
 /// Measured against the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a
-/// from 10 on. For steady rolling at a coarse tolerance, the Toeplitz assembly on the uniform mesh counts for more than
-/// the finer mesh.
+/// >= 10. For steady rolling at a coarse tolerance, the Toeplitz assembly on the uniform mesh saves more than the finer
+/// mesh costs.
 inline MeasuredError measured_error(double tolerance, Purpose::Adhesion purpose) {
     switch (purpose) {
         case Purpose::steady:
@@ -105,22 +106,22 @@ inline MeasuredError measured_error(double, Purpose::Friction) {
     return {Topology::cosine, 0, 1.4, 1.85, 4};  // 1e-2 -> 15, 1e-3 -> 51, 1e-4 -> 175
 }
 
-/// A bound of the relative errors of m Chebyshev states at b/a, the sum of two.
+/// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts.
 ///
-/// The first is what the plane kernel has, nothing in steady rolling: 7 to 12 % more than the errors of
+/// The first is that of the plane kernel, which vanishes in steady rolling: 7 to 12 % more than the errors printed by
 ///
 ///     precision_study --schemes chebyshev-states --quantity c11_z5,step_force --aspect 10 --poisson 0
 ///
-/// (larger b/a and nu have smaller ones), or, up to four states, than those at omega a/V below 5 and between q/a = 1,
-/// 2 ..., which are larger. Narrower strips have up to 3 times as much, measured against 300 states and more.
+/// (they are smaller for larger b/a and nu); up to four states, the larger errors at omega a/V below 5 and between q/a
+/// = 1, 2, ... count. In narrower strips the errors are up to 3 times as large, measured against 300 or more states.
 ///
-/// The second is what the smooth part of a strip's kernel adds, measured in steady rolling against 300 states and more
-/// for b/a from 0.01 to 1000 and nu from 0 to 0.5. It falls like rho^-m with rho = b + sqrt(1 + b^2) from the
+/// The second is due to the smooth part of a strip's kernel, measured in steady rolling against 300 or more states for
+/// b/a from 0.01 to 1000 and nu from 0 to 0.5. It decreases like rho^-m with rho = b + sqrt(1 + b^2) because of the
 /// singularities at a distance b, and faster for b < a.
 inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double aspect) {
     constexpr std::array frequency{0.14,    0.096,   0.068,  0.051,  0.0275,  0.0099,  2.4e-3, 3.6e-4,
                                    3.95e-5, 3.25e-6, 2.1e-7, 1.1e-8, 4.8e-10, 1.8e-11, 5.7e-13};
-    constexpr std::array step{0.096, 0.016, 4.4e-3, 1.8e-3, 1.18e-3};  // then of second order
+    constexpr std::array step{0.096, 0.016, 4.4e-3, 1.8e-3, 1.18e-3};  // then second order
     const auto entry = [m](const auto& errors, double beyond) {
         const auto at = static_cast<std::size_t>(m - 1);
         return at < errors.size() ? errors[at] : beyond;
@@ -146,26 +147,26 @@ RecommendedElements recommended_elements(double tolerance, AnyPurpose purpose) {
     result.order = measured.order;
     const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
     if (!is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
-        const std::string rule = "lie in [" + to_text(smallest) + ", 1): no more was measured";
+        const std::string rule = "lie in [" + to_text(smallest) + ", 1): smaller ones were not measured";
         require(false, "recommended_elements", "tolerance", tolerance, rule.c_str());
     }
     result.n =
         std::max(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
     if (result.order > 0) result.n += result.n % 2;
-    result.n = std::min(result.n, largest);  // the rounding of pow
+    result.n = std::min(result.n, largest);  // in case pow rounds up
     result.error_bound = std::min(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
     return result;
 }
 
 }  // namespace detail
 
-/// An element scheme, stable and among the cheapest of elements, whose relative error stays below the tolerance, by the
-/// measured errors above: so that no change of sign of an error counts as precision. In full adhesion it is for what
-/// states do not have: tractions of elements, kernels without a logarithm; elsewhere recommended_scheme() costs less.
-/// With the strip kernel the error against the strip's own solution is the same from b/a = 10 on; narrower strips need
-/// more elements (steady: up to 5 times the error at b/a = 1, 150 times at 0.1). With friction, errors jump with the
-/// element at the border of slip; extrapolation, which helps at some creepages, is not relied on. Throws
-/// std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
+/// An element scheme that is stable and among the cheapest of elements, whose relative error stays below the tolerance
+/// by the measured bounds above; an error that happens to change sign does not count as accuracy. In full adhesion it
+/// is meant for what states do not offer: tractions of elements, and kernels without a logarithm; otherwise
+/// recommended_scheme() is cheaper. With the strip kernel the error against the strip's exact solution is the same for
+/// b/a >= 10; narrower strips need more elements (steady: up to 5 times the error at b/a = 1, 150 times at 0.1). With
+/// friction, errors jump with the element that contains the border of slip; extrapolation, which helps at some
+/// creepages, is not used. Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
 inline RecommendedElements recommended_elements(double tolerance, Purpose::Adhesion purpose) {
     return detail::recommended_elements(tolerance, purpose);
 }
@@ -173,29 +174,30 @@ inline RecommendedElements recommended_elements(double tolerance, Purpose::Frict
     return detail::recommended_elements(tolerance, purpose);
 }
 
-/// For full adhesion: as few Chebyshev states as keep the relative error below the tolerance by the measured bounds
-/// above. `aspect` is b/a of a strip; the default serves all strips and plane kernels from 10 on.
+/// For full adhesion: the fewest Chebyshev states whose relative error stays below the tolerance by the measured bounds
+/// above. `aspect` is b/a of a strip; the default covers all strips with b/a >= 10 and plane kernels.
 ///
 ///     const RecommendedStates best = recommended_scheme(1e-6, Purpose::frequency);  // 11 states
 ///     const auto system = rolling_system(best.method, kernel);
 ///     const std::complex<double> c11 = solve_harmonic(system, 5.0).c11;
 ///
-/// A strip's distance from the plane, of order (a/b)^2, is the model's. Where only c11 for the plane kernel is wanted,
-/// steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws std::invalid_argument unless aspect >= 0.01
-/// and tolerance < 1 is large enough for 400 states: 1e-11, for a time loop 1.4e-7 (4.2e-7 for b/a < 10).
+/// The difference between strip and plane, of order (a/b)^2, is one of the models and not part of the error. If only
+/// c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws
+/// std::invalid_argument unless aspect >= 0.01 and tolerance < 1 is large enough for 400 states: 1e-11, for a time loop
+/// 1.4e-7 (4.2e-7 for b/a < 10).
 inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion purpose, double aspect = 10) {
     constexpr Eigen::Index largest = 400;
     detail::require(!detail::is_nan(aspect) && aspect >= 0.01, "recommended_scheme", "aspect", aspect,
-                    "be at least 0.01: no narrower strip was measured");
+                    "be at least 0.01: narrower strips were not measured");
     const double smallest = std::max(1e-11, detail::states_error(purpose, largest, aspect));
     if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
-        const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): no more was measured";
+        const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): smaller ones were not measured";
         detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
     }
     RecommendedStates result{.method = {.states = 1}};
     Eigen::Index& m = result.method.states;
     while (detail::states_error(purpose, m, aspect) > tolerance) ++m;
-    // rounding counts where nothing else does
+    // rounding dominates once the other errors are gone
     const double rounding = static_cast<double>(10 * m) * std::numeric_limits<double>::epsilon();
     result.error_bound = std::min(tolerance, detail::states_error(purpose, m, aspect) + rounding);
     return result;

@@ -1,5 +1,5 @@
-// Richardson extrapolation of any result of a scheme whose order of convergence is known: c11, real or complex, a
-// force. Knows neither meshes nor matrices.
+// Richardson extrapolation of any result of a scheme whose order of convergence is known: c11, real or complex, or a
+// force. Independent of meshes and matrices.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -21,28 +21,29 @@ template <class Value>
 struct Extrapolation {
     using Real = decltype(std::abs(Value()));
 
-    Value value{};  ///< extrapolated from the two finer values; the finest itself unless the status is ok
-    /// |value - the same of the two coarser values|: an upper estimate of the error in value, absolute.
+    Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
+    /// value - its counterpart from the two coarser values|: an upper estimate of the absolute error in value.
     Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
-    /// log2 |(coarse - middle) / (middle - fine)|; not a number where the values agree to rounding.
+    /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
     Real observed_order = std::numeric_limits<Real>::quiet_NaN();
-    Status status = Status::not_finite;  ///< order_differs: the finest value is returned as it is
+    Status status = Status::not_finite;  ///< order_differs: the finest value is returned unchanged
 };
 
 /// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine)
-/// elements. Nothing is checked: p must be known to fit. Throws std::invalid_argument unless `order` p is positive and
-/// finite.
+/// elements. That p is the order of convergence is not checked. Throws std::invalid_argument unless `order` p is
+/// positive and finite.
 template <class Value>
 Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
     detail::require(detail::is_finite(order) && order > 0, "richardson", "order", order, "be positive and finite");
     return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
 
-/// Values of solve(n), solve(2n) and solve(4n), extrapolated with the given order if they show it: the observed order
-/// must lie within `band` of it. Refuses otherwise, as on meshes too coarse, for schemes whose error changes sign (the
-/// uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve. Values that agree to rounding count
-/// as converged. `solve` takes a number of elements and returns a real or complex number.
-/// Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and what solve throws.
+/// Values of solve(n), solve(2n) and solve(4n), extrapolated with the given order if they confirm it: the observed
+/// order must lie within `band` of it. Otherwise the status is order_differs, as on meshes that are too coarse, for
+/// schemes whose error changes sign (the uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve.
+/// Values that agree to rounding count as converged. `solve` takes a number of elements and returns a real or complex
+/// number. Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on what
+/// solve throws.
 template <class Solve>
 auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band = 0.25)
     -> Extrapolation<std::decay_t<decltype(solve(n))>> {

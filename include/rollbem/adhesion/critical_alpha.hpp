@@ -1,5 +1,5 @@
-// The smallest alpha_T at which a scheme turns unstable: a scan by the fast count, confirmed by settled signs.
-// The unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
+// The smallest alpha_T at which a scheme becomes unstable: a scan by the fast count, confirmed by settled signs. The
+// unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -18,14 +18,14 @@
 
 namespace rollbem {
 
-/// Where and how finely critical_alpha_T looks.
+/// Range and resolution of the search of critical_alpha_T.
 struct CriticalAlphaOptions {
     double first = 0.3, last = 1.5;  ///< range of alpha_T [-]
     double step = 5e-4;              ///< of the scan [-]: unstable islands narrower than this can be missed
     double tolerance = 1e-5;         ///< of the crossing [-]
-    /// How many steps may be tried at once where nothing happens: where both ends are stable, the eigenvalue nearest to
-    /// the imaginary axis keeps its angle to it within a quarter, and G is far from singular. An eigenvalue can move
-    /// fast only through infinity, that is where G is nearly singular. 1 takes every step.
+    /// How many steps may be taken at once where nothing happens, that is if both ends are stable, the angle of the
+    /// eigenvalue nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue
+    /// can move fast only through infinity, where G is nearly singular. 1 takes every step.
     int largest_stride = 16;
 };
 
@@ -39,7 +39,7 @@ public:
 
     struct Look {
         bool unstable;           // with a settled sign
-        Scalar flattest_cosine;  // as in UnstableCount; 0 where it is not known
+        Scalar flattest_cosine;  // as in UnstableCount; 0 if unknown
         bool regular;            // G far from singular
     };
 
@@ -62,9 +62,9 @@ private:
 
 }  // namespace detail
 
-/// The smallest alpha_T in [first, last] at which an eigenvalue grows and its sign is settled, to within `tolerance`
-/// from above; nothing where there is none. `scheme_of(alpha_T)` makes the scheme. Throws as rolling_system does, and
-/// std::invalid_argument for a range or a step that is not positive.
+/// The smallest alpha_T in [first, last] at which an eigenvalue certainly grows, to within `tolerance` from above;
+/// empty if there is none. `scheme_of(alpha_T)` makes the scheme. Throws std::invalid_argument for an invalid range or
+/// step, and if rolling_system does.
 template <class Scalar, class SchemeOf, LineKernel Kernel>
 requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> std::optional<double> critical_alpha_T(
     const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,

@@ -38,9 +38,10 @@ struct HarmonicSolution {
 template <class Scalar>
 struct SweepPoint {
     std::complex<Scalar> c11 = 0;  ///< as in HarmonicSolution
-    Scalar residual = 0;           ///< of the reduced equations, else as in HarmonicSolution
-    Scalar rcond = 0;  ///< of the reduced equations from one more right side: c11 is good to eps/rcond; else
-                       ///< as in HarmonicSolution [-]
+    Scalar residual = 0;           ///< of the reduced equations; otherwise as in HarmonicSolution
+    /// Of the reduced equations from one more right-hand side, where c11 is accurate to eps/rcond; otherwise as in
+    /// HarmonicSolution [-].
+    Scalar rcond = 0;
     Status status = Status::not_finite;
 };
 
@@ -52,7 +53,7 @@ void require_growth(const char* who, const std::complex<Scalar>& s) {
     require(is_finite(s.imag()), who, "Im(s)", s.imag(), "be finite");
 }
 
-/// What equations in G' - s G are divided by, so that no finite s overflows.
+/// The divisor of equations in G' - s G that prevents overflow for any finite s.
 template <class Scalar>
 Scalar equation_scale(const std::complex<Scalar>& s) {
     return std::max({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
@@ -67,9 +68,8 @@ Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
 
 }  // namespace detail
 
-/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not tell whether the scheme
-/// converges (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument for an s that is not
-/// finite.
+/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not say whether the scheme
+/// converges (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument if s is not finite.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
                                            std::type_identity_t<std::complex<Scalar>> s) {
@@ -98,8 +98,8 @@ HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
     return solution;
 }
 
-/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent where
-/// the tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument for a z that is not finite.
+/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent if the
+/// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument if z is not finite.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
     detail::require(detail::is_finite(z), "solve_harmonic", "omega a/V", z, "be finite");
@@ -111,16 +111,16 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
     return solution;
 }
 
-/// The same for a discretisation by elements. Throws as rolling_system does, too.
+/// The same for a discretisation by elements. Throws std::invalid_argument also if rolling_system does.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                         std::type_identity_t<Scalar> z) {
     return solve_harmonic(rolling_system(mesh, scheme, kernel), z);
 }
 
-/// c11 at many frequencies. With M = G'^-1 G = U H U^T, H of Hessenberg form, (G' - s G) p = xi turns into
-/// (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction here, O(n^2) per frequency. Where rcond(G') is too small for
-/// M to be relied on, each frequency takes its own LU; see reduced(). Const objects may be shared by threads.
+/// c11 at many frequencies. With M = G'^-1 G = U H U^T and H in Hessenberg form, (G' - s G) p = xi becomes (I - s H)
+/// (U^T p) = U^T G'^-1 xi: one O(n^3) reduction on construction, then O(n^2) per frequency. If rcond(G') is too small
+/// to rely on M, each frequency has its own LU decomposition; see reduced(). Const objects may be shared by threads.
 template <class Scalar_>
 class FrequencySweep {
 public:
@@ -129,16 +129,16 @@ public:
 
     explicit FrequencySweep(RollingSystem<Scalar> system);
 
-    /// Whether the reduction is in use.
+    /// Whether the reduction is used.
     bool reduced() const { return reduced_.has_value(); }
 
-    /// Response at z = omega a/V, of either sign. Throws std::invalid_argument for a z that is not finite.
+    /// Response at z = omega a/V, of either sign. Throws std::invalid_argument if z is not finite.
     SweepPoint<Scalar> operator()(Scalar z) const {
         detail::require(detail::is_finite(z), "FrequencySweep", "omega a/V", z, "be finite");
         return at(Complex(0, z));
     }
 
-    /// Response to creepage e^{st}. Throws std::invalid_argument for an s that is not finite.
+    /// Response to creepage e^{st}. Throws std::invalid_argument if s is not finite.
     SweepPoint<Scalar> at(Complex s) const;
 
 private:
@@ -148,7 +148,7 @@ private:
         Scalar norm = 0;
     };
 
-    // A column of complex numbers, real and imaginary parts apart: whole-array operations on them are real ones.
+    // A column of complex numbers, with real and imaginary parts in separate arrays, so that operations are real.
     struct Column {
         ArrayX<Scalar> re, im;
 
@@ -158,7 +158,7 @@ private:
             re[i] = value.real();
             im[i] = value.imag();
         }
-        // the first `count` entries less `factor` times those of `other`
+        // subtracts `factor` times the first `count` entries of `other`
         void subtract(const Complex& factor, const Column& other, Eigen::Index count) {
             const Scalar f = factor.real(), g = factor.imag();
             re.head(count) -= f * other.re.head(count) - g * other.im.head(count);
@@ -173,9 +173,9 @@ private:
 
     static Scalar norm_1(const Complex& z) { return std::abs(z.real()) + std::abs(z.imag()); }
 
-    // (I - s H) y = b column by column from the right: one column operation, with the larger of two pivots, clears the
-    // entry below the diagonal; the column that remains gives one unknown of the triangular system and is done with.
-    // The column operations are applied to the unknowns at the end, O(n).
+    // (I - s H) y = b column by column from the right: one column operation, with the larger of two pivots, eliminates
+    // the entry below the diagonal; the remaining column gives one unknown of the triangular system and is not needed
+    // again. The column operations are applied to the unknowns at the end, O(n).
     SweepPoint<Scalar> solve_reduced(const Complex& s) const;
 
     SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const;
@@ -234,7 +234,7 @@ auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoin
     Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
     rest.re = reduced_->steady / scale;
     for (Eigen::Index j = 0; j < n; ++j) probe.re[j] = j % 2 == 0 ? 1 : -1;
-    Scalar largest_probe = 0;  // of A^-1 probe, up to the rotations that are still to come
+    Scalar largest_probe = 0;  // largest entry of A^-1 probe, before the remaining rotations
     load(n - 1, column);
     for (Eigen::Index j = n - 1; j > 0; --j) {
         load(j - 1, next);

@@ -1,4 +1,4 @@
-// How steps in time are taken, and under which promise about the scheme's eigenvalues.
+// Time integrators, and the check of a scheme's eigenvalues that they require.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -17,13 +17,14 @@
 
 namespace rollbem {
 
-/// How a step is taken. With w = dq G^-1 G', each replaces e^w by a rational function r(w) with one real pole that
-/// tends to 0 for w -> -inf (L-stable): stiff modes, which a nearly singular G has, die out instead of ringing.
+/// The time integration of a step. With w = dq G^-1 G', each method replaces e^w by a rational function r(w) with one
+/// real pole that tends to 0 for w -> -inf (L-stable): stiff modes, which a nearly singular G has, decay instead of
+/// ringing.
 enum class Integrator {
     implicit_euler,      ///< first order
     sdirk2,              ///< second order, two stages, gamma = 1 - 1/sqrt(2) (Alexander 1977); the default
     matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage
-                         ///< (first-order hold); for distances rolled that are prepared, in full adhesion
+                         ///< (first-order hold); for prepared steps in full adhesion
 };
 
 constexpr const char* name(Integrator integrator) {
@@ -35,13 +36,13 @@ constexpr const char* name(Integrator integrator) {
     return "matrix_exponential";
 }
 
-/// Tag in place of a verdict: build the model whatever its eigenvalues, and whether the scheme converges or not.
+/// Tag instead of a verdict: builds the model whatever its eigenvalues, and whether or not the scheme converges.
 struct Unchecked {};
 inline constexpr Unchecked unchecked{};
 
 namespace detail {
 
-/// The unknowns of steady rolling at unit creepage, G' p = 1, by the LU that costs no header.
+/// The unknowns of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header.
 template <class Scalar>
 VectorX<Scalar> steady_unknowns(const RollingSystem<Scalar>& system) {
     MatrixX<Scalar> factors = system.G_prime();
@@ -52,8 +53,8 @@ VectorX<Scalar> steady_unknowns(const RollingSystem<Scalar>& system) {
     return p;
 }
 
-/// What every model in time asks of a scheme: throws std::invalid_argument unless the verdict is one of this system's
-/// eigenvalues and settles that none grows, and where steady rolling shows that the scheme does not converge to full
+/// The requirements of every model in time: throws std::invalid_argument unless the verdict is one on this system's
+/// eigenvalues and establishes that none grows, or if steady rolling shows that the scheme does not converge to full
 /// adhesion (Status::inconsistent).
 template <class Scalar>
 void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const StabilityVerdict& verdict) {
@@ -69,7 +70,7 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
             "be finite: G_prime is singular");
     const Scalar share = assisting_share<Scalar>(steady.array(), system.weights());
     require(is_finite(share) && share <= Scalar(largest_assisting_share), who,
-            "share of steady traction that pushes with the creepage", share,
+            "share of steady traction that assists the creepage", share,
             "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
 }
 

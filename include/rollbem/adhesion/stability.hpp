@@ -1,5 +1,5 @@
 // Stability of the discrete rolling contact equations: all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm,
-// and which signs of their real parts are settled. stability_count.hpp only counts.
+// and which signs of their real parts are certain. stability_count.hpp only counts.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -20,7 +20,7 @@
 
 namespace rollbem {
 
-/// What solve_stability computes besides eigenvalues; each costs about as much as they do, or less.
+/// What solve_stability computes in addition to eigenvalues; each item costs at most about as much as they do.
 struct StabilityOptions {
     bool settle_signs = false;  ///< uncertainty, settled_unstable_count and uncertain_count
     bool condition = false;     ///< cond_G
@@ -29,17 +29,18 @@ struct StabilityOptions {
 /// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless.
 template <class Scalar>
 struct StabilityResult {
-    /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered; pairs stand together.
+    /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered, except that conjugate pairs
+    /// are adjacent.
     VectorX<std::complex<Scalar>> alpha;
     VectorX<Scalar> beta;
-    /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: what rounding of G and G' can
-    /// do to each eigenvalue, to first order. Empty unless asked for; infinite for infinite eigenvalues.
+    /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: the effect that rounding of G
+    /// and G' can have on each eigenvalue, to first order. Empty unless requested; infinite for infinite eigenvalues.
     VectorX<Scalar> uncertainty;
     Eigen::Index unstable_count = 0;                     ///< Re(nu) > 0 as computed
     std::optional<Eigen::Index> settled_unstable_count;  ///< those of them whose sign is settled
     std::optional<Eigen::Index> uncertain_count;         ///< |Re(nu)| <= uncertainty, either sign
     Scalar spectral_abscissa = 0;                        ///< largest Re(nu) of the finite eigenvalues
-    Scalar spectral_radius = 0;                          ///< largest |nu|; infinite where an eigenvalue is
+    Scalar spectral_radius = 0;                          ///< largest |nu|; infinite if an eigenvalue is
     Scalar stiffness_ratio = 0;                          ///< largest |Re(nu)| over smallest
     std::optional<Scalar> cond_G;                        ///< |G| |G^-1| in the 2-norm; infinite for a singular G
     Status status = Status::not_finite;
@@ -69,7 +70,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     return std::sqrt(std::max(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
 }
 
-/// |G| |G^-1|; the inverse, unlike the small eigenvalues of G^T G, keeps condition numbers beyond 1/sqrt(eps).
+/// G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).
 template <class Scalar>
 Scalar two_norm_condition(const MatrixX<Scalar>& G) {
     const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(G).inverse();
@@ -77,7 +78,7 @@ Scalar two_norm_condition(const MatrixX<Scalar>& G) {
     return two_norm(G) * two_norm(inverse);
 }
 
-/// The pair (S, T) of a real QZ decomposition of (G', G), T triangular and S so but for 2 x 2 blocks.
+/// The pair (S, T) of a real QZ decomposition of (G', G): T is triangular, and S is except for 2 x 2 blocks.
 template <class Scalar>
 struct QuasiTriangularPair {
     MatrixX<Scalar> S, T;
@@ -85,8 +86,8 @@ struct QuasiTriangularPair {
     bool is_pair(Eigen::Index i) const { return i + 1 < S.rows() && S(i + 1, i) != 0; }
 };
 
-/// Eigenvalue alpha / beta, beta >= 0, that starts at diagonal entry i; of a pair the one with positive imaginary part.
-/// Beside a 2 x 2 block of S, QZ leaves a diagonal one of T.
+/// Eigenvalue alpha / beta, beta >= 0, that starts at diagonal entry i; of a pair, the one with positive imaginary
+/// part. For each 2 x 2 block of S, QZ makes that of T diagonal.
 template <class Scalar>
 std::pair<std::complex<Scalar>, Scalar> eigenvalue_at(const QuasiTriangularPair<Scalar>& pair, Eigen::Index i) {
     const auto& [S, T] = pair;
@@ -103,7 +104,7 @@ std::pair<std::complex<Scalar>, Scalar> eigenvalue_at(const QuasiTriangularPair<
     return {{beta < 0 ? -mean : mean, std::sqrt(std::abs(square))}, std::abs(beta)};
 }
 
-/// Turns the 2 x 2 blocks into triangles by complex rotations, the eigenvalue with positive imaginary part first.
+/// Makes the 2 x 2 blocks triangular by complex rotations, the eigenvalue with positive imaginary part first.
 template <class Scalar>
 void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex<Scalar>>& S,
                    MatrixX<std::complex<Scalar>>& T) {
@@ -129,9 +130,9 @@ void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex
     }
 }
 
-/// StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution, each for
-/// its own eigenvalue: no matching of two spectra, no inverse of an ill-conditioned matrix of vectors. As v ends and w
-/// starts at the eigenvalue's own entry i, where both are 1, y^H G x = T_ii / (|v| |w|).
+/// StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution, separately
+/// for each eigenvalue: no matching of two spectra, and no inverse of an ill-conditioned matrix of vectors. As v ends
+/// and w starts at entry i of the eigenvalue, where both are 1, y^H G x = T_ii / (|v| |w|).
 template <class Scalar>
 VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pair, Scalar norm_G_prime,
                                            Scalar norm_G) {
@@ -149,7 +150,7 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
         for (Eigen::Index j = 0; j < n; ++j) {
             shifted.col(j).head(j + 1) = beta * S.col(j).head(j + 1) - alpha * T.col(j).head(j + 1);
         }
-        // close eigenvalues: a smallest pivot in place of zero, as rounding could have produced
+        // close eigenvalues: a smallest pivot in place of zero, as rounding could have produced it
         const Scalar rounding = epsilon * (beta * norm_G_prime + std::abs(alpha) * norm_G);
         for (Eigen::Index j = 0; j < n; ++j) {
             if (std::abs(shifted(j, j)) < rounding) shifted(j, j) = rounding;
@@ -177,8 +178,8 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
 }  // namespace detail
 
 /// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
-/// triangular pair is needed here). Without options no vectors are computed. No convergence gives
-/// Status::ill_conditioned.
+/// triangular pair is needed here). Without options no vectors are computed. If it does not converge the status is
+/// ill_conditioned.
 template <class Scalar>
 StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, StabilityOptions options = {}) {
     const Eigen::Index n = system.size();
@@ -237,7 +238,7 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
     return result;
 }
 
-/// The verdict of a result that has its signs settled. Throws std::invalid_argument for any other result.
+/// The verdict of a result with settled signs. Throws std::invalid_argument if a result that is ok has none.
 template <class Scalar>
 StabilityVerdict judge_stability(const StabilityResult<Scalar>& result) {
     detail::require(result.status != Status::ok || result.uncertain_count.has_value(), "judge_stability",

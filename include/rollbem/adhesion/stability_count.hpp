@@ -1,5 +1,5 @@
-// How many modes of G' p = nu G p grow, by the standard eigenvalue problem of M = G'^-1 G: several times as fast as
-// the QZ algorithm of stability.hpp; no vectors, no look at rounding.
+// The number of growing modes of G' p = nu G p, by the standard eigenvalue problem of M = G'^-1 G: several times as
+// fast as the QZ algorithm of stability.hpp; no vectors, and no analysis of rounding.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -22,14 +22,14 @@ namespace rollbem {
 template <class Scalar>
 struct UnstableCount {
     Eigen::Index n = 0;
-    Eigen::Index unstable_count = 0;  ///< eigenvalues with real part > 0 as computed
-    Scalar flattest_cosine = -1;      ///< largest Re(nu)/|nu|: negative, and the distance to instability, when stable
-    Scalar rcond = 0;                 ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
-    Status status = Status::not_finite;  ///< ill_conditioned: no count, rcond is too small; take QZ
+    Eigen::Index unstable_count = 0;     ///< eigenvalues with real part > 0 as computed
+    Scalar flattest_cosine = -1;         ///< largest Re(nu)/|nu|; negative if stable: the distance to instability
+    Scalar rcond = 0;                    ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm
+    Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
 };
 
-/// Counts the eigenvalues nu = 1/mu in the right half-plane, mu those of M = G'^-1 G: Re(nu) and Re(mu) have the same
-/// sign.
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are those of M = G'^-1 G: Re(nu) and Re(mu) have
+/// the same sign.
 template <class Scalar>
 UnstableCount<Scalar> count_unstable(const RollingSystem<Scalar>& system) {
     UnstableCount<Scalar> result;

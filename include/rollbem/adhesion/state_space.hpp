@@ -1,5 +1,5 @@
-// A contact in full adhesion as linear ordinary differential equations, for programs that integrate, linearise or
-// design controllers by themselves: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
+// A contact in full adhesion as linear ordinary differential equations, for programs with their own integrators,
+// linearisation or controller design: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -20,8 +20,9 @@
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B xi, C x + D xi = -F_bar/(a G): creepage in, force per unit width out; q = V t is the distance
-/// rolled, x are the unknowns of the system it was made from. At rest x = 0. c11(s) = C (s I - A)^-1 B + D, s in V/a.
+/// d x/d(q/a) = A x + B xi, C x + D xi = -F_bar/(a G): the input is creepage, the output force per unit width; q = V t
+/// is the distance rolled, x are the unknowns of the system from which it was made. At rest x = 0. c11(s) = C (s I -
+/// A)^-1 B + D, s in V/a.
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
@@ -29,8 +30,9 @@ struct StateSpace {
     MatrixX<Scalar> D;     ///< 1 x 1, zero
 };
 
-/// dx/dt = A x + B xi, F = C x + D xi: creepage [-] in, force [N] on body 1 over the width 2b out, negative for
-/// positive creepage. The states stay dimensionless (of Chebyshev: displacement coefficients over a; of elements: p/G).
+/// dx/dt = A x + B xi, F = C x + D xi: the input is creepage [-], the output force [N] on body 1 over the width 2b,
+/// negative for positive creepage. The states remain dimensionless (Chebyshev states: displacement coefficients over a;
+/// elements: p/G).
 template <class Scalar>
 struct StateSpaceSI {
     MatrixX<Scalar> A;  ///< n x n [1/s]
@@ -39,17 +41,16 @@ struct StateSpaceSI {
     MatrixX<Scalar> D;  ///< 1 x 1 [N], zero
 };
 
-/// Of any system: A = G^-1 G', B = -G^-1 1, C = -weights. Throws std::invalid_argument, naming rcond(G), where G is
-/// singular to working precision (rcond <= 100 n eps). Elements of alpha_L = 0 come near to that from n of about 150
-/// on.
+/// For any system: A = G^-1 G', B = -G^-1 1, C = -weights. Throws std::invalid_argument, naming rcond(G), if G is
+/// singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about 150.
 template <class Scalar>
 StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
     const Eigen::Index n = system.size();
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G());
     const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(system.G()));
     const Scalar least = 100 * static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
-    const std::string rule = "exceed " + detail::to_text(least) +
-                             ": G is singular to working precision, and its states cannot be told apart";
+    const std::string rule =
+        "exceed " + detail::to_text(least) + ": G is singular to working precision, and cannot be inverted";
     detail::require(detail::is_finite(rcond) && rcond > least, "state_space", "rcond of G", rcond, rule.c_str());
     return {.A = lu.solve(system.G_prime()),
             .B = lu.solve(MatrixX<Scalar>::Constant(n, 1, -1)),
@@ -57,7 +58,7 @@ StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
             .D = MatrixX<Scalar>::Zero(1, 1)};
 }
 
-/// Of Chebyshev states: without an inverse, B = -e_0.
+/// For Chebyshev states: without an inverse, B = -e_0.
 template <class Scalar>
 StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
     const Eigen::Index m = system.size();
@@ -69,8 +70,8 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
     return result;
 }
 
-/// The same of a kernel: 8 states are the contact to rounding where nothing changes within its length. Throws as
-/// rolling_system does.
+/// For a kernel and a number of states: 8 states are exact to rounding if nothing changes within a contact length.
+/// Throws std::invalid_argument if rolling_system(method, kernel) does.
 template <SmoothSplitKernel Kernel>
 StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
     return state_space(rolling_system(method, kernel));

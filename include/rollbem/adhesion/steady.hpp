@@ -65,9 +65,9 @@ namespace detail {
 
 template <class Scalar>
 struct FactorisedSteady {
-    UnitSteadySolution<Scalar> solution;  ///< but for residual and status
+    UnitSteadySolution<Scalar> solution;  ///< without residual and status
     Scalar norm;                          ///< |G'| in the maximum norm
-    bool finite;                          ///< all of G' and of the tractions
+    bool finite;                          ///< whether G' and the tractions are
 };
 
 /// Factorises G' in place and solves G' p = 1.
@@ -127,15 +127,15 @@ UnitSteadySolution<Scalar> solve_steady_in_place(MatrixX<Scalar>& G_prime, const
     return judge_steady(std::move(factorised), widths, original_times_p);
 }
 
-/// Unknowns up to which a copy of G' gives the residual; above, computing its rows anew costs less than a tenth of LU
-/// and saves half the memory.
+/// Up to this number of unknowns a copy of G' gives the residual; above it, computing the rows of G' again costs less
+/// than a tenth of the LU decomposition and saves half the memory.
 inline constexpr Eigen::Index largest_copied_G_prime = 1000;
 
 }  // namespace detail
 
-/// Solves G' p = 1 for any G' (in units of 1/G) and the widths of its elements (in units of a). Takes G' by value: the
-/// factors overwrite it; a copy gives the residual. Throws std::invalid_argument unless G' is square with as many
-/// columns as there are widths.
+/// Solves G' p = 1 for any G' (in units of 1/G) and the widths of its elements (in units of a). G' is passed by value:
+/// the factors overwrite it, and a copy gives the residual. Throws std::invalid_argument unless G' is square with as
+/// many columns as there are widths.
 template <class Scalar>
 UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths) {
     const Eigen::Index n = G_prime.rows();
@@ -148,7 +148,7 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
         G_prime, widths, [&](const VectorX<Scalar>& p) -> VectorX<Scalar> { return original * p; });
 }
 
-/// The same of a system. Unknowns that are no tractions stand in their place in the result, and are never inconsistent.
+/// The same for a system. Unknowns that are not tractions are returned in their place, and are never inconsistent.
 template <class Scalar>
 UnitSteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
     UnitSteadySolution<Scalar> solution = solve_steady<Scalar>(system.G_prime(), system.weights());
@@ -174,15 +174,15 @@ UnitSteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Schem
 
 /// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with a LineKernel. Above
 /// 1000 elements the memory is that of one matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws
-/// as assemble_G_prime does.
+/// std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, class Scheme, class Kernel>
 UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    return detail::solve_steady_on(mesh, scheme, kernel);  // which asks for both: one candidate makes a short message
+    return detail::solve_steady_on(mesh, scheme, kernel);  // checks the concepts, for a short compiler's message
 }
 
 namespace detail {
 
-/// A unit solution at a creepage and in the units of the contact; elements without an unknown carry no traction.
+/// A unit solution times a creepage, in the units of the contact; elements without an unknown carry no traction.
 template <class Scalar>
 SteadySolution<Scalar> steady_in_units(const Contact<Scalar>& contact, Eigen::Index elements,
                                        const UnitSteadySolution<Scalar>& unit, Scalar creepage) {
@@ -203,8 +203,9 @@ SteadySolution<Scalar> steady_in_units(const Contact<Scalar>& contact, Eigen::In
 
 }  // namespace detail
 
-/// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel.
-/// Throws as assemble_G_prime does; a creepage, or a result, that is not finite gives Status::not_finite.
+/// Steady rolling of a contact at a longitudinal creepage (positive creepage, negative traction), strip kernel. Throws
+/// std::invalid_argument if the scheme does not fit the mesh; a creepage or a result that is not finite gives
+/// Status::not_finite.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                                     std::type_identity_t<Scalar> creepage) {
@@ -212,7 +213,7 @@ SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<S
         contact, mesh.size(), solve_steady(mesh, scheme, StripKernel<Scalar>::longitudinal(contact)), creepage);
 }
 
-/// The same at a lateral creepage, which causes traction and force along y, and gives c22 instead of c11.
+/// The same at a lateral creepage: traction and force act along y, and the coefficient is c22.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 LateralSteadySolution<Scalar> solve_steady_lateral(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh,
                                                    const Scheme& scheme, std::type_identity_t<Scalar> creepage) {

@@ -1,5 +1,5 @@
-// Non-steady rolling step by step: G dp/dq = G' p - xi(q), q = V t the distance rolled, Eqs. (11) and (12).
-// A force element for somebody else's time loop: const model, plain state, no exception and no allocation in a step.
+// Non-steady rolling step by step: G dp/dq = G' p - xi(q), q = V t the distance rolled, Eqs. (11) and (12). A force
+// element for an external time loop: const model, plain state, no exception and no allocation in a step.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -28,14 +28,15 @@
 
 namespace rollbem {
 
-/// The contact as a force element. Built once; const and free of caches, so threads may share it. SI units outside.
+/// The contact as a force element. Built once; const and without caches, so that threads may share it. Its interface is
+/// in SI units.
 ///
-/// The half-length may change from step to step where can_breathe(): the unknowns then live on x = a zeta, and what a
-/// state holds at one half-length is carried to the next. b stays as it is. No status tells where a contact grows
-/// so far that Lambda of the plane kernel, with b over the new half-length, is no longer positive and a mode grows in
-/// time: a is then several times b.
+/// The half-length may change from step to step if can_breathe(): the unknowns then live on x = a zeta, and the state
+/// at one half-length is carried over to the next. b is constant. No status reports that a contact has grown so far
+/// that Lambda of the plane kernel, with b over the new half-length, is no longer positive and a mode grows in time: a
+/// is then several times b.
 ///
-/// Invariant: the half-width is finite, and the scheme is stable as far as the verdict says.
+/// Invariant: the half-width is finite, and the scheme is stable according to the verdict.
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
 ///     const TransientModel<double> model(contact, system, judge_stability(system));
@@ -50,20 +51,20 @@ public:
     using Step = TransientStep<Scalar>;
     using Prepared = PreparedStep<Scalar>;
 
-    /// Up to this many unknown elements, a step that is not prepared is solved on the stack (128 KB in double).
+    /// Up to this number of unknowns, a step that is not prepared is solved on the stack (128 KB in double).
     static constexpr Eigen::Index largest_unprepared = 128;
 
-    /// Takes creepage in the direction of the kernel that the system was made with. Throws std::invalid_argument unless
-    /// the verdict is one of this system's eigenvalues and settles that none grows, where steady rolling shows that the
-    /// scheme does not converge to full adhesion (Status::inconsistent), and where the contact's half-width is infinite
-    /// or not that of the system's kernel.
+    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument
+    /// unless the verdict is one on this system's eigenvalues and establishes that none grows; if steady rolling shows
+    /// that the scheme does not converge to full adhesion (Status::inconsistent); and if the contact's half-width is
+    /// infinite or not that of the system's kernel.
     TransientModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
                    Integrator integrator = Integrator::sdirk2)
         : TransientModel(contact, std::move(system), unchecked, integrator) {
         detail::require_usable_in_time("TransientModel", system_, verdict);
     }
 
-    /// The same whatever the eigenvalues, and whether the scheme converges or not.
+    /// The same whatever the eigenvalues, and whether or not the scheme converges.
     TransientModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
                    Integrator integrator = Integrator::sdirk2);
 
@@ -72,7 +73,7 @@ public:
     Integrator integrator() const { return integrator_; }
 
     /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
-    /// of the plane kernel) of up to largest_unprepared unknowns, by implicit_euler and sdirk2.
+    /// of the plane kernel) with up to largest_unprepared unknowns, by implicit_euler and sdirk2.
     bool can_breathe() const {
         return system_.log_strength() && system_.points() && size() <= largest_unprepared && rational_.stages <= 2;
     }
@@ -81,35 +82,35 @@ public:
     State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, half_length_}; }
 
     /// Steady rolling at a creepage [-] at the contact's half-length: G' p = xi, Eq. (15). Throws std::invalid_argument
-    /// unless it is finite.
+    /// unless the creepage is finite.
     State steady(Scalar creepage) const;
 
-    /// 2b F_bar of a state [N], at its half-length. The state must have size() elements.
+    /// 2b F_bar of a state [N], at the half-length of the state, which must have size() unknowns.
     Scalar force(const State& state) const { return areas_.dot(state.traction) * (state.half_length / half_length_); }
 
-    /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; with dq = 0 the
-    /// step takes rigid shifts only.
+    /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; a step with dq =
+    /// 0 takes rigid shifts only.
     Prepared prepare(Scalar dq) const;
 
-    /// One step of a prepared dq: one product of a matrix and a vector, no allocation. `from` is never written.
-    /// `to` must be another state of the same size. It is left alone where the status is invalid_step, needs_prepare,
-    /// needs_fixed_mesh, invalid_load or wrong_state or the motion is not finite; it becomes a copy of `from` where the
-    /// result is not finite. The half-length stays that of `from`; where it is not the contact's, the step is solved
-    /// as if it were not prepared.
+    /// One step of a prepared dq: one matrix-vector product, no allocation. `from` is never written. `to` must be
+    /// another state of the same size. It is left unchanged if the status is invalid_step, needs_prepare,
+    /// needs_fixed_mesh, invalid_load or wrong_state, or if the motion is not finite; it becomes a copy of `from` if
+    /// the result is not finite. The half-length remains that of `from`; unless this is the contact's, the step is
+    /// solved as if it were not prepared.
     Step advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion, State& to) const noexcept;
 
-    /// One step of any dq [m], positive and finite. Up to largest_unprepared elements it solves for the step at once,
-    /// without heap memory; above, and with Integrator::matrix_exponential, the status is needs_prepare. Otherwise as
-    /// above.
+    /// One step of any dq [m], positive and finite. With up to largest_unprepared unknowns it is solved directly,
+    /// without heap memory; with more, and with Integrator::matrix_exponential, the status is needs_prepare. Otherwise
+    /// as above.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to) const noexcept;
 
-    /// One step of any dq [m] at whose end the contact's half-length is `half_length` [m], on a straight way from that
-    /// of `from`, without heap memory: sdirk2 is of second order in dq where creepage and length are smooth in each
-    /// step. dq is the way that the middle of the contact rolls. The status is
-    /// - invalid_load where the half-length is not positive and finite;
-    /// - needs_fixed_mesh where the length would change by dq or more, with dq = 0 by anything, so that an edge does not
-    ///   roll forward; and where the model cannot breathe, unless both half-lengths are the contact's: such a step is
-    ///   the one above.
+    /// One step of any dq [m] at whose end the contact's half-length is `half_length` [m], varying linearly from that
+    /// of `from`, without heap memory: sdirk2 is of second order in dq if creepage and length are smooth in each step.
+    /// dq is the distance rolled by the centre of the contact. The status is
+    /// - invalid_load if the half-length is not positive and finite;
+    /// - needs_fixed_mesh if the length would change by dq or more (with dq = 0, if it changes at all), so that an edge
+    ///   would not roll forward; and if the model cannot breathe, unless both half-lengths are the contact's: such a
+    ///   step is the one above.
     /// Otherwise as above.
     BreathingTransientStep<Scalar> advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
                                            Scalar half_length, State& to) const noexcept;
@@ -120,8 +121,8 @@ private:
 
     std::uint64_t preparation() const { return fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator_)); }
 
-    // e^w is taken for steps so short that the norm of w is at most 1/16: there the eighth order r(w) is exact to
-    // rounding. The cap matters only where G is singular to rounding: what it leaves out decays at once.
+    // The number of times to halve the step until the norm of w is at most 1/16, where r(w) of eighth order gives e^w
+    // to rounding. The upper limit matters only if G is singular to rounding: the modes it affects decay at once.
     int count_doublings(Scalar h) const;
 
     static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right);
@@ -157,10 +158,10 @@ private:
         return failed(StepStatus::not_finite);
     }
 
-    // What prepare() does for a whole matrix, for this one state. Apart from advance() so that only it needs the stack.
+    // What prepare() does for a whole matrix, for one state. Separate from advance() so that only it needs the stack.
     [[gnu::noinline]] Step solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept;
 
-    // The same from one half-length to another, after all checks but those of the change.
+    // The same from one half-length to another, after all checks except that of the change.
     [[gnu::noinline]] BreathingTransientStep<Scalar> breathe(const State& from, Scalar dq, const Travel& travel,
                                                              Scalar half_length, State& to) const noexcept;
 
@@ -202,7 +203,7 @@ auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
     const int doublings = count_doublings(dq / half_length_);
     const Scalar h = std::ldexp(dq / half_length_, -doublings);
 
-    // Powers of Y = gamma h (G - gamma h G')^-1 G' make the change of p; applied to the column beside it, those of
+    // Powers of Y = gamma h (G - gamma h G')^-1 G' give the change of p; applied to the adjacent column, that due to
     // the creepage.
     MatrixX<Scalar> Y(n, n + 1);
     Y.leftCols(n) = rational_.gamma * h * system_.G_prime();
@@ -220,7 +221,7 @@ auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
         map.leftCols(n + 1) += rational_.b(j) * Y;
         map.col(n + 1) += rational_.ramp_weight(j) * Y.col(n);
     }
-    // Two steps in one. On e^w - 1 rather than e^w, so that short steps keep their digits.
+    // Two steps in one, for e^w - 1 rather than e^w, so that short steps keep their digits.
     for (int k = 0; k < doublings; ++k) {
         product.noalias() = map.leftCols(n) * map;
         map.col(n + 1) = map.col(n + 1) / 2 + map.col(n) / 4 + product.col(n + 1) / 4;

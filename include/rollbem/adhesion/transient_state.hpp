@@ -1,4 +1,4 @@
-// What steps of rolling in full adhesion take and give: the state, a step prepared, and the result of one.
+// Arguments and results of steps of rolling in full adhesion: the state, a prepared step, and the result of one.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -11,16 +11,16 @@
 
 namespace rollbem {
 
-/// All that the next step needs of the past. A copy is a checkpoint; written to a file and read back, it goes on to the
-/// last bit as if nothing had happened.
+/// Everything that the next step needs from the past. A copy is a checkpoint; written to a file and read back, it
+/// continues with identical results to the last bit.
 template <class Scalar>
 struct TransientState {
-    VectorX<Scalar> traction;  ///< the system's unknowns times G: of elements p on body 1 [Pa], trailing to leading
+    VectorX<Scalar> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
     Scalar half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
 };
 
-/// Result of one step. Not a number where the status is not ok.
+/// Result of one step. NaN unless the status is ok.
 template <class Scalar>
 struct TransientStep {
     Scalar force = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b F_bar on body 1 [N]
@@ -33,8 +33,8 @@ struct TransientStep {
 /// Result of one step to a given half-length.
 template <class Scalar>
 struct BreathingTransientStep : TransientStep<Scalar> {
-    /// d force / d half-length at the end of the step [N/m], the motion, dq and the start of the step as they are. Not
-    /// a number where the model cannot breathe.
+    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN if the model
+    /// cannot breathe.
     Scalar tangent_by_half_length = std::numeric_limits<Scalar>::quiet_NaN();
 };
 

@@ -1,5 +1,5 @@
 // Influence matrices: G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and kernel.
-// rolling_system.hpp carries them on with the weights that turn tractions into the force.
+// rolling_system.hpp combines them with the weights that turn tractions into the force.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -25,17 +25,17 @@ struct InfluenceMatrices {
 };
 
 /// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G: G'_lm is the slope du/dx at the point of row
-/// l, Eq. (28), or its mean about it, Eqs. (14) and (29), under unit traction of element m. All that a steady problem
-/// needs. Throws std::invalid_argument when the scheme does not fit the mesh.
+/// l, Eq. (28), or its mean about that point, Eqs. (14) and (29), under unit traction of element m. A steady problem
+/// needs nothing else. Throws std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::influence_matrix<Scalar>(mesh, scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size()),
                                             detail::KernelView<Scalar>(kernel), Quantity::slope);
 }
 
-/// G of Eq. (13), for Galerkin of Eq. (14), same shape, in units of a/G: the displacement u in place of its slope. The
-/// kernel's half-width must be finite.
-/// Throws std::invalid_argument when the scheme does not fit the mesh or G is not finite.
+/// G of Eq. (13), for Galerkin of Eq. (14), of the same shape, in units of a/G: the displacement u instead of its
+/// slope. The kernel's half-width must be finite. Throws std::invalid_argument if the scheme does not fit the mesh or G
+/// is not finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     MatrixX<Scalar> G =
@@ -46,7 +46,7 @@ MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const
     return G;
 }
 
-/// Both matrices, for the problems that need both.
+/// Both matrices. Throws std::invalid_argument if the scheme does not fit the mesh or G is not finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};

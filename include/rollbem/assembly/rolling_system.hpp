@@ -1,5 +1,5 @@
-// RollingSystem: the narrow waist. G' p - (1/V) G dp/dt = xi, Eq. (12), and the weights that turn its unknowns into the
-// force. Everything that is not steady takes it, and sees nothing of meshes, schemes and kernels.
+// RollingSystem: G' p - (1/V) G dp/dt = xi, Eq. (12), and the weights that turn its unknowns into the force. All
+// problems that are not steady start from it, and know nothing of meshes, schemes and kernels.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -26,16 +26,16 @@
 
 namespace rollbem {
 
-/// G' p - G dp/dq = xi with xi the same in every equation, q = V t/a; F_bar/(a G) = weights . p. Dimensionless: G in
-/// a/G, G' in 1/G. What the unknowns p mean is the business of the discretisation that made it.
+/// G' p - G dp/dq = xi with the same xi in every equation, q = V t/a; F_bar/(a G) = weights . p. Dimensionless: G in
+/// units of a/G, G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
 ///
-/// Invariant: n >= 1; G and G' are n x n, there are n weights, and all of them are finite.
+/// Invariant: n >= 1; G and G' are n x n, there are n weights, and all numbers are finite.
 template <class Scalar_>
 class RollingSystem {
 public:
     using Scalar = Scalar_;
 
-    /// From ready matrices. Throws std::invalid_argument where the invariant is broken.
+    /// From ready matrices. Throws std::invalid_argument if they break the invariant.
     RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> weights)
         : G_(std::move(G)), G_prime_(std::move(G_prime)), weights_(std::move(weights)) {
         const Eigen::Index n = weights_.size();
@@ -52,20 +52,20 @@ public:
     const MatrixX<Scalar>& G_prime() const { return G_prime_; }  ///< [1/G]
     const ArrayX<Scalar>& weights() const { return weights_; }   ///< widths in units of a where p are tractions
 
-    /// Whether p are the tractions of elements: only then can their signs tell that a scheme does not converge.
+    /// Whether p are the tractions of elements: only then can their signs reveal that a scheme does not converge.
     bool unknowns_are_tractions() const { return unknowns_are_tractions_; }
 
-    /// b/a of the kernel it was made with; empty for ready matrices, and for kernels that do not tell.
+    /// b/a of the kernel that was used; empty for ready matrices, and for kernels without a half-width.
     std::optional<Scalar> aspect() const { return aspect_; }
 
-    /// x/a of the point that each equation belongs to, of a scheme x_l + alpha_l dx_l; empty for ready matrices.
+    /// x/a of the point of each equation, for a scheme with points x_l + alpha_l dx_l; empty for ready matrices.
     const std::optional<ArrayX<Scalar>>& points() const { return points_; }
 
-    /// S, where the kernel is C - S ln|x| and no more (the plane's) and each equation holds at its point: there G and
-    /// G' of any half-length follow from these, and the contact may breathe. Empty for all others.
+    /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation holds at its point: then G and
+    /// G' of any half-length follow from these matrices, and the contact may breathe. Empty otherwise.
     std::optional<Scalar> log_strength() const { return log_strength_; }
 
-    /// The same for equal matrices and weights, in any process; different, with near certainty, for others.
+    /// Equal for equal matrices and weights, in any process; different, with near certainty, for others.
     std::uint64_t fingerprint() const {
         detail::Fingerprint fingerprint;
         fingerprint.add(G_);
@@ -93,29 +93,30 @@ private:
     ArrayX<Scalar> weights_;
 };
 
-/// A system whose unknowns are the tractions of elements, p/G: what friction, which bounds each of them, asks for.
+/// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them.
 ///
-/// Invariant: besides, all weights, which are the widths of the elements in units of a, are positive.
+/// Invariant: in addition, all weights are positive; they are the widths of the elements in units of a.
 template <class Scalar_>
 class ElementSystem : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
-    /// From ready matrices and the widths of the elements. Throws std::invalid_argument where the invariant is broken,
-    /// and where the signs of both diagonals say that G and G' have changed places.
+    /// From ready matrices and the widths of the elements. Throws std::invalid_argument if they break the invariant, or
+    /// if the signs of both diagonals show that G and G' have been exchanged.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> widths)
         : RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(widths)), element_count_(this->size()) {
         this->unknowns_are_tractions_ = true;
         for (Eigen::Index i = 0; i < this->size(); ++i) {
             detail::require(this->weights()[i] > 0, "ElementSystem", "width", this->weights()[i], "be positive");
         }
-        // an element is pushed along by its own traction, and what lies ahead of it less than itself
+        // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
+        // itself
         const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
         detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
                         "be positive, and that of G_prime negative: have they changed places?");
     }
 
-    /// Elements of the mesh; more than unknowns where a scheme leaves elements without traction at the leading edge.
+    /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
 
     template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
@@ -127,14 +128,14 @@ private:
 
 namespace detail {
 
-/// b/a of a kernel that tells it.
+/// b/a of a kernel that has a half-width.
 template <class Scalar, class Kernel>
 std::optional<Scalar> aspect_of(const Kernel& kernel) {
     if constexpr (requires { kernel.half_width(); }) return kernel.half_width();
     return std::nullopt;
 }
 
-/// S of a kernel that is a logarithm and a constant and no more.
+/// S of a kernel that consists of a logarithm and a constant.
 template <class Scalar, class Kernel>
 std::optional<Scalar> strength_of_pure_logarithm(const Kernel& kernel) {
     if constexpr (SmoothSplitKernel<Kernel>) {
@@ -144,7 +145,7 @@ std::optional<Scalar> strength_of_pure_logarithm(const Kernel& kernel) {
     return std::nullopt;
 }
 
-/// x/a of the point that each equation of a scheme belongs to.
+/// x/a of the point of each equation of a scheme.
 template <class Scalar, class Scheme>
 ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
     const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
@@ -159,8 +160,8 @@ ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
     return points;
 }
 
-/// Whether the equations of a scheme hold at points, G and G' at the same: central differences count, for they are the
-/// slope's mean over one element's width; Galerkin's integrals and quadratures do not.
+/// Whether the equations of a scheme hold at points, the same for G and G'. Central differences count, as they are the
+/// mean of the slope over the width of one element; Galerkin's integrals and quadratures do not.
 template <class Scalar, class Scheme>
 bool holds_at_points(const Scheme& scheme, Eigen::Index n) {
     const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
@@ -183,8 +184,8 @@ void require_one_system(const Scheme& scheme, Eigen::Index n) {
 
 }  // namespace detail
 
-/// Assembles both matrices. Throws std::invalid_argument when the scheme does not fit the mesh, when G is not finite
-/// (an infinite half-width), and for a plane kernel with Lambda <= 0, whose model grows in time.
+/// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
+/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
@@ -202,7 +203,7 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
 
 namespace detail {
 
-/// The fingerprint of a model: of a contact and of the `system` that describes it.
+/// The fingerprint of a model: of a contact and of the `system` that represents it.
 template <class Scalar>
 std::uint64_t fingerprint_of(const Contact<Scalar>& contact, std::uint64_t system) {
     Fingerprint fingerprint;
@@ -212,7 +213,7 @@ std::uint64_t fingerprint_of(const Contact<Scalar>& contact, std::uint64_t syste
     return fingerprint.value() ^ system;
 }
 
-/// Throws std::invalid_argument where a kernel's b/a, if known, is not the contact's to 1e-12. Both may be infinite.
+/// Throws std::invalid_argument unless a kernel's b/a, if known, equals the contact's to 1e-12. Both may be infinite.
 template <class Scalar>
 void require_same_aspect(const char* who, const Contact<Scalar>& contact, const std::optional<Scalar>& aspect) {
     if (!aspect || (!is_finite(*aspect) && !is_finite(contact.aspect()))) return;
@@ -221,7 +222,7 @@ void require_same_aspect(const char* who, const Contact<Scalar>& contact, const 
     require(is_finite(ratio) && same, who, "b/a of the kernel over that of the contact", ratio, "be 1");
 }
 
-/// Throws std::invalid_argument where a system was made for another b/a than the contact's, or the contact's is
+/// Throws std::invalid_argument if a system was made for another b/a than the contact's, or if the contact's is
 /// infinite.
 template <class Scalar>
 void require_same_aspect(const char* who, const Contact<Scalar>& contact, const RollingSystem<Scalar>& system) {

@@ -1,5 +1,5 @@
-// Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element,
-// and the creep coefficient. Dimensionless: a = G = V = 1.
+// Steady rolling in full adhesion, in elementary functions: Carter's traction, its exact mean over an element, and the
+// creep coefficients. Dimensionless: a = G = V = 1.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -24,23 +24,23 @@ Scalar steady_c11(Scalar poisson_ratio) {
     return std::numbers::pi_v<Scalar> / (2 * (1 - poisson_ratio));
 }
 
-/// Steady creep coefficient c22 = -F_y/(a G xi_y) = pi/2 for lateral creepage, per unit width as steady_c11. It does not
-/// depend on Poisson's ratio.
+/// Steady creep coefficient c22 = -F_y/(a G xi_y) = pi/2 for lateral creepage, per unit width like steady_c11. It is
+/// independent of Poisson's ratio.
 template <std::floating_point Scalar = double>
 constexpr Scalar steady_c22() {
     return std::numbers::pi_v<Scalar> / 2;
 }
 
-/// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by
-/// F = -a b G C11 xi; an ellipse has pi a b of area where the rectangle has 4 a b and chords that shorten towards its
-/// tips, hence the factor pi/2 to steady_c11. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
+/// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by F =
+/// -a b G C11 xi; an ellipse has the area pi a b where the rectangle has 4 a b, and chords that shorten towards its
+/// tips, hence the factor pi/2 relative to steady_c11. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar ellipse_limit_c11(Scalar poisson_ratio) {
     return std::numbers::pi_v<Scalar> / 2 * steady_c11(poisson_ratio);
 }
 
 /// A position in the contact by its distances from both edges, over a: trailing = 1 + x/a, leading = 1 - x/a. Near an
-/// edge these keep the digits that x/a has lost. Invariant: trailing >= 0, leading >= 0, trailing + leading = 2.
+/// edge these keep the digits that x/a loses. Invariant: trailing >= 0, leading >= 0, trailing + leading = 2.
 template <std::floating_point Scalar>
 struct EdgeDistances {
     Scalar trailing;
@@ -57,8 +57,8 @@ struct ContactInterval {
     Scalar leading;
 };
 
-/// Carter's traction p/(G xi) = -sqrt((a-x)/(a+x))/(2(1-nu)) (negative; minus infinity at the trailing edge).
-/// Throws std::invalid_argument for negative distances or distances whose sum is not 2.
+/// Carter's traction p/(G xi) = -sqrt((a-x)/(a+x))/(2(1-nu)) (negative; minus infinity at the trailing edge). Throws
+/// std::invalid_argument for negative distances, distances whose sum is not 2, or a Poisson's ratio outside [0, 0.5].
 template <std::floating_point Scalar>
 Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_ratio) {
     using std::abs, std::sqrt;
@@ -73,7 +73,7 @@ Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_rat
     return -sqrt(position.leading / position.trailing) / (2 * (1 - poisson_ratio));
 }
 
-/// Carter's traction p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+/// Carter's traction p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1 and 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar carter_traction(Scalar x_over_a, Scalar poisson_ratio) {
     detail::require(detail::is_finite(x_over_a) && x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_traction",
@@ -81,8 +81,9 @@ Scalar carter_traction(Scalar x_over_a, Scalar poisson_ratio) {
     return carter_traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a}, poisson_ratio);
 }
 
-/// Exact mean of Carter's traction p/(G xi) over an interval, to a few units in the last place of the given distances
-/// however short the interval and however close to an edge. Throws std::invalid_argument for a bad interval.
+/// Exact mean of Carter's traction p/(G xi) over an interval, to a few units in the last place of the given distances,
+/// however short the interval and however close to an edge. Throws std::invalid_argument if the interval breaks its
+/// invariant or Poisson's ratio lies outside [0, 0.5].
 template <std::floating_point Scalar>
 Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar poisson_ratio) {
     using std::abs, std::atan2, std::sqrt;
@@ -98,8 +99,8 @@ Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar pois
                     "trailing + width + leading", sum, "be 2");
 
     // With x = -cos(theta) the integral of sqrt((1-x)/(1+x)) is theta + sin(theta). Between theta_1 and theta_2, with
-    // their mean m and half difference h, that is 2 (h - sin h) + 2 sin(h) (1 + cos m): a sum of positive terms. All
-    // functions of m and h follow from sines and cosines of theta/2, which are roots of the edge distances.
+    // mean m and half the difference h, that is 2 (h - sin h) + 2 sin(h) (1 + cos m): a sum of positive terms. All
+    // functions of m and h follow from sines and cosines of theta/2, which are square roots of half the edge distances.
     const Scalar sine_1 = sqrt(interval.trailing / 2);
     const Scalar cosine_1 = sqrt((interval.leading + interval.width) / 2);
     const Scalar sine_2 = sqrt((interval.trailing + interval.width) / 2);
@@ -115,8 +116,8 @@ Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar pois
     return -integral / (interval.width * 2 * (1 - poisson_ratio));
 }
 
-/// Exact mean of Carter's traction p/(G xi) over [x1, x2], both over a. Throws std::invalid_argument unless
-/// -1 <= x1 < x2 <= 1.
+/// Exact mean of Carter's traction p/(G xi) over [x1, x2], both over a. Throws std::invalid_argument unless -1 <= x1 <
+/// x2 <= 1 and 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_ratio) {
     detail::require(detail::is_finite(x1_over_a) && x1_over_a >= Scalar(-1) && x1_over_a < x2_over_a,
@@ -127,8 +128,8 @@ Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_r
                                 poisson_ratio);
 }
 
-/// Exact means of Carter's traction p/(G xi) over the n elements of a Mesh, trailing to leading: what the tractions of
-/// steady rolling tend to. Throws std::invalid_argument for a Poisson's ratio outside [0, 0.5].
+/// Exact means of Carter's traction p/(G xi) over the n elements of a Mesh, trailing to leading, to which the tractions
+/// of steady rolling converge. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
 template <class AnyMesh>
 typename AnyMesh::Array carter_mean_tractions(const AnyMesh& mesh, typename AnyMesh::Scalar poisson_ratio) {
     using Scalar = typename AnyMesh::Scalar;

@@ -1,4 +1,4 @@
-// EstimatedC11: a creep coefficient with the accuracy that it was computed to.
+// EstimatedC11: a creep coefficient and its estimated accuracy.
 #pragma once
 
 #include "../detail/language.hpp"

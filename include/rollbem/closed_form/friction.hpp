@@ -15,8 +15,9 @@
 
 namespace rollbem {
 
-/// Carter's steady creep-force law: force_ratio = -F/(mu N) = 2 delta - delta^2 up to full sliding at delta = 1 and 1
-/// beyond, odd in delta. delta = xi G/(2 (1-nu) mu p0) is the creepage ratio. Throws std::invalid_argument for a nan.
+/// Carter's steady creep-force law: force_ratio = -F/(mu N) = 2 delta - delta^2 up to full sliding at delta = 1, and 1
+/// for larger delta; odd in delta. delta = xi G/(2 (1-nu) mu p0) is the creepage ratio. Throws std::invalid_argument if
+/// it is NaN.
 template <std::floating_point Scalar>
 Scalar carter_force_ratio(Scalar creepage_ratio) {
     detail::require(!detail::is_nan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio,
@@ -25,8 +26,8 @@ Scalar carter_force_ratio(Scalar creepage_ratio) {
     return std::copysign(delta * (2 - delta), creepage_ratio);
 }
 
-/// The creepage ratio delta that carries a force ratio -F/(mu N): the inverse of carter_force_ratio. Throws
-/// std::invalid_argument unless |force_ratio| <= 1.
+/// The creepage ratio delta at a force ratio -F/(mu N): the inverse of carter_force_ratio. Throws std::invalid_argument
+/// unless |force_ratio| <= 1.
 template <std::floating_point Scalar>
 Scalar carter_creepage_ratio(Scalar force_ratio) {
     detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "carter_creepage_ratio",
@@ -34,8 +35,8 @@ Scalar carter_creepage_ratio(Scalar force_ratio) {
     return force_ratio / (1 + std::sqrt(1 - std::abs(force_ratio)));
 }
 
-/// x/a at which stick begins in Carter's steady solution: min(2 |delta|, 2) - 1. Stick reaches from there to the
-/// leading edge; slip lies behind. Throws std::invalid_argument for a nan.
+/// x/a at which stick begins in Carter's steady solution: min(2 |delta|, 2) - 1. The stick zone extends from there to
+/// the leading edge; slip lies behind it. Throws std::invalid_argument if the ratio is NaN.
 template <std::floating_point Scalar>
 Scalar carter_stick_border(Scalar creepage_ratio) {
     detail::require(!detail::is_nan(creepage_ratio), "carter_stick_border", "creepage_ratio", creepage_ratio,
@@ -44,7 +45,7 @@ Scalar carter_stick_border(Scalar creepage_ratio) {
 }
 
 /// Traction p/(mu p0) of Carter's steady solution with slip, at x/a; its sign is opposite to that of creepage_ratio.
-/// Throws std::invalid_argument unless -1 <= x/a <= 1, or for a nan.
+/// Throws std::invalid_argument unless -1 <= x/a <= 1, or if the ratio is NaN.
 template <std::floating_point Scalar>
 Scalar carter_friction_traction(Scalar x_over_a, Scalar creepage_ratio) {
     using std::sqrt;
@@ -56,12 +57,12 @@ Scalar carter_friction_traction(Scalar x_over_a, Scalar creepage_ratio) {
     if (x_over_a <= border) {
         return -std::copysign(leading * trailing, creepage_ratio);
     }
-    // difference of two half ellipses, freed of its cancellation; for small delta it is Carter's full adhesion
+    // difference of two half ellipses, rewritten without cancellation; for small delta it is Carter's full adhesion
     return -2 * creepage_ratio * leading / (trailing + sqrt(x_over_a - border));
 }
 
-/// Cattaneo: half-length c/a of the stick zone |x| < c when a force F acts without rolling, F/(mu N) = 1 - c^2/a^2 in
-/// absolute value. Throws std::invalid_argument unless |force_ratio| <= 1.
+/// Cattaneo: half-length c/a of the stick zone |x| < c under a force F without rolling, |F|/(mu N) = 1 - c^2/a^2.
+/// Throws std::invalid_argument unless |force_ratio| <= 1.
 template <std::floating_point Scalar>
 Scalar cattaneo_stick_half_length(Scalar force_ratio) {
     detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "cattaneo_stick_half_length",
@@ -92,7 +93,7 @@ Scalar cattaneo_traction(Scalar x_over_a, Scalar force_ratio) {
     return -force_ratio / (bound + sqrt((stick - x_over_a) * (stick + x_over_a)));
 }
 
-/// Cattaneo's rigid shift W in units of mu p0 a/G for force_ratio = -F/(mu N) (W and force_ratio share their sign),
+/// Cattaneo's rigid shift W in units of mu p0 a/G for force_ratio = -F/(mu N) (W and force_ratio have the same sign),
 /// plane kernel: W = (a^2 B(a) - c^2 B(c)) mu p0/(a G), B(c) = (1-nu)(ln(4b/c) + 1/2) + nu. Throws
 /// std::invalid_argument unless |force_ratio| <= 1, 0 <= poisson_ratio <= 0.5 and `aspect` b/a is positive and finite.
 template <std::floating_point Scalar>
@@ -106,9 +107,10 @@ Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
     return std::copysign((1 - poisson_ratio) * ((lambda + Scalar(0.5)) * f + logarithm), force_ratio);
 }
 
-/// The force ratio -F/(mu N) that a rigid shift W (in mu p0 a/G) from rest gives: the inverse of cattaneo_shift, and
-/// 1 in absolute value where the shift exceeds that of full sliding. Throws std::invalid_argument for a nan, a bad
-/// poisson_ratio or aspect, or Lambda <= 0 (the plane model's shift is not monotonic there).
+/// The force ratio -F/(mu N) after a rigid shift W (in mu p0 a/G) from rest: the inverse of cattaneo_shift; its
+/// absolute value is 1 if the shift exceeds that of full sliding. Throws std::invalid_argument if the shift is NaN, and
+/// unless 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0 (for Lambda <= 0 the plane model's shift is not
+/// monotonic).
 template <std::floating_point Scalar>
 Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = stable_plane_lambda("cattaneo_force_ratio", poisson_ratio, aspect);
@@ -117,8 +119,8 @@ Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
     if (target >= cattaneo_shift(Scalar(1), poisson_ratio, aspect)) {
         return std::copysign(Scalar(1), shift);
     }
-    // The shift is convex and increasing in f: Newton's method from above falls monotonically to the root. Rounding
-    // ends it: the first step that does not fall any more.
+    // The shift is convex and increasing in f: Newton's method from above decreases monotonically to the root. Rounding
+    // ends it: the first step that does not decrease.
     Scalar f = std::min(target / ((1 - poisson_ratio) * lambda), 1 - std::numeric_limits<Scalar>::epsilon());
     while (true) {
         const Scalar residual = cattaneo_shift(f, poisson_ratio, aspect) - target;

@@ -1,5 +1,5 @@
-// Lambda, the compliance number of the plane model: where it is not positive, that model is unstable in time, before
-// any discretisation. Dimensionless: a = G = V = 1.
+// Lambda, the compliance number of the plane model: unless it is positive, that model is unstable in time, before any
+// discretisation. Dimensionless: a = G = V = 1.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -21,7 +21,7 @@ void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
             "poisson_ratio", poisson_ratio, "lie in [0, 0.5]");
 }
 
-/// Lambda = ln(4b/a) + c2/c1, with c2/c1 = nu/(1-nu) for longitudinal creepage and -nu for lateral; unchecked.
+/// Lambda = ln(4b/a) + c2/c1, with c2/c1 = nu/(1-nu) for longitudinal creepage and -nu for lateral; not checked.
 template <std::floating_point Scalar>
 Scalar plane_lambda_of(Scalar aspect, Scalar c2_over_c1) {
     return std::log(4 * aspect) + c2_over_c1;
@@ -40,8 +40,8 @@ Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
     return detail::plane_lambda_of(aspect, poisson_ratio / (1 - poisson_ratio));
 }
 
-/// Lambda where a non-steady plane problem needs it, as plane_lambda. Throws std::invalid_argument besides, naming
-/// `who`, for Lambda <= 0: there the plane model itself is unstable (its kernel turns negative inside the contact).
+/// The plane_lambda of a non-steady problem. Throws std::invalid_argument, naming `who`, also if Lambda <= 0: there the
+/// plane model itself is unstable (its kernel becomes negative inside the contact).
 template <std::floating_point Scalar>
 Scalar stable_plane_lambda(const char* who, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = plane_lambda(poisson_ratio, aspect);

@@ -1,4 +1,4 @@
-// All that rollbem::compiled holds, beside or in place of rollbem.hpp.
+// Everything in rollbem::compiled, in addition to or in place of rollbem.hpp.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -1,7 +1,7 @@
-// G and G' compiled for double: include this beside assembly/influence.hpp and link rollbem::compiled.
-// Each header in this folder is its namesake with the largest templates declared to be in that library, so that no unit
-// compiles them again. The library must be built with the same options that lay out Eigen's memory (-march and the
-// like) as what links it.
+// G and G' compiled for double: include this in addition to or in place of assembly/influence.hpp and link
+// rollbem::compiled. Each header in this folder declares the largest templates of its namesake as instantiated in that
+// library, so that no translation unit compiles them again. Library and program must be built with the same options
+// that affect the layout of Eigen's objects (-march and the like).
 #pragma once
 
 #include "../detail/language.hpp"

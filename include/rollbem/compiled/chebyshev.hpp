@@ -1,4 +1,4 @@
-// Chebyshev states compiled for double and both kernels: in place of spectral/chebyshev.hpp, with rollbem::compiled.
+// Chebyshev states compiled for double and both kernels. Replaces spectral/chebyshev.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../detail/language.hpp"

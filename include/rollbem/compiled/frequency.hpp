@@ -1,4 +1,4 @@
-// Frequency response compiled for double: in place of adhesion/frequency.hpp, with rollbem::compiled.
+// Frequency response compiled for double. Replaces adhesion/frequency.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -1,4 +1,4 @@
-// Coulomb friction compiled for double: in place of friction/friction.hpp, with rollbem::compiled.
+// Coulomb friction compiled for double. Replaces friction/friction.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../detail/language.hpp"

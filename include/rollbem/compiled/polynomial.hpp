@@ -1,4 +1,4 @@
-// The monomial approach compiled for double: in place of spectral/polynomial.hpp, with rollbem::compiled.
+// The monomial approach compiled for double. Replaces spectral/polynomial.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../detail/language.hpp"

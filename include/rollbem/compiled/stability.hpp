@@ -1,4 +1,4 @@
-// Eigenvalues compiled for double: in place of adhesion/stability.hpp and adhesion/stability_count.hpp, with
+// Eigenvalues compiled for double. Replaces adhesion/stability.hpp and adhesion/stability_count.hpp; link
 // rollbem::compiled.
 #pragma once
 

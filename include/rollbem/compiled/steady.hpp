@@ -1,4 +1,4 @@
-// Steady rolling compiled for double: in place of adhesion/steady.hpp, with rollbem::compiled.
+// Steady rolling compiled for double. Replaces adhesion/steady.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../detail/language.hpp"

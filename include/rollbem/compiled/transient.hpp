@@ -1,4 +1,4 @@
-// Steps in time compiled for double: in place of adhesion/transient.hpp, with rollbem::compiled.
+// Steps in time compiled for double. Replaces adhesion/transient.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../detail/language.hpp"

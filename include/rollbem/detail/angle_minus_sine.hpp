@@ -1,4 +1,4 @@
-// h - sin(h) without cancellation: what integrals of half ellipses and of Carter's traction are made of.
+// h - sin(h) without cancellation, which integrals of half ellipses and of Carter's traction need.
 #pragma once
 
 #include "language.hpp"

@@ -1,5 +1,5 @@
-// Whole-array operations in one place: each Eigen expression of its own type costs a user's compiler time, so that what
-// needs no vector instructions is a plain loop, and the rest is here.
+// Operations on whole arrays in one place: every Eigen expression has a type of its own, which costs the user's
+// compiler time. What needs no vector instructions is therefore a plain loop; the rest is here.
 #pragma once
 
 #include "language.hpp"
@@ -10,7 +10,7 @@
 
 namespace rollbem::detail {
 
-// By vector instructions, which std::log does not have.
+// With vector instructions, which std::log lacks.
 template <class Scalar>
 void log_in_place(Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
     x = x.log();
@@ -34,7 +34,7 @@ Scalar sum_of_magnitudes(const Scalar* a, Eigen::Index size) {
     return Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>(a, size).abs().sum();
 }
 
-/// `size` times the same value.
+/// An array of `size` equal values.
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> constant_array(Eigen::Index size, Scalar value) {
     Eigen::Array<Scalar, Eigen::Dynamic, 1> result(size);

@@ -1,5 +1,5 @@
-// A fingerprint of numbers: tells one system from another where a state is handed to the wrong model.
-// Depends on the values alone, so that it is the same in another process.
+// A fingerprint of numbers, by which a model recognises a state that belongs to another one. It depends on the values
+// alone, and so is the same in another process.
 #pragma once
 
 #include "language.hpp"
@@ -17,7 +17,7 @@ class Fingerprint {
 public:
     template <std::floating_point Scalar>
     void add(Scalar value) {
-        // a long double has bytes without meaning: it goes as two doubles
+        // a long double has padding bytes, so it is added as two doubles
         const double high = static_cast<double>(value);
         mix(std::bit_cast<std::uint64_t>(high));
         if constexpr (sizeof(Scalar) > sizeof(double)) {

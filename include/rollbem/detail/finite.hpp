@@ -1,5 +1,6 @@
-// Whether numbers are finite, by their bits. With -ffast-math compilers take std::isfinite for true, std::isnan for
-// false and !(x > 0) for x <= 0, so that neither a status nor what is accepted as input may hang on these alone.
+// Tests whether numbers are finite by their bits. With -ffast-math compilers assume that std::isfinite is true,
+// std::isnan false and !(x > 0) the same as x <= 0, so neither a status nor a check of arguments may rely on these
+// alone.
 #pragma once
 
 #include "language.hpp"
@@ -15,8 +16,7 @@ namespace rollbem::detail {
 inline constexpr std::uint32_t float_exponent = 0x7f80'0000U;
 inline constexpr std::uint64_t double_exponent = 0x7ff0'0000'0000'0000U;
 
-/// The bits of a number but for its sign, read so that the optimiser cannot conclude from how the number was computed
-/// what they must be.
+/// The bits of a number except its sign, read in a way that hides from the optimiser how the number was computed.
 inline std::uint32_t magnitude_bits(const float& x) {
     const volatile float hidden = x;
     const float copy = hidden;
@@ -31,7 +31,7 @@ inline std::uint64_t magnitude_bits(const double& x) {
     std::memcpy(&bits, &copy, sizeof bits);
     return bits & 0x7fff'ffff'ffff'ffffU;
 }
-/// Its fraction stands for a long double, whose layout differs from machine to machine.
+/// A long double is represented by its fraction, as its layout differs from machine to machine.
 inline std::uint64_t magnitude_bits(const long double& x) {
     int exponent = 0;
     return magnitude_bits(static_cast<double>(std::frexp(x, &exponent)));
@@ -49,7 +49,7 @@ inline bool is_nan(const float& x) { return magnitude_bits(x) > float_exponent; 
 inline bool is_nan(const double& x) { return magnitude_bits(x) > double_exponent; }
 inline bool is_nan(const long double& x) { return magnitude_bits(x) > double_exponent; }
 
-// One exponent bit more carries into the sign where the exponent is full: no branch in the loop.
+// Adding one to the exponent carries into the sign bit if the exponent is all ones: no branch in the loop.
 inline bool all_finite(const float* x, std::ptrdiff_t count) {
     std::uint32_t full = 0;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -79,7 +79,7 @@ bool all_finite(const std::complex<Scalar>* z, std::ptrdiff_t count) {
     return all_finite(reinterpret_cast<const Scalar*>(z), 2 * count);
 }
 
-/// Every entry of a dense matrix, vector or array of Eigen's that owns its memory.
+/// Every entry of a dense matrix, vector or array of Eigen that owns its memory.
 template <class Dense>
 bool all_finite(const Dense& x) {
     return all_finite(x.data(), x.size());

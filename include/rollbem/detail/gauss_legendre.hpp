@@ -29,7 +29,7 @@ QuadratureRule<Scalar> gauss_legendre(Eigen::Index count) {
                                       : std::cos(std::numbers::pi_v<Scalar> * (Scalar(i) + Scalar(0.75)) /
                                                  (static_cast<Scalar>(count) + Scalar(0.5)));
         Scalar slope = 1;
-        // Newton converges quadratically from these values: four steps reach rounding, the others guard
+        // Newton converges quadratically from these values: four steps reach rounding, the rest are a safeguard
         for (int step = 0; step < 10; ++step) {
             Scalar previous = 0, value = 1;
             for (Eigen::Index k = 1; k <= count; ++k) {

@@ -1,5 +1,5 @@
-// LU with partial pivoting in memory that the caller owns: for steps that must not touch the heap.
-// Eigen's keeps its permutation on the heap, or in a type of its own for every bound on the size.
+// LU with partial pivoting in memory that the caller owns, for steps that must not allocate. Eigen's decomposition
+// keeps its permutation on the heap, or has a different type for every bound on the size.
 #pragma once
 
 #include "language.hpp"
@@ -15,8 +15,8 @@ using MatrixRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynami
 template <class Scalar>
 using VectorRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
 
-/// Overwrites the n x n matrix A with its factors, rows swapped as a whole; row k was swapped with row swaps[k] >= k,
-/// of n. A singular A leaves infinities or NaN in what is solved with it.
+/// Overwrites the n x n matrix A with its factors; whole rows are swapped, row k with row swaps[k] >= k. If A is
+/// singular, solutions contain infinities or NaN.
 template <class Scalar>
 void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     const Eigen::Index n = A.rows();
@@ -31,7 +31,7 @@ void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     }
 }
 
-/// Overwrites x with the solution y of A y = x, A and swaps as factorise_in_place left them.
+/// Overwrites x with the solution y of A y = x, where A and swaps come from factorise_in_place.
 template <class Scalar>
 void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, VectorRef<Scalar> x) {
     const Eigen::Index n = A.rows();

@@ -1,9 +1,9 @@
-// The language that the library is written in, asked for before anything else: without it the compiler would report
-// every header's every line. Each header includes this one first.
+// Checks the language standard before anything else: without it an older compiler mode would report errors in every
+// line of every header. Each header includes this one first.
 #pragma once
 
-// Microsoft's compiler keeps __cplusplus at 199711 unless told otherwise and tells the truth in _MSVC_LANG.
+// Microsoft's compiler keeps __cplusplus at 199711 by default; _MSVC_LANG holds the standard in use.
 #if (defined(_MSVC_LANG) && _MSVC_LANG <= 201703L) || (!defined(_MSVC_LANG) && __cplusplus <= 201703L)
 #error "rollbem needs C++20: compile with -std=c++20 (MSVC: /std:c++20), or in CMake link rollbem::rollbem"
-#include <C++20>  // there is no such file: the one thing after which compilers stop
+#include <C++20>  // no such file exists: a missing include is what stops every compiler
 #endif

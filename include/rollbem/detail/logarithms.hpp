@@ -1,5 +1,5 @@
 // Logarithms of whole arrays where the plain one is not finite or loses digits.
-// No user includes this by itself.
+// Internal.
 #pragma once
 
 #include "language.hpp"
@@ -25,8 +25,8 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> finite_log(const Eigen::Array<Scalar, Ei
     return result;
 }
 
-/// ln(1 + u) for u >= 0 to full relative accuracy: ln(w) u / (w - 1) with w = 1 + u rounded cancels the rounding of w;
-/// where w = 1, the result is u.
+/// ln(1 + u) for u >= 0 to full relative accuracy: in ln(w) u / (w - 1) with w = 1 + u rounded, the rounding of w
+/// cancels; if w = 1, the result is u.
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> log1p_array(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& u) {
     Eigen::Array<Scalar, Eigen::Dynamic, 1> result(u.size());

@@ -1,5 +1,5 @@
-// How near to singular a matrix is, by its factors: what decides whether a solution can be trusted.
-// One estimate for all problems.
+// How close to singular a matrix is, estimated from its factors; decides whether a solution can be trusted. One
+// estimate for all problems.
 #pragma once
 
 #include "language.hpp"
@@ -43,8 +43,8 @@ void solve_transposed(const Factors& lu, Eigen::Matrix<typename Factors::Scalar,
     for (Eigen::Index k = 0; k < n; ++k) x[k] = permuted[places[k]];
 }
 
-/// Estimate of 1 / (|A| |A^-1|) in the 1-norm of a real A from its factors, never below it and hardly ever far above
-/// it: Higham, ACM Trans. Math. Softw. 14 (1988) 381-396. The same steps as those of Eigen's rcond().
+/// Estimate of 1 / (|A| |A^-1|) in the 1-norm of a real A from its factors, never too small and rarely much too large:
+/// Higham, ACM Trans. Math. Softw. 14 (1988) 381-396. The same steps as in Eigen's rcond().
 template <class Factors>
 typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors::Scalar norm) {
     using Scalar = typename Factors::Scalar;
@@ -91,10 +91,10 @@ typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors
     return bound == 0 ? Scalar(0) : 1 / bound / norm;
 }
 
-/// Estimate of 1 / (|A| |A^-1|) in the 1-norm from the factors of an LU decomposition with partial pivoting and
-/// norm = |A|. Eigen's own takes |A^-1| from a few vectors, and two equal rows of A have no part in what it sees;
-/// 1 / (last pivot) is an entry of A^-1 and sees them. A pivot that vanishes before the last would leave NaN in the
-/// vectors, and 1 in the estimate.
+/// Estimate of 1 / (|A| |A^-1|) in the 1-norm from the factors of an LU decomposition with partial pivoting and norm =
+/// |A|. Eigen's own estimates |A^-1| from a few vectors, which two equal rows of A can escape; 1 / (last pivot) is an
+/// entry of A^-1 and reveals them. A pivot that vanishes before the last would leave NaN in the vectors, and an
+/// estimate of 1.
 template <class Factors>
 typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Factors::RealScalar norm) {
     using Scalar = typename Factors::RealScalar;

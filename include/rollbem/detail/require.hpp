@@ -36,7 +36,8 @@ void require(bool holds, const char* who, const char* quantity, Value value, con
     }
 }
 
-/// Throws std::invalid_argument naming the first entry of a matrix that is not finite, by row and column from 0.
+/// Throws std::invalid_argument if a matrix has an entry that is not finite, naming the first, by row and column from
+/// 0.
 template <class Matrix>
 void require_finite(const char* who, const char* name, const Matrix& matrix) {
     if (all_finite(matrix)) return;

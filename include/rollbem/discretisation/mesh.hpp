@@ -1,6 +1,6 @@
-// Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction; one maker per topology, Eq. (32)
-// among them, and all of them behind one specification. Elements are numbered from the trailing edge (index 0) to the
-// leading edge (index n-1).
+// Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction, with one function for each
+// topology (Eq. (32) is one of them) and one that makes any of them from a specification. Elements are numbered from
+// the trailing edge (index 0) to the leading edge (index n-1).
 #pragma once
 
 #include "../detail/language.hpp"
@@ -24,8 +24,8 @@ namespace rollbem {
 
 /// A mesh of n elements, all lengths in units of the half-length a.
 ///
-/// Invariant: n >= 1, every width > 0, edges strictly increasing from -1 to 1. Distances from the trailing and from the
-/// leading edge are kept beside the coordinates because 1 + x and 1 - x lose their digits near an edge, where a graded
+/// Invariant: n >= 1, every width > 0, edges strictly increasing from -1 to 1. Distances from the trailing and the
+/// leading edge are stored next to the coordinates because 1 + x and 1 - x lose digits near an edge, where a graded
 /// mesh has its smallest elements.
 template <class Scalar_ = double>
 class Mesh {
@@ -33,7 +33,7 @@ public:
     using Scalar = Scalar_;
     using Array = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
 
-    /// What a maker computes, each number in closed form rather than as a difference of others.
+    /// What defines a mesh, each number in closed form rather than as a difference of others.
     struct Data {
         Array widths;               ///< n element widths dx/a
         Array edges_from_trailing;  ///< n+1 values 1 + x of the edges, increasing from 0 to 2
@@ -41,7 +41,7 @@ public:
         bool uniform = false;       ///< all widths equal
     };
 
-    /// Throws std::invalid_argument where the invariant is broken.
+    /// Throws std::invalid_argument if the data break the invariant.
     explicit Mesh(Data data) : data_(std::move(data)) {
         const Eigen::Index n = data_.widths.size();
         detail::require(n >= 1, "Mesh", "number of elements", n, "be at least 1");
@@ -75,13 +75,13 @@ public:
     Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
 
 private:
-    // All at once, which is fast; one by one only to name the first that is not finite.
+    // Tests all values at once, which is fast; one by one only to name the first that is not finite.
     static void require_finite(const Array& values, const char* quantity, const char* rule) {
         if (detail::all_finite(values)) return;
         for (const Scalar& value : values) detail::require(detail::is_finite(value), "Mesh", quantity, value, rule);
     }
 
-    // Near one edge of the contact the distance from the other may round to one number for neighbours.
+    // Near one edge of the contact, the distances of neighbours from the other edge may round to the same number.
     static void check_edges(const Array& trailing, const Array& leading) {
         const Eigen::Index n = trailing.size() - 1;
         const char* rule = "be 0 at its own edge of the contact, 2 at the other, and monotonic between";
@@ -104,14 +104,14 @@ private:
 /// How the elements of a mesh are laid out; each has a maker below.
 enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
 
-/// The number besides n that a topology takes.
+/// The parameter of a topology besides n.
 enum class Grading {
     none,
     size_ratio,  ///< dx_trailing / dx_leading [-]
     epsilon,     ///< width of an end element over that of an inner one [-]
 };
 
-/// What is known of a topology without making a mesh.
+/// Facts about a topology.
 struct TopologyInfo {
     Topology topology;
     const char* name;  ///< as in the programs' options
@@ -132,7 +132,7 @@ constexpr const TopologyInfo& info(Topology topology) { return topologies[static
 
 constexpr const char* name(Topology topology) { return info(topology).name; }
 
-/// The topology of a name, empty where there is none.
+/// The topology of a given name, if there is one.
 constexpr std::optional<Topology> topology_named(std::string_view name) {
     for (const TopologyInfo& known : topologies) {
         if (name == known.name) return known.topology;
@@ -167,7 +167,7 @@ typename Mesh<Scalar>::Data mesh_data(Eigen::Index n, const FromTrailing& from_t
 
 }  // namespace detail
 
-/// A: n equal elements. Throws for n < 1.
+/// A: n equal elements. Throws std::invalid_argument if n < 1.
 template <class Scalar = double>
 Mesh<Scalar> uniform_mesh(Eigen::Index n) {
     detail::require_elements("uniform_mesh", Topology::uniform, n);
@@ -179,8 +179,8 @@ Mesh<Scalar> uniform_mesh(Eigen::Index n) {
     return Mesh<Scalar>(std::move(data));
 }
 
-/// B: widths in geometric progression, Eq. (32); size_ratio = dx_trailing / dx_leading. Throws for n < 2 or a ratio
-/// that is not positive and finite.
+/// B: widths in geometric progression, Eq. (32); size_ratio = dx_trailing / dx_leading. Throws std::invalid_argument if
+/// n < 2 or the ratio is not positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
     detail::require_elements("geometric_mesh", Topology::geometric, n);
@@ -198,8 +198,8 @@ Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
         [=](Eigen::Index i) { return forward * std::expm1(growth) * std::exp(static_cast<Scalar>(i) * growth); }));
 }
 
-/// C: Knothe and Gross-Thebing's mesh, both end elements epsilon times an inner one. Throws for n < 3 or an epsilon
-/// that is not positive and finite.
+/// C: Knothe and Gross-Thebing's mesh, both end elements epsilon times as wide as an inner one. Throws
+/// std::invalid_argument if n < 3 or epsilon is not positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("knothe_mesh", Topology::knothe, n);
@@ -214,8 +214,8 @@ Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
         [=](Eigen::Index i) { return i == 0 || i == n - 1 ? epsilon * inner : inner; }));
 }
 
-/// D: modified Knothe mesh, the trailing element epsilon times any other. Throws for n < 2 or an epsilon that is not
-/// positive and finite.
+/// D: modified Knothe mesh, the trailing element epsilon times as wide as any other. Throws std::invalid_argument if n
+/// < 2 or epsilon is not positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("modified_knothe_mesh", Topology::modified_knothe, n);
@@ -232,28 +232,28 @@ Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
 }
 
 /// E: cosine mesh, edges x_j = -cos(pi j / n): small elements at both edges, where the traction is singular or has a
-/// vertical tangent. Throws for n < 1.
+/// vertical tangent. Throws std::invalid_argument if n < 1.
 template <class Scalar = double>
 Mesh<Scalar> cosine_mesh(Eigen::Index n) {
     detail::require_elements("cosine_mesh", Topology::cosine, n);
     const Scalar quarter = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * n);
     const auto sine = [=](Eigen::Index k) { return std::sin(static_cast<Scalar>(k) * quarter); };
-    // 1 + x_j = 2 sin^2(pi j / 2n); the width is a product of two sines: no subtraction anywhere. Arguments are kept
-    // below pi/2 so that the rounding of pi does not reach the small results at the leading edge.
+    // 1 + x_j = 2 sin^2(pi j / 2n), and a width is a product of two sines: no subtraction anywhere. Arguments are kept
+    // below pi/2 so that the rounding of pi does not affect the small results at the leading edge.
     const auto edge = [=](Eigen::Index j) { return 2 * sine(j) * sine(j); };
     return Mesh<Scalar>(detail::mesh_data<Scalar>(
         n, edge, [=](Eigen::Index j) { return edge(n - j); },
         [=](Eigen::Index i) { return 2 * sine(2 * i + 1 <= n ? 2 * i + 1 : 2 * (n - i) - 1) * sine(1); }));
 }
 
-/// A mesh as an input file or a table of cases names it.
+/// A mesh as specified in an input file or a table of cases.
 struct MeshSpecification {
     Topology topology = Topology::uniform;
     Eigen::Index n = 1;  ///< number of elements
-    double grading = 1;  ///< what info(topology).grading says; without meaning where that is none
+    double grading = 1;  ///< the parameter info(topology).grading; ignored if that is none
 };
 
-/// The mesh of a specification. Throws std::invalid_argument for an n or a grading that the topology's maker refuses.
+/// The mesh of a specification. Throws std::invalid_argument if n or the grading is out of range for the topology.
 template <class Scalar = double>
 Mesh<Scalar> make_mesh(const MeshSpecification& specification) {
     const Eigen::Index n = specification.n;
@@ -268,7 +268,8 @@ Mesh<Scalar> make_mesh(const MeshSpecification& specification) {
     return uniform_mesh<Scalar>(n);
 }
 
-/// Any mesh from its n+1 edges x/a, strictly increasing from -1 to 1. Throws naming the first edge that breaks this.
+/// Any mesh from its n+1 edges x/a, strictly increasing from -1 to 1. Throws std::invalid_argument naming the first
+/// edge that violates this.
 template <class Scalar, class Derived>
 Mesh<Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
     const Eigen::Index n = edges.size() - 1;

@@ -1,6 +1,6 @@
-// Schemes: where and how the rolling contact equation is imposed on a mesh, as plain option structs.
-// Collocation, Galerkin, and collocation with Knothe and Gross-Thebing's boundary conditions; a scheme of one's own is
-// any type that says what its rows are.
+// Schemes: where and how the rolling contact equation is imposed on a mesh, as plain option structs. Collocation,
+// Galerkin, and collocation with Knothe and Gross-Thebing's boundary conditions; any other type that defines its rows
+// can serve as a scheme.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -20,32 +20,31 @@
 
 namespace rollbem {
 
-/// What a row of the equations is taken of.
+/// The quantity that a row of the equations evaluates.
 enum class Quantity {
     displacement,  ///< u: a row of G
     slope,         ///< du/dx: a row of G'
 };
 
-/// How a scheme takes its rows. Row l is the weighted sum of the quantity at the points
-/// x_l + (alpha_l + offset) dx_l, or of its means about these points. alpha_l is linear in the centre of the element
-/// from alpha_T at the trailing element to alpha_L at the leading one, Eq. (28).
+/// The rows of a scheme. Row l is the weighted sum of the quantity at the points x_l + (alpha_l + offset) dx_l, or of
+/// its means about these points. alpha_l varies linearly with the centre of the element, from alpha_T at the trailing
+/// element to alpha_L at the leading one, Eq. (28).
 template <class Scalar>
 struct SchemeRows {
     double alpha_L = 0, alpha_T = 0;  ///< [-], finite
-    ArrayX<Scalar> offsets, weights;  ///< of a quadrature rule [-]: at least one point, weights with the sum 1
-    /// How often the mean over the element's own width is taken: once for a central finite difference over that width,
-    /// Eq. (29), which is the mean of the slope, and once for Galerkin's integral in closed form, Eq. (14). Up to twice
-    /// for the slope, once for the displacement.
+    ArrayX<Scalar> offsets, weights;  ///< of a quadrature rule [-]: at least one point; the weights add up to 1
+    /// How many times the mean over the element's own width is taken: once for a central finite difference over that
+    /// width, Eq. (29), which is the mean of the slope, and once for Galerkin's integral in closed form, Eq. (14). At
+    /// most twice for the slope and once for the displacement.
     int averages = 0;
-    /// Moves points to 0.001 dx from any edge of an element they lie nearer to, where du/dx is infinite.
+    /// Moves points that are closer than 0.001 dx to an edge of an element, where du/dx is infinite, to that distance.
     bool guard = false;
     Eigen::Index first_equation = 0;  ///< the element whose row is the first equation; others follow
-    Eigen::Index unknown_count = 0;   ///< number of equations, and of unknowns: the tractions of elements from 0 on
+    Eigen::Index unknown_count = 0;   ///< number of equations and of unknowns, the tractions of the first elements
 };
 
-/// What is asked of a scheme: rows<Scalar>(quantity, n), its rows on a mesh of n elements. It throws
-/// std::invalid_argument where its options are out of range or do not fit n elements. G and G' have the same equations
-/// and unknowns.
+/// A scheme has rows<Scalar>(quantity, n), its rows on a mesh of n elements, which throws std::invalid_argument if the
+/// options are out of range or do not fit n elements. G and G' have the same equations and unknowns.
 template <class Scheme, class Scalar = double>
 concept RollingScheme = requires(const Scheme& scheme, Quantity quantity, Eigen::Index n) {
     { scheme.template rows<Scalar>(quantity, n) } -> std::same_as<SchemeRows<Scalar>>;
@@ -54,13 +53,13 @@ concept RollingScheme = requires(const Scheme& scheme, Quantity quantity, Eigen:
 /// How du/dx is obtained from the displacement u of the elements.
 enum class Derivative {
     finite_difference,  ///< central over the element's own width about the point, Eq. (29)
-    analytic,           ///< closed form; points nearer than 0.001 dx to an element's edge are moved to that distance
+    analytic,           ///< closed form; points closer than 0.001 dx to an element's edge are moved to that distance
 };
 
 /// Eq. (12) at one point per element, x_l + alpha_l dx_l, with alpha_l linear between both ends, Eq. (28).
-/// alpha > 0 lies ahead of the element's centre; alpha = 0.5 is its leading edge. The defaults are 0.5 and 0.5, as in
-/// every recommended scheme; the paper prefers 0 and 0.63, which the options of the programs default to, as they repeat
-/// its study.
+/// alpha > 0 lies ahead of the element's centre; alpha = 0.5 is its leading edge. The defaults are 0.5 and 0.5, which
+/// every recommended scheme uses; the programs' options default to the 0 and 0.63 of the paper, whose study they
+/// repeat.
 struct Collocation {
     double alpha_L = 0.5;  ///< alpha of the leading element [-], in [-2, 2]
     double alpha_T = 0.5;  ///< alpha of the trailing element [-], in [-2, 2]
@@ -71,7 +70,7 @@ struct Collocation {
     SchemeRows<Scalar> rows(Quantity quantity, Eigen::Index n) const;
 };
 
-/// Value of Galerkin::quadrature that asks for the integrals in closed form.
+/// Value of Galerkin::quadrature that selects the integrals in closed form.
 inline constexpr int exact_quadrature = 0;
 
 /// Eq. (14): each row is the mean over an interval of width dx_l centred at x_l + alpha_l dx_l.
@@ -108,7 +107,7 @@ void check_alphas(const Scheme& scheme, const char* who, Eigen::Index n) {
     require(n > 1 || scheme.alpha_L == scheme.alpha_T, who, "n", n, "be at least 2 where alpha_L and alpha_T differ");
 }
 
-// Rows at one point per element, for any options that have Collocation's fields.
+// Rows at one point per element, for any options with the fields of Collocation.
 template <class Scalar, class Scheme>
 SchemeRows<Scalar> collocation_rows(const Scheme& scheme, Quantity quantity, Eigen::Index n) {
     const double shift = quantity == Quantity::slope ? 1 : scheme.lambda;
@@ -124,7 +123,7 @@ SchemeRows<Scalar> collocation_rows(const Scheme& scheme, Quantity quantity, Eig
     return rows;
 }
 
-// Throws std::invalid_argument where rows break what SchemeRows asks for.
+// Throws std::invalid_argument if rows do not meet the requirements of SchemeRows.
 template <class Scalar>
 void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index n) {
     require(is_finite(rows.alpha_L), "SchemeRows", "alpha_L", rows.alpha_L, "be finite");
@@ -183,8 +182,8 @@ SchemeRows<Scalar> KnotheBoundary::rows(Quantity quantity, Eigen::Index n) const
     return result;
 }
 
-/// The rows of a scheme on a mesh of n elements, of G or G'. Throws std::invalid_argument where the scheme does not fit
-/// the mesh, or its rows are not as SchemeRows says.
+/// The rows of a scheme on a mesh of n elements, of G or G'. Throws std::invalid_argument if the scheme does not fit
+/// the mesh, or its rows do not meet the requirements of SchemeRows.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 SchemeRows<Scalar> scheme_rows(const Scheme& scheme, Quantity quantity, Eigen::Index n) {
     SchemeRows<Scalar> rows = scheme.template rows<Scalar>(quantity, n);
@@ -192,8 +191,8 @@ SchemeRows<Scalar> scheme_rows(const Scheme& scheme, Quantity quantity, Eigen::I
     return rows;
 }
 
-/// Throws std::invalid_argument where scheme_rows does, for G or G': to refuse a scheme before anything is assembled,
-/// and for the tests of one's own.
+/// Throws std::invalid_argument if scheme_rows does for G or G': checks a scheme before anything is assembled, or in
+/// tests of a user's own scheme.
 template <RollingScheme Scheme>
 void check_scheme(const Scheme& scheme, Eigen::Index n) {
     scheme_rows<double>(scheme, Quantity::slope, n);
@@ -221,14 +220,14 @@ typename Mesh<Scalar>::Array interpolate_alpha(const Mesh<Scalar>& mesh, double 
     return alpha;
 }
 
-/// Number of elements whose tractions are unknown, the first of the mesh. Throws std::invalid_argument where the scheme
+/// Number of elements whose tractions are unknown, the first of the mesh. Throws std::invalid_argument if the scheme
 /// does not fit a mesh of n elements.
 template <RollingScheme Scheme>
 Eigen::Index unknown_count(const Scheme& scheme, Eigen::Index n) {
     return scheme_rows<double>(scheme, Quantity::slope, n).unknown_count;
 }
 
-/// The widths of the unknown elements: the weights that turn tractions into a force. Throws std::invalid_argument where
+/// The widths of the unknown elements: the weights that turn tractions into a force. Throws std::invalid_argument if
 /// the scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 ArrayX<Scalar> unknown_widths(const Mesh<Scalar>& mesh, const Scheme& scheme) {

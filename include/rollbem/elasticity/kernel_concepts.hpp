@@ -1,5 +1,5 @@
-// What a line kernel is: displacement of the surface under a line of unit traction across the contact, and its
-// antiderivatives; and what a kernel may offer besides, which some computations ask for.
+// What a line kernel is: the displacement of the surface under a line of unit traction across the contact, and its
+// antiderivatives; and what a kernel may offer in addition, which some computations require.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -13,7 +13,8 @@
 
 namespace rollbem {
 
-/// What the assembly needs of a kernel. x in units of a, results in units of 1/G (g), a/G (H) and a^2/G.
+/// What the assembly requires of a kernel. x is in units of a, results are in units of 1/G (g), a/G (H) and a^2/G
+/// (H_integral).
 /// - g(x): displacement at distance x from the line, even in x; may be infinite at x = 0;
 /// - H(x): an odd antiderivative of g, H(0) = 0;
 /// - H_integral(x): an even antiderivative of H.
@@ -24,8 +25,9 @@ concept LineKernel = requires(const Kernel& kernel, const ArrayX<typename Kernel
     { kernel.H_integral(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
 };
 
-/// g(x) = constant - strength ln|x| + sum_{k>=1} even[k-1] x^{2k}: a kernel taken apart into its singularity, which is
-/// the same for all, and a polynomial. The assembly uses it where there is one: cheaper and without cancellation.
+/// g(x) = constant - strength ln|x| + sum_{k>=1} even[k-1] x^{2k}: a kernel split into its singularity, which all
+/// kernels share, and a polynomial. The assembly uses the split if there is one: it is cheaper and free of
+/// cancellation.
 template <class Scalar>
 struct LogSplit {
     Scalar constant;  ///< [1/G]; infinite for b = inf, where only the derivative of g exists
@@ -33,23 +35,23 @@ struct LogSplit {
     ArrayX<Scalar> even;
 };
 
-/// A kernel that offers its LogSplit, exact to rounding for |x| <= reach, or nothing where there is no short one.
+/// A kernel that offers its LogSplit, exact to rounding for |x| <= reach, or none if it would be too long.
 template <class Kernel>
 concept SplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar reach) {
     { kernel.log_split(reach) } -> std::same_as<std::optional<LogSplit<typename Kernel::Scalar>>>;
 };
 
-/// g(x) = constant - strength ln|x| + smooth_part(x) for every x: the singularity, and what is analytic beside it.
+/// g(x) = constant - strength ln|x| + smooth_part(x) for every x: the singularity and an analytic remainder.
 template <class Scalar>
 struct SmoothSplit {
     Scalar constant;  ///< [1/G]; infinite for b = inf, where only the derivative of g exists
     Scalar strength;  ///< [1/G], positive
-    Scalar distance;  ///< smooth_part is analytic but for +-i distance and beyond on the imaginary axis; infinite where
-                      ///< it is zero everywhere
+    Scalar distance;  ///< smooth_part is analytic except on the imaginary axis from +-i distance outwards; infinite if
+                      ///< smooth_part vanishes
 };
 
-/// A kernel that offers its SmoothSplit, and smooth_part(x), even in x and zero at x = 0: what a discretisation by
-/// polynomials asks for, which takes the logarithm in closed form and the rest by quadrature.
+/// A kernel that offers its SmoothSplit, and smooth_part(x), even in x and zero at x = 0. Discretisations by
+/// polynomials require it: they integrate the logarithm in closed form and the rest by quadrature.
 template <class Kernel>
 concept SmoothSplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel) {
     { kernel.smooth_split() } -> std::same_as<SmoothSplit<typename Kernel::Scalar>>;
@@ -57,7 +59,7 @@ concept SmoothSplitKernel = LineKernel<Kernel> && requires(const Kernel& kernel)
     { kernel.smooth_part(x) } -> std::convertible_to<ArrayX<typename Kernel::Scalar>>;
 };
 
-/// A SmoothSplitKernel that offers the derivative of its smooth part, too: g'(x) = -strength/x + smooth_slope(x).
+/// A SmoothSplitKernel that also offers the derivative of its smooth part: g'(x) = -strength/x + smooth_slope(x).
 template <class Kernel>
 concept SlopeSplitKernel = SmoothSplitKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
     { kernel.smooth_slope(x) } -> std::same_as<typename Kernel::Scalar>;

@@ -1,5 +1,5 @@
-// Line kernels: what they are, StripKernel for a finite half-width b and PlaneKernel for its limit b >> a.
-// None of them knows a mesh.
+// Line kernels: their concepts, StripKernel for a finite half-width b and PlaneKernel for the limit b >> a. They are
+// independent of any mesh.
 #pragma once
 
 #include "../detail/language.hpp"

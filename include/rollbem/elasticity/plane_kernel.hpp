@@ -18,16 +18,16 @@
 
 namespace rollbem {
 
-/// Limit b >> a of the strip, the kernel of Eq. (20): g = (1/(pi G)) [c1 ln(4 b^2/x^2) + 2 c2]. b stays a parameter;
-/// for b = inf only g' exists, hence only steady problems do.
+/// Limit b >> a of the strip, the kernel of Eq. (20): g = (1/(pi G)) [c1 ln(4 b^2/x^2) + 2 c2]. b remains a parameter;
+/// for b = inf only g' exists, and hence only steady problems.
 template <class Scalar_ = double>
 class PlaneKernel {
 public:
     using Scalar = Scalar_;
     using Array = ArrayX<Scalar>;
 
-    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
-    /// finite.
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage and (1, -nu) for lateral. Throws
+    /// std::invalid_argument unless b > 0 and c1 and c2 are finite.
     PlaneKernel(Scalar half_width, Scalar c1, Scalar c2)
         : b_(half_width),
           lambda_(detail::plane_lambda_of(half_width, c2 / c1)),
@@ -43,9 +43,9 @@ public:
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 
-    /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance of a constant
-    /// displacement over that of the first harmonic. All modes of the plane model decay where Lambda > 0, one of them
-    /// grows where Lambda < 0: the kernel is then used far outside b >> a.
+    /// Lambda = ln(4b/a) + c2/c1, which is ln(4b/a) + nu/(1-nu) for longitudinal creepage: the compliance of a constant
+    /// displacement over that of the first harmonic. All modes of the plane model decay if Lambda > 0; one grows if
+    /// Lambda < 0, where the kernel is used far outside b >> a.
     Scalar lambda() const { return lambda_; }
 
     Array g(const Array& x) const {

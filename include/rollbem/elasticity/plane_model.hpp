@@ -1,5 +1,5 @@
-// Where the plane model itself, before any discretisation, is unstable in time.
-// Asked by every problem that is not steady.
+// The plane model itself, before any discretisation, is unstable in time if Lambda <= 0. Every problem that is not
+// steady checks this.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -31,8 +31,8 @@ public:
     using Array = ArrayX<Scalar>;
     using Coefficients = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage. Throws unless b > 0 and both are
-    /// finite.
+    /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage and (1, -nu) for lateral. Throws
+    /// std::invalid_argument unless b > 0 and c1 and c2 are finite.
     StripKernel(Scalar half_width, Scalar c1, Scalar c2) : b_(half_width), c1_(c1), c2_(c2) {
         detail::check_line_kernel("StripKernel", half_width, c1, c2);
     }
@@ -60,7 +60,7 @@ public:
         return result;
     }
 
-    /// Zero at x = 0: b (r - b) is written as b x^2 / (r + b), so that small x lose nothing to the size of b.
+    /// Zero at x = 0: b (r - b) is written as b x^2 / (r + b), so that small x keep their digits next to a large b.
     Array H_integral(const Array& x) const {
         const Array r = radius(x), ratio = asinh_of_ratio(x, r);
         Array result = asinh_of_inverse(x, r);
@@ -71,7 +71,7 @@ public:
         return result;
     }
 
-    /// For reach <= b/4; nothing otherwise.
+    /// Exists for reach <= b/4.
     std::optional<LogSplit<Scalar>> log_split(Scalar reach) const;
 
     /// With r = sqrt(x^2 + b^2), asinh(b/|x|) = ln(2b) - ln|x| + ln((b + r)/(2b)) and b/r = 1 + (b/r - 1): r has branch
@@ -130,13 +130,12 @@ private:
     Scalar b_, c1_, c2_;
 };
 
-// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with
-// (1+t^2)^{-1/2} = sum beta_k t^{2k}, beta_k = -beta_{k-1} (2k-1)/(2k), the rest of g is
-// (2/pi) sum_{k>=1} e_k t^{2k}, e_k = beta_k (c2 - c1/(2k)). With rho = reach/b, the derivative of what is cut off
-// after K terms is at most (2/pi) sum_{k>K} 2k |e_k| rho^{2k} / |x| for |x| <= reach, that of the logarithm is
-// (2/pi) |c1| / |x|. As |beta_k| decreases, 2k |e_k| <= (2k |c2| + |c1|) |beta_{K+1}| and the sum is below
-// (2(K+1) |c2| + |c1|) |beta_{K+1}| rho^{2K+2} / (1 - rho^2)^2: K is the first for which this is below half a
-// rounding of |c1|.
+// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with (1+t^2)^{-1/2} = sum
+// beta_k t^{2k}, beta_k = -beta_{k-1} (2k-1)/(2k), the rest of g is (2/pi) sum_{k>=1} e_k t^{2k}, e_k = beta_k (c2 -
+// c1/(2k)). With rho = reach/b, the derivative of the truncation error after K terms is at most (2/pi) sum_{k>K} 2k
+// |e_k| rho^{2k} / |x| for |x| <= reach, whereas that of the logarithm is (2/pi) |c1| / |x|. As |beta_k| decreases, 2k
+// |e_k| <= (2k |c2| + |c1|) |beta_{K+1}| and the sum is below (2(K+1) |c2| + |c1|) |beta_{K+1}| rho^{2K+2} / (1 -
+// rho^2)^2. K is the smallest number of terms for which this is below half a rounding error of |c1|.
 template <class Scalar_>
 std::optional<LogSplit<Scalar_>> StripKernel<Scalar_>::log_split(Scalar reach) const {
     const Scalar rho = reach / b_;
@@ -145,7 +144,7 @@ std::optional<LogSplit<Scalar_>> StripKernel<Scalar_>::log_split(Scalar reach) c
     const Scalar tolerance = std::numeric_limits<Scalar>::epsilon() / 4 * std::abs(c1_) * (1 - square) * (1 - square);
     const auto beta_ratio = [](Eigen::Index k) { return -Scalar(2 * k - 1) / Scalar(2 * k); };
     Eigen::Index terms = 0;
-    Scalar beta = square * beta_ratio(1);  // of the first term cut off, times its power of rho
+    Scalar beta = square * beta_ratio(1);  // of the first term left out, times its power of rho
     while ((Scalar(2 * terms + 2) * std::abs(c2_) + std::abs(c1_)) * std::abs(beta) > tolerance) {
         ++terms;
         beta *= square * beta_ratio(terms + 1);

@@ -1,5 +1,5 @@
-// Steady rolling with friction where slip lies at the trailing edge and stick ahead of it, as under Hertz's pressure:
-// the border, the force and the tractions exactly, by series instead of elements.
+// Steady rolling with friction with a slip zone at the trailing edge and stick ahead of it, as under Hertz's pressure:
+// border, force and tractions exactly, by series instead of elements.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -32,56 +32,56 @@
 namespace rollbem {
 
 /// A pressure known at every point: p_n [Pa] at x/a in [-1, 1], finite and not negative, and its mean on each element
-/// of any mesh, for where elements have to take over. HertzPressure and PressureTable are such laws.
+/// of any mesh, in case elements are needed. HertzPressure and PressureTable are such laws.
 template <class Pressure, class Scalar>
 concept PressureLaw = requires(const Pressure& pressure, Scalar x_over_a, const Mesh<Scalar>& mesh) {
     { pressure(x_over_a) } -> std::convertible_to<Scalar>;
     { pressure(mesh) } -> std::convertible_to<ArrayX<Scalar>>;
 };
 
-/// Steady rolling with friction at one creepage: exact, or by elements where the picture does not hold.
+/// Steady rolling with friction at one creepage: exact, or by elements if slip and stick are arranged otherwise.
 template <class Scalar_>
 struct StickBorderSolution {
     using Scalar = Scalar_;
 
     static constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
 
-    bool exact = false;  ///< whether the picture held; if not, all results are those of the solver on elements
-    /// x/a at which stick begins [-]: -1 without creepage, 1 for full sliding; not a number unless exact.
+    bool exact = false;  ///< one border separates slip from stick; otherwise all results are by elements
+    /// x/a at which stick begins [-]: -1 without creepage, 1 for full sliding; NaN unless exact.
     Scalar border = none;
-    /// F_bar on body 1 [N/m]. Not a number, as all that follows, where the creepage is not finite.
+    /// F_bar on body 1 [N/m]. Like all that follows, NaN if the creepage is not finite.
     Scalar force_per_width = none;
-    /// Estimate of the error of F_bar [N/m]: what more coefficients change, and what the violations of the law between
-    /// them would. Not a number unless exact.
+    /// Estimate of the error of F_bar [N/m]: the change due to more coefficients, and the effect of violations of the
+    /// law between the sampled points. NaN unless exact.
     Scalar force_error = none;
     Scalar tangent_per_width = none;  ///< d F_bar / d creepage [N/m]
-    /// Work that slip turns into heat per unit width and distance rolled [J/m^2]: -F_bar xi, as in steady rolling the
-    /// elastic energy does not change.
+    /// Work that slip turns into heat per unit width and distance rolled [J/m^2]: -F_bar xi, as the elastic energy is
+    /// constant in steady rolling.
     Scalar slip_work_per_width = none;
-    /// Largest violation at the sampled points of |p| <= mu p_n (over the largest mu p_n) and of the slip's direction
+    /// Largest violation at the sampled points of |p| <= mu p_n (over the largest mu p_n) and of the direction of slip
     /// (over |xi|).
     Scalar complementarity_residual = none;
-    Eigen::Index coefficients = 0;  ///< points of the pressure in the slip zone; 0 unless exact
+    Eigen::Index coefficients = 0;  ///< number of points of the pressure in the slip zone; 0 unless exact
     Eigen::Index unknowns = 0;      ///< of the linear system for the kernel's smooth part; 0 for the plane kernel
-    int evaluations = 0;            ///< borders tried
+    int evaluations = 0;            ///< number of borders tried
     StepStatus status = StepStatus::not_finite;
 
-    /// Traction p on body 1 [Pa] at x/a in [-1, 1]; of an element that of its extent. Not a number where the status is
-    /// neither ok nor no_solution, or outside.
+    /// Traction p on body 1 [Pa] at x/a in [-1, 1]; with elements, that of the element at x. NaN outside, and if the
+    /// status is neither ok nor no_solution.
     Scalar traction(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->traction[elements->index(x_over_a)];
         const Scalar p = x_over_a > border ? zone.traction(x_over_a) : -bound(x_over_a);
         return sign * shear_modulus * p;
     }
-    /// Slip s/V [-] at x/a, zero in stick. Not a number where the traction is not.
+    /// Slip s/V [-] at x/a, zero in stick. NaN where the traction is.
     Scalar slip(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->slip[elements->index(x_over_a)];
         return x_over_a > border || !(zone.y > 0) ? Scalar(0) : sign * zone.slip(x_over_a, smooth_slope);
     }
 
-    /// What took over.
+    /// The solution by elements, if it is not exact.
     struct Elements {
         Mesh<Scalar> mesh;
         VectorX<Scalar> traction;  ///< [Pa], trailing to leading
@@ -93,9 +93,9 @@ struct StickBorderSolution {
             return std::max<Eigen::Index>(edge - 1, 0);
         }
     };
-    std::optional<Elements> elements;  ///< nothing where the solution is exact
+    std::optional<Elements> elements;  ///< empty if the solution is exact
 
-    // what traction() and slip() of an exact solution are evaluated from
+    // the data for traction() and slip() of an exact solution
     detail::StickZone<Scalar> zone;
     std::function<Scalar(Scalar)> bound, smooth_slope;
     Scalar sign = 1, shear_modulus = 1;
@@ -130,24 +130,25 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
 
 }  // namespace detail
 
-/// Steady rolling with friction at a creepage [-] by the exact border between slip, behind, and stick, ahead of it.
+/// Steady rolling with friction at a creepage [-], by the exact border between slip, behind it, and stick, ahead of it.
 ///
-/// For pressures without jumps inside the contact (they need not vanish at its ends) that leave one slip zone at the
-/// trailing edge. The pressure counts in the slip zone alone, where its points are doubled until the force settles:
-/// Hertz's and other analytic pressures over sqrt(1 - x^2) reach rounding with 32, tables, whose kinks converge like
-/// 1/M^2, 1e-6 with up to 4096. Where the pressure jumps, the estimated error exceeds 1e-6 mu N, the strip is narrower
-/// than b/a = 0.02 or the law is violated (several zones of stick or slip, slip against the traction, |p| above the
-/// bound), the solver on cosine_mesh(fallback_elements) with alpha = 0.5 takes its place, and the result says so.
+/// For pressures without jumps inside the contact (they need not vanish at its ends) that lead to one slip zone at the
+/// trailing edge. Only the pressure in the slip zone matters, where the number of points is doubled until the force
+/// converges: Hertz's and other pressures that are analytic over sqrt(1 - x^2) are exact to rounding with 32 points,
+/// tables, whose kinks converge like 1/M^2, to 1e-6 with up to 4096. If the pressure jumps, the estimated error exceeds
+/// 1e-6 mu N, the strip is narrower than b/a = 0.02 or the law is violated (several zones of stick or slip, slip
+/// against the traction, |p| above the bound), the solver on cosine_mesh(fallback_elements) with alpha = 0.5 is used
+/// instead, and `exact` is false.
 ///
-/// A pressure that falls to zero in a line at the leading edge, as a table's last piece does, lies below the traction
-/// of stick there, which falls like a square root: a second slip zone begins at the leading edge. It counts the less
-/// the shorter the last piece. Of Hertz's pressure, tables of 40 places at -cos of equal angles keep it below
-/// 1e-6 mu N up to 0.6 of the creepage of full sliding, and 100 up to 0.9; places at equal distances take 400 for 0.6
-/// and more than 1600 for 0.9.
+/// A pressure that decreases linearly to zero at the leading edge, as on the last segment of a table, lies below the
+/// traction of stick there, which decreases like a square root: a second slip zone begins at the leading edge. The
+/// shorter the last segment, the smaller its effect. For Hertz's pressure, tables of 40 points at -cos of equidistant
+/// angles keep it below 1e-6 mu N up to 0.6 of the creepage of full sliding, and 100 points up to 0.9; equidistant
+/// points must be 400 for 0.6 and more than 1600 for 0.9.
 ///
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
-/// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument for fallback_elements < 1, a coefficient of
-/// friction or a pressure that is negative or not finite, or a pressure that is zero everywhere.
+/// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument unless fallback_elements >= 1, the
+/// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
 template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,

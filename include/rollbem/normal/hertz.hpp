@@ -1,5 +1,5 @@
-// Hertz's line contact of two cylinders: half-length, peak pressure, and the mean pressure of elements.
-// The normal half of a friction problem; SI units outside.
+// Hertz's line contact of two cylinders: half-length, peak pressure, and the mean pressure of elements. The normal part
+// of a friction problem; in SI units.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -48,7 +48,7 @@ public:
 
     struct Parameters {
         Scalar load_per_width;       ///< P [N/m], positive
-        Scalar combined_radius;      ///< R [m], 1/R = 1/R_1 + 1/R_2; positive (a radius is negative where hollow)
+        Scalar combined_radius;      ///< R [m], 1/R = 1/R_1 + 1/R_2; positive (a concave radius is negative)
         ElasticBody<Scalar> body_1;  ///< wheel
         ElasticBody<Scalar> body_2;  ///< rail or road
     };
@@ -80,15 +80,15 @@ public:
         return 2 / std::numbers::pi_v<Scalar> * parameters_.load_per_width / half_length_;
     }
 
-    /// Mean pressure of each element of a mesh [Pa], exactly: the pressures carry the load P whatever the mesh.
+    /// Exact mean pressure of each element of a mesh [Pa]: the pressures carry the load P on any mesh.
     ArrayX<Scalar> mean_pressure(const Mesh<Scalar>& mesh) const;
 
-    /// The same pressure at every point, p0 sqrt(1 - x^2) with x in a.
+    /// The pressure at every point, p0 sqrt(1 - x^2) with x in units of a.
     HertzPressure<Scalar> pressure() const { return {peak_pressure()}; }
 
-    /// The contact of half-width b [m] (infinite for steady problems) with the combined constants
-    /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). Where the bodies are elastically unlike,
-    /// the pressure itself causes slip, which the tangential theory leaves out.
+    /// The contact of half-width b [m] (infinite for steady problems) with the combined constants 1/G = (1/G_1 +
+    /// 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). If the bodies are elastically dissimilar, the pressure
+    /// itself causes slip, which the tangential theory neglects. Throws std::invalid_argument unless half_width > 0.
     Contact<Scalar> contact(Scalar half_width) const {
         const ElasticBody<Scalar>& one = parameters_.body_1;
         const ElasticBody<Scalar>& two = parameters_.body_2;
@@ -108,7 +108,8 @@ private:
 
 namespace detail {
 
-/// A stretch of the interval -1 ... 1: distances of its two ends from -1 (trailing) and from 1 (leading), its width.
+/// A part of the interval -1 ... 1: the distances of its two ends from -1 (trailing) and from 1 (leading), and its
+/// width.
 template <class Scalar>
 struct UnitStretch {
     Scalar trailing_1, leading_1;
@@ -116,17 +117,18 @@ struct UnitStretch {
     Scalar width;
 };
 
-/// Integrals over a stretch of sqrt(1 - x^2), and of 1/sqrt(1 - x^2): the angle that it takes of pi.
+/// Integrals over a part of the interval of sqrt(1 - x^2) and of 1/sqrt(1 - x^2); the latter is the angle of the part,
+/// of pi in total.
 template <class Scalar>
 struct SemicircleIntegrals {
     Scalar area, angle;
 };
 
-/// No cancellation at the edges: with x = -cos(theta), the mean m and the half difference h of theta, the area is
-/// (h - sin h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
+/// Without cancellation at the edges: with x = -cos(theta), mean m and half difference h of theta, the area is (h - sin
+/// h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
 template <class Scalar>
 SemicircleIntegrals<Scalar> integrate_semicircle(const UnitStretch<Scalar>& stretch) {
-    // sines and cosines of theta/2 of both edges are roots of their distances from the ends of the contact
+    // sines and cosines of theta/2 at both ends are square roots of half the distances from the ends of the contact
     const Scalar sine_1 = std::sqrt(stretch.trailing_1 / 2), cosine_1 = std::sqrt(stretch.leading_1 / 2);
     const Scalar sine_2 = std::sqrt(stretch.trailing_2 / 2), cosine_2 = std::sqrt(stretch.leading_2 / 2);
     const Scalar sine_mean = sine_2 * cosine_1 + cosine_2 * sine_1;
@@ -141,7 +143,7 @@ SemicircleIntegrals<Scalar> integrate_semicircle(const UnitStretch<Scalar>& stre
 
 }  // namespace detail
 
-/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in a): Hertz's pressure over its peak.
+/// Mean of sqrt(1 - x^2) over each element of a mesh (lengths in units of a): Hertz's pressure over its peak.
 template <class Scalar>
 ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh) {
     const Eigen::Index n = mesh.size();

@@ -1,5 +1,5 @@
-// Hertz's line contact under a load that varies: half-length and pressures of the elements for each load.
-// On a mesh that breathes with the contact, or on one that stays while the contact grows and shrinks on it.
+// Hertz's line contact under a varying load: half-length and pressures of the elements for each load, on a mesh that
+// breathes with the contact, or on a fixed mesh on which the contact grows and shrinks.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -20,7 +20,7 @@
 
 namespace rollbem {
 
-/// Makes the NormalLoad of a load per width P [N/m], for two cylinders whose radius and moduli a HertzLine knows.
+/// Makes the NormalLoad of a load per width P [N/m], for two cylinders with the radius and moduli of a HertzLine.
 ///
 ///     const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
 ///     NormalLoad<double> load = hertz.at(line.load_per_width());
@@ -33,13 +33,14 @@ class HertzLoad {
 public:
     using Scalar = Scalar_;
 
-    /// The mesh follows the contact: half-length a(P), pressures of one shape.
+    /// The mesh follows the contact: half-length a(P), the shape of the pressures constant.
     static HertzLoad breathing(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh) {
         return HertzLoad(line, mesh, std::nullopt);
     }
 
-    /// The mesh covers -half_length ... half_length [m], and the contact lies in its middle. Elements at its edges may be
-    /// covered in part; each carries its exact mean. Throws std::invalid_argument unless 0 < half_length < inf.
+    /// The mesh covers -half_length ... half_length [m], with the contact in its middle. Elements at the edges of the
+    /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless 0 <
+    /// half_length < inf.
     static HertzLoad fixed(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh, Scalar half_length) {
         detail::require(detail::is_finite(half_length) && half_length > 0, "HertzLoad", "half_length", half_length,
                         "be positive and finite");
@@ -53,14 +54,15 @@ public:
         return line_.half_length() * std::sqrt(load_per_width / line_.load_per_width());
     }
 
-    /// d NormalLoad::half_length / dP [m^2/N]: da/dP where the mesh breathes, 0 where it is fixed.
+    /// d NormalLoad::half_length / dP [m^2/N]: da/dP if the mesh breathes, 0 if it is fixed.
     Scalar half_length_rate(Scalar load_per_width) const {
         return fixed_ ? Scalar(0) : half_length(load_per_width) / (2 * load_per_width);
     }
 
-    /// Pressures, their rates by P, and the half-length of the mesh. Without load, P = 0, a fixed mesh has no pressure
-    /// and a breathing one no length: there, and where P is negative or not finite or a fixed mesh does not cover the
-    /// contact, the status is invalid_load, and so is that of a step under what is left in `load`.
+    /// Sets pressures, their derivatives by P, and the half-length of the mesh. Without load, P = 0, a fixed mesh has
+    /// no pressure and a breathing one no length: in the latter case, if P is negative or not finite, and if a fixed
+    /// mesh does not cover the contact, the status is invalid_load, which a step under the resulting `load` also
+    /// returns.
     StepStatus set(Scalar load_per_width, NormalLoad<Scalar>& load) const noexcept {
         const Scalar a = half_length(load_per_width);
         const bool possible = detail::is_finite(load_per_width) && detail::is_finite(a) && load_per_width >= 0 &&
@@ -78,7 +80,7 @@ public:
         return StepStatus::ok;
     }
 
-    /// A load to keep and to rewrite. Throws std::invalid_argument where there is none.
+    /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is not ok.
     NormalLoad<Scalar> at(Scalar load_per_width) const {
         NormalLoad<Scalar> load{ArrayX<Scalar>::Zero(size()), 0, ArrayX<Scalar>::Zero(size())};
         const StepStatus status = set(load_per_width, load);
@@ -94,9 +96,10 @@ private:
 
     Eigen::Index size() const { return mesh_.size(); }
 
-    // Of a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
+    // For a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
     void cover(Scalar load_per_width, Scalar a, NormalLoad<Scalar>& load) const noexcept {
-        const Scalar radius = a / *fixed_, beside = 1 - radius;  // of the contact and beside it, in units of the mesh
+        const Scalar radius = a / *fixed_,
+                     beside = 1 - radius;  // of the contact and of the mesh beyond it, over that of the mesh
         const Scalar peak_times_a = 2 / std::numbers::pi_v<Scalar> * load_per_width;
         const auto& trailing = mesh_.edges_from_trailing();
         const auto& leading = mesh_.edges_from_leading();
@@ -112,7 +115,7 @@ private:
         }
     }
 
-    // Of a contact that is about to begin in the middle of the mesh: all lies in one element, or on the edge of two.
+    // For a contact of zero length in the middle of the mesh: it lies in one element, or on the edge between two.
     static detail::SemicircleIntegrals<Scalar> integrate_beginning(const detail::UnitStretch<Scalar>& element) {
         const auto angle = [](Scalar trailing, Scalar leading) {
             const Scalar pi = std::numbers::pi_v<Scalar>;
@@ -121,8 +124,8 @@ private:
         return {0, angle(element.trailing_2, element.leading_2) - angle(element.trailing_1, element.leading_1)};
     }
 
-    // Over the part of an element that lies within a contact of half-length `radius`; distances from the ends of the
-    // contact, negative where the element reaches beyond.
+    // Over the part of an element inside a contact of half-length `radius`. The distances are measured from the ends of
+    // the contact, and negative where the element extends beyond it.
     static detail::SemicircleIntegrals<Scalar> integrate_covered(const detail::UnitStretch<Scalar>& element,
                                                                  Scalar radius) {
         if (element.trailing_2 <= 0 || element.leading_1 <= 0) return {0, 0};
@@ -141,7 +144,7 @@ private:
     HertzLine<Scalar> line_;
     Mesh<Scalar> mesh_;
     ArrayX<Scalar> mean_;
-    std::optional<Scalar> fixed_;  // half-length of a mesh that stays [m]
+    std::optional<Scalar> fixed_;  // half-length of a fixed mesh [m]
 };
 
 }  // namespace rollbem

@@ -1,5 +1,5 @@
-// What presses the bodies together at one instant: the pressures of the elements and the length of the contact.
-// Given to a step of friction as what holds at its end; plain data.
+// The normal load at one instant: the pressures of the elements and the length of the contact. Plain data; a step of
+// friction takes the load at its end.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -14,7 +14,7 @@ namespace rollbem {
 
 namespace detail {
 
-/// Whether each is a pressure: finite and not negative.
+/// Whether all values are pressures: finite and not negative.
 template <class Scalar>
 bool all_pressures(const ArrayX<Scalar>& values) noexcept {
     return all_finite(values) && (values.size() == 0 || !(values.minCoeff() < 0));
@@ -22,8 +22,8 @@ bool all_pressures(const ArrayX<Scalar>& values) noexcept {
 
 }  // namespace detail
 
-/// Kept and rewritten by its user, so that no step allocates. Elements without pressure carry no traction: contact may
-/// come and go element by element, and pressures may all be zero.
+/// Kept and overwritten by its user, so that no step allocates. Elements without pressure carry no traction: contact
+/// may come and go element by element, and all pressures may be zero.
 template <class Scalar_ = double>
 struct NormalLoad {
     using Scalar = Scalar_;
@@ -32,11 +32,11 @@ struct NormalLoad {
         normal_pressure;     ///< p_n [Pa], the mean of each of the mesh's elements, trailing to leading; finite,
                              ///< not negative, zero where there is no contact
     Scalar half_length = 0;  ///< a [m] of the contact that the mesh covers, positive and finite
-    /// d p_n / d load of each element at constant half-length, for the tangent by the load, in whatever unit the user
-    /// has for it. Empty: nothing asks for that tangent.
+    /// d p_n / d load of each element at constant half-length, for the tangent with respect to the load, in any unit of
+    /// load. May be empty if that tangent is not needed.
     ArrayX<Scalar> pressure_rate;
 
-    /// Whether it can be the load of a mesh of that many elements: ok or invalid_load.
+    /// Whether it can be the load of a mesh of `element_count` elements: ok or invalid_load.
     StepStatus check(Eigen::Index element_count) const noexcept {
         const bool sized = normal_pressure.size() == element_count &&
                            (pressure_rate.size() == 0 || pressure_rate.size() == element_count);

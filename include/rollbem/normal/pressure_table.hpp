@@ -1,5 +1,5 @@
-// A normal pressure given at points of the contact, and its mean over elements.
-// For a friction problem under a pressure that is not Hertz's.
+// A normal pressure given at points of the contact, and its mean over elements, for friction problems whose pressure is
+// not that of Hertz.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -15,24 +15,24 @@
 
 namespace rollbem {
 
-/// Pressure that is linear between given points, zero before the first and after the last. Two points at one place make
-/// a jump. Invariant: -1 <= x/a <= 1, ascending; pressures finite, not negative, with a positive integral.
+/// Pressure that is linear between given points, and zero before the first and after the last. Two points at the same x
+/// make a jump. Invariant: -1 <= x/a <= 1, ascending; pressures finite, not negative, with a positive integral.
 template <class Scalar_ = double>
 class PressureTable {
 public:
     using Scalar = Scalar_;
 
-    /// Places x/a [-] and the pressures there [Pa, or any unit]. Throws std::invalid_argument where the invariant does
-    /// not hold or the lengths differ.
+    /// Points x/a [-] and the pressures there [Pa, or any unit]. Throws std::invalid_argument if they break the
+    /// invariant or the lengths differ.
     PressureTable(ArrayX<Scalar> x_over_a, ArrayX<Scalar> pressure)
         : x_(std::move(x_over_a)), pressure_(std::move(pressure)) {
         detail::require(x_.size() == pressure_.size(), "PressureTable", "number of pressures", pressure_.size(),
-                        "equal that of places");
+                        "equal that of points");
         for (Eigen::Index i = 0; i < x_.size(); ++i) {
             detail::require(detail::is_finite(x_[i]) && x_[i] >= -1 && x_[i] <= 1, "PressureTable", "x/a", x_[i],
                             "lie in [-1, 1]");
             detail::require(i == 0 || x_[i] >= x_[i - 1], "PressureTable", "x/a", x_[i],
-                            "not lie behind the place before");
+                            "not be less than at the previous point");
             detail::require(detail::is_finite(pressure_[i]) && pressure_[i] >= 0, "PressureTable", "pressure",
                             pressure_[i], "be finite and not negative");
         }
@@ -47,7 +47,7 @@ public:
         return sum;
     }
 
-    /// The pressure at x/a [-], in the unit of the pressures; that ahead of x where it jumps there.
+    /// The pressure at x/a [-], in the unit of the pressures; at a jump, that ahead of it.
     Scalar operator()(Scalar x_over_a) const {
         const Scalar* const end = x_.data() + x_.size();
         const Eigen::Index j = std::upper_bound(x_.data(), end, x_over_a) - x_.data();
@@ -65,7 +65,7 @@ public:
             while (k < x_.size() && x_[k] <= low) ++k;
             for (Eigen::Index j = k; j < x_.size() && x_[j - 1] < high; ++j) {
                 const Scalar from = std::max(low, x_[j - 1]), to = std::min(high, x_[j]);
-                // an element within a segment has its own width, which is more exact than a difference of edges
+                // an element within a segment has its own width, which is more accurate than a difference of edges
                 const Scalar share = from == low && to == high ? Scalar(1) : (to - from) / mesh.widths()[i];
                 if (to > from) mean[i] += share * at((from + to) / 2, j);
             }

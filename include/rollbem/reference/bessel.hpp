@@ -1,5 +1,5 @@
 // Exact response of the plane model to non-steady creepage, in Bessel functions: c11, traction and eigenvalues. Needs
-// GSL; includes nothing of the discretised problem, so that it cannot share its errors. Dimensionless: a = G = V = 1.
+// GSL; includes nothing of the discretised problem, so that the two cannot share errors. Dimensionless: a = G = V = 1.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -41,7 +41,7 @@ struct ScaledBessel {
     Complex i0, i1, sum;
 };
 
-/// From |s| >= 40 Hankel's expansions reach long double's precision with 26 terms (the last is below 1e-23).
+/// For |s| >= 40 Hankel's expansions reach the precision of long double with 26 terms (the last is below 1e-23).
 inline constexpr long double asymptotic_radius = 40;
 inline constexpr int asymptotic_terms = 26;
 
@@ -67,7 +67,7 @@ inline HankelSplit hankel_split(Complex s) {
     const std::array<long double, asymptotic_terms> c1 = hankel_coefficients(1);
     const Complex inverse = 1.0L / s;
     HankelSplit split{};
-    for (std::size_t k = c0.size(); k-- > 0;) {  // Horner's rule; e^{-s} takes alternating signs and I1 with a minus
+    for (std::size_t k = c0.size(); k-- > 0;) {  // Horner's rule; e^{-s} has alternating signs, and I1 with a minus
         const long double sign = k % 2 == 0 ? 1 : -1;
         split.i0_forward = split.i0_forward * inverse + c0[k];
         split.sum_forward = split.sum_forward * inverse + (c0[k] + c1[k]);
@@ -120,7 +120,7 @@ inline Complex laplace_c11(Complex s, long double poisson_ratio, long double lam
     return steady_c11(poisson_ratio) * bessel.sum / (bessel.i0 + s * lambda * bessel.sum);
 }
 
-/// The same for s = i omega in double: J0 and J1 by GSL take a hundredth of the time.
+/// The same for s = i omega in double: with J0 and J1 by GSL it takes a hundredth of the time.
 inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, double lambda) {
     gsl_sf_result j0{};
     gsl_sf_result j1{};
@@ -151,7 +151,8 @@ inline Complex polish_eigenvalue(Complex s, long double lambda) {
 }
 
 /// w of e^{2s} = w, which is D = 0 for large |s|, as ln|w| + i arg w with -pi/2 < arg w <= 3 pi/2. For large |s|, w is
-/// positive for Lambda > 2, negative for Lambda < 2 and positive imaginary between, so no branch is crossed.
+/// positive for Lambda > 2, negative for Lambda < 2 and positive imaginary in between, so that no branch cut is
+/// crossed.
 inline Complex asymptotic_logarithm(Complex s, long double lambda) {
     const HankelSplit split = hankel_split(s);
     const Complex w = Complex(0, -1) * (split.i0_backward + s * lambda * split.sum_backward) /
@@ -195,7 +196,8 @@ inline std::vector<Complex> inner_eigenvalues(long double lambda) {
     for (std::size_t k = 0; k < order; ++k) {
         const gsl_complex value = gsl_vector_complex_get(values.get(), k);
         const Complex start = 1.0L / Complex(GSL_REAL(value), -GSL_IMAG(value));
-        if (GSL_IMAG(value) >= 0 && std::abs(start) < asymptotic_radius + 3) {  // one pair's distance of margin
+        if (GSL_IMAG(value) >= 0 &&
+            std::abs(start) < asymptotic_radius + 3) {  // a margin of about the distance between pairs
             const Complex s = polish_eigenvalue(std::conj(start), lambda);
             if (std::abs(s) < asymptotic_radius) {
                 result.push_back(s.imag() < 0 ? std::conj(s) : s);
@@ -205,8 +207,9 @@ inline std::vector<Complex> inner_eigenvalues(long double lambda) {
     return result;
 }
 
-/// The real eigenvalue beyond the asymptotic radius, which exists for Lambda slightly below 2 (it goes to minus
-/// infinity as Lambda -> 2): -D(-R)/I0 = R Lambda (1 - I1/I0) - 1 falls there from positive to Lambda/2 - 1.
+/// The real eigenvalue beyond the asymptotic radius, which exists for Lambda slightly below 2 (it tends to minus
+/// infinity as Lambda -> 2): -D(-R)/I0 = R Lambda (1 - I1/I0) - 1 decreases there from a positive value to Lambda/2 -
+/// 1.
 inline std::vector<Complex> outer_real_eigenvalue(long double lambda) {
     const auto scaled_d = [lambda](long double r) {
         const ScaledBessel bessel = scaled_bessel(Complex(-r, 0));
@@ -220,7 +223,7 @@ inline std::vector<Complex> outer_real_eigenvalue(long double lambda) {
     while (scaled_d(upper) < 0) {
         upper *= 2;
         if (upper > 1e15L) {
-            return {};  // beyond any use: decays within 1e-15 of rolled distance
+            return {};  // irrelevant: decays within a distance rolled of 1e-15
         }
     }
     while (upper - lower > 1e-17L * upper) {
@@ -237,14 +240,14 @@ inline std::vector<Complex> outer_real_eigenvalue(long double lambda) {
 inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
     const long double pi = std::numbers::pi_v<long double>;
     std::vector<Complex> result = inner_eigenvalues(lambda);
-    // Further out they are enumerated by k in 2s = ln w(s) + 2 pi i k, one zero for each k.
+    // Beyond the asymptotic radius they are numbered by k in 2s = ln w(s) + 2 pi i k, one zero for each k.
     const auto highest = std::max_element(result.begin(), result.end(),
                                           [](Complex left, Complex right) { return left.imag() < right.imag(); });
     long double k = std::round((2 * highest->imag() - asymptotic_logarithm(*highest, lambda).imag()) / (2 * pi));
     for (const Complex s : outer_real_eigenvalue(lambda)) {
         result.push_back(s);
     }
-    while (result.size() < count + 1) {  // one more than asked for: the outer real eigenvalue takes a place of its own
+    while (result.size() < count + 1) {  // one more than requested: the outer real eigenvalue is inserted
         k += 1;
         Complex s(-1, pi * k);
         for (int iteration = 0; iteration < 6; ++iteration) {
@@ -260,11 +263,11 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
 
 }  // namespace detail
 
-/// Exact creep coefficient of the plane model under creepage xi e^{s V t/a}; s = i omega a/V is the harmonic case, 0 the
-/// steady one; `aspect` is b/a. Exact to rounding: by GSL's J0 and J1 for harmonic creepage with |s| < 40, otherwise from
-/// the integrals of I_n by the trapezoidal rule or, for |s| >= 40, Hankel's expansions. The poles are the eigenvalues.
-/// Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0 (or s =
-/// 0).
+/// Exact creep coefficient of the plane model under creepage xi e^{s V t/a}; s = i omega a/V is the harmonic case, s =
+/// 0 the steady one; `aspect` is b/a. Exact to rounding: by GSL's J0 and J1 for harmonic creepage with |s| < 40,
+/// otherwise from the integrals of I_n by the trapezoidal rule or, for |s| >= 40, Hankel's expansions. The poles are
+/// the eigenvalues. Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and
+/// either Lambda > 0 or s = 0.
 inline std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, double aspect) {
     const double lambda = s == 0.0 ? plane_lambda(poisson_ratio, aspect)
                                    : stable_plane_lambda("reference::plane_c11", poisson_ratio, aspect);
@@ -276,9 +279,9 @@ inline std::complex<double> plane_c11(std::complex<double> s, double poisson_rat
     return std::complex<double>(detail::laplace_c11(detail::Complex(s.real(), s.imag()), poisson_ratio, lambda));
 }
 
-/// Exact eigenvalues nu_k a of G' p = nu G p for the plane kernel: the `count` zeros of I0 + s Lambda (I0 + I1) with
-/// Im s >= 0 of least modulus, ascending; each with Im s > 0 stands for a conjugate pair. All lie in Re s < 0. Throws
-/// std::invalid_argument for count = 0, a bad poisson_ratio or aspect, or Lambda <= 0.
+/// Exact eigenvalues nu_k a of G' p = nu G p for the plane kernel: the `count` zeros of I0 + s Lambda (I0 + I1) with Im
+/// s >= 0 of least modulus, ascending; each with Im s > 0 represents a conjugate pair. All have Re s < 0. Throws
+/// std::invalid_argument unless count > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
 inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::eigenvalues", poisson_ratio, aspect);
     detail::require(count > 0, "reference::eigenvalues", "count", count, "be positive");
@@ -289,12 +292,11 @@ inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double p
     return result;
 }
 
-/// Exact traction p/(G xi) under creepage xi e^{sx}-like in time (xi e^{s V t/a}): (sum p_n T_n(x))/sqrt(1-x^2) with
-/// p_0 = -(I0+I1)/(2(1-nu) D) and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the
-/// trailing.
+/// Exact traction p/(G xi) under creepage xi e^{s V t/a}: (sum p_n T_n(x))/sqrt(1-x^2) with p_0 = -(I0+I1)/(2(1-nu) D)
+/// and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing edge.
 class ExactTraction {
 public:
-    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws as plane_c11 does.
+    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws std::invalid_argument if plane_c11 does.
     ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
         c11_ = plane_c11(s, poisson_ratio, aspect);  // checks the arguments
         const long double pi = std::numbers::pi_v<long double>;
@@ -302,7 +304,7 @@ public:
         const long double stiffness = 2 * (1 - static_cast<long double>(poisson_ratio));
         const detail::Complex point(s.real(), s.imag());
         const long double scale = std::abs(point.real());
-        // I_n falls below rounding from n about 1.2 |s| + 40 on; twice as many points keep aliases away from it
+        // for n above about 1.2 |s| + 40, I_n is below rounding; twice as many points keep aliases away from it
         const std::size_t order = static_cast<std::size_t>(1.2 * std::abs(s)) + 40;
         const std::size_t count = order + order / 2;
         std::vector<long double> cosines(2 * count);
@@ -347,7 +349,7 @@ public:
         return std::complex<double>(sum / std::sin(2 * half));
     }
 
-    /// c11 = -F/(a G xi) from the traction's mean, F = pi p_0.
+    /// c11 = -F/(a G xi) from the mean of the traction, F = pi p_0.
     std::complex<double> c11() const { return c11_; }
 
 private:

@@ -46,7 +46,7 @@ public:
         }
         gsl_function integrand{};
         integrand.function = [](double x, void* data) { return (*static_cast<const Function*>(data))(x); };
-        integrand.params = const_cast<Function*>(&function);  // GSL's interface knows no const; it is only read
+        integrand.params = const_cast<Function*>(&function);  // GSL's interface lacks const; it is only read
         double result = 0;
         double error = 0;
         const int status = gsl_integration_qaws(&integrand, lower, upper, table.get(), 1e-13, 1e-12, limit,
@@ -66,7 +66,8 @@ private:
 }  // namespace detail
 
 /// U_j(x)/a of Eq. (20) for P_j = x^j/sqrt(1-x^2), G = 1, -1 < x < 1, by adaptive quadrature. Throws
-/// std::invalid_argument for degree < 0, x outside, a bad poisson_ratio or aspect; std::runtime_error where GSL fails.
+/// std::invalid_argument unless degree >= 0, -1 < x/a < 1, 0 <= poisson_ratio <= 0.5 and 0 < aspect < inf;
+/// std::runtime_error if GSL fails.
 inline double monomial_displacement(int degree, double x_over_a, double poisson_ratio, double aspect) {
     plane_lambda(poisson_ratio, aspect);  // checks both
     detail::require(degree >= 0, "reference::monomial_displacement", "degree", degree, "be at least 0");
@@ -83,9 +84,10 @@ inline double monomial_displacement(int degree, double x_over_a, double poisson_
     return (level * moment - 2 * (1 - poisson_ratio) * logarithm) / std::numbers::pi;
 }
 
-/// B, (order+1) x (order+1) and lower triangular: each row fitted to monomial_displacement at 2 (order + 1) Chebyshev
-/// points by least squares. The fit loses digits like the condition of the monomials, about 2.4^order: sensible up to
-/// order 20 or so. Throws as monomial_displacement, or std::invalid_argument for order < 0.
+/// B, (order+1) x (order+1) and lower triangular: each row is fitted to monomial_displacement at 2 (order + 1)
+/// Chebyshev points by least squares. The loss of digits grows with the condition of the monomials, about 2.4^order:
+/// useful up to order 20 or so. Throws std::invalid_argument unless order >= 0, 0 <= poisson_ratio <= 0.5 and 0 <
+/// aspect < inf; std::runtime_error if GSL fails.
 inline Eigen::MatrixXd fitted_displacement_matrix(int order, double poisson_ratio, double aspect) {
     detail::require(order >= 0, "reference::fitted_displacement_matrix", "order", order, "be at least 0");
     const int count = 2 * (order + 1);

@@ -1,5 +1,6 @@
-// Exact force histories of the plane model: the response to a step, a ramp, a sine and piecewise linear creepage in the
-// distance rolled q = V t/a, by the modal series and Taylor's series; de Hoog's method as an independent second route.
+// Exact force histories of the plane model: the response to a step, a ramp, a sine and piecewise linear creepage as
+// functions of the distance rolled q = V t/a, by the modal series and a Taylor series; de Hoog's method as an
+// independent check.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -20,8 +21,9 @@
 namespace rollbem::reference {
 
 /// Inverse Laplace transform at q > 0 by de Hoog, Knight and Stokes' accelerated Fourier series (SIAM J. Sci. Stat.
-/// Comput. 3, 1982). `transform` maps std::complex<long double> to the same; all its singularities lie in Re s <= 0.
-/// Uses 2 terms + 1 evaluations on Re s = ln(1e14)/(4q).
+/// Comput. 3, 1982). `transform` maps std::complex<long double> to the same type; all its singularities lie in Re s <=
+/// 0. Uses 2 terms + 1 evaluations on Re s = ln(1e14)/(4q). Throws std::invalid_argument unless 0 < q < inf and terms >
+/// 0.
 template <typename Transform>
 double invert_laplace(const Transform& transform, double q, int terms = 40) {
     using detail::Complex;
@@ -68,7 +70,7 @@ double invert_laplace(const Transform& transform, double q, int terms = 40) {
     Complex denominator = 1;
     for (std::size_t k = 1; k < count; ++k) {
         Complex weight = fraction[k] * z;
-        if (k + 1 == count) {  // the tail of the fraction, estimated as if it went on periodically
+        if (k + 1 == count) {  // the tail of the fraction, estimated as if it continued periodically
             const Complex h = (1.0L + z * (fraction[k - 1] - fraction[k])) / 2.0L;
             weight = -h * (1.0L - std::sqrt(1.0L + z * fraction[k] / (h * h)));
         }
@@ -82,22 +84,23 @@ double invert_laplace(const Transform& transform, double q, int terms = 40) {
     return static_cast<double>(std::exp(abscissa * q) / period * (numerator / denominator).real());
 }
 
-/// Step response of the force by de Hoog's method: -F/(a G xi) at q/a > 0 after a creepage xi set in at q = 0. The
-/// second route to StepResponse; sharpest for q/a < 2. Throws std::invalid_argument as plane_c11 does, and for q/a <= 0.
+/// Step response of the force by de Hoog's method: -F/(a G xi) at q/a > 0 after a step of creepage xi at q = 0. An
+/// independent check of StepResponse; most accurate for q/a < 2. Throws std::invalid_argument unless 0 < q/a < inf, 0
+/// <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
 inline double step_response_de_hoog(double q_over_a, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::step_response_de_hoog", poisson_ratio, aspect);
     return invert_laplace([&](detail::Complex s) { return detail::laplace_c11(s, poisson_ratio, lambda) / s; },
                           q_over_a);
 }
 
-/// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 from the Taylor series about
-/// q = 0 (its radius of convergence is 2, the time a particle takes through the contact), above from the modal series
-/// C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). With the default 4000 modes and
-/// b/a >= 10 the error stays below 1e-10 C; it is largest just below and at q/a = 2, where the response has a kink in
-/// its second derivative and the series decays like k^-3.
+/// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 by the Taylor series about q =
+/// 0 (its radius of convergence is 2, the distance in which a particle passes through the contact), for larger q/a by
+/// the modal series C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). With the default 4000
+/// modes and b/a >= 10 the error stays below 1e-10 C; it is largest just below and at q/a = 2, where the response has a
+/// kink in its second derivative and the series decays like k^-3.
 class StepResponse {
 public:
-    /// Throws std::invalid_argument for modes = 0, a bad poisson_ratio or aspect, or Lambda <= 0.
+    /// Throws std::invalid_argument unless modes > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
     StepResponse(double poisson_ratio, double aspect, std::size_t modes = 4000)
         : poisson_ratio_(poisson_ratio), lambda_(stable_plane_lambda("StepResponse", poisson_ratio, aspect)) {
         detail::require(modes > 0, "StepResponse", "modes", modes, "be positive");
@@ -108,13 +111,14 @@ public:
             const detail::Complex amplitude = weight * steady / (s * (1.0L - lambda * (lambda - 2) * s));
             modes_.push_back({std::complex<double>(s), std::complex<double>(amplitude)});
         }
-        // slowest decay first: by modulus a real eigenvalue far out would come between pairs that decay more slowly
+        // slowest decay first: sorted by modulus, a distant real eigenvalue would come between pairs that decay more
+        // slowly
         std::sort(modes_.begin(), modes_.end(),
                   [](const Mode& left, const Mode& right) { return left.eigenvalue.real() > right.eigenvalue.real(); });
         make_taylor_coefficients();
     }
 
-    /// -F/(a G xi) at q/a after a creepage xi set in at q = 0; zero for q <= 0.
+    /// -F/(a G xi) at q/a after a step of creepage xi at q = 0; zero for q <= 0.
     double step(double q_over_a) const {
         if (!(q_over_a > 0)) {
             return 0;
@@ -147,7 +151,7 @@ public:
         if (!(q_over_a > 0)) {
             return 0;
         }
-        // the Taylor series cancels like e^{omega q}
+        // the Taylor series loses digits like e^{omega q}
         if (q_over_a <= taylor_limit && omega * q_over_a <= 16) {
             return taylor_sine(omega, q_over_a);
         }
@@ -159,8 +163,9 @@ public:
     }
 
     /// -F/(a G) at q/a for a piecewise linear creepage through the points (q_j, creepage_j), zero before q_0 and
-    /// constant after the last; equal successive q_j make a jump. Convolution with the step response: exact but for
-    /// the error of step and ramp. Throws std::invalid_argument for empty or unequal lists or descending q_j.
+    /// constant after the last; equal successive q_j make a jump. Convolution with the step response: exact except for
+    /// the errors of step and ramp. Throws std::invalid_argument if the lists are empty or differ in length, or if q_j
+    /// decrease.
     double history(std::span<const double> points, std::span<const double> creepage, double q_over_a) const {
         detail::require(!points.empty(), "StepResponse", "number of points", points.size(), "be positive");
         detail::require(points.size() == creepage.size(), "StepResponse", "number of creepages", creepage.size(),
@@ -261,7 +266,7 @@ private:
 
     double poisson_ratio_;
     double lambda_;
-    std::vector<Mode> modes_;          ///< by descending real part
+    std::vector<Mode> modes_;          ///< sorted by descending real part
     std::vector<long double> taylor_;  ///< c11(s) = sum taylor_j s^-(j+1) for s -> infinity
 };
 

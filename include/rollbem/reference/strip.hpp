@@ -1,5 +1,5 @@
-// Creep coefficient of the strip of finite half-width, steady or harmonic, by a spectral method of its own: traction in
-// Chebyshev polynomials over sqrt(1 - x^2). Shares nothing with the assembly. Dimensionless: a = G = V = 1.
+// Creep coefficient of the strip of finite half-width, steady or harmonic, by an independent spectral method: traction
+// in Chebyshev polynomials over sqrt(1 - x^2). Shares nothing with the assembly. Dimensionless: a = G = V = 1.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -27,9 +27,9 @@ namespace detail {
 using rollbem::detail::require;
 
 /// With p = q(x)/sqrt(1-x^2), theta_j = (2j-1) pi/2N and y_j = cos(theta_j), the quadrature (pi/N) sum f(y_j) q(y_j) is
-/// exact to degree 2N-1, and at x_i = cos(i pi/N) it stays so for a Cauchy integral (Erdogan and Gupta 1972): the N-1
-/// equations for du/dx take the kernel's slope as it stands. For the displacement the logarithm is taken apart,
-/// diagonal in T_n (T_0 -> 2 c1 ln 2, T_n -> 2 c1/n), from a smooth rest. The last equation is q(1) = 0, by
+/// exact to degree 2N-1, and at x_i = cos(i pi/N) it remains so for a Cauchy integral (Erdogan and Gupta 1972): the N-1
+/// equations for du/dx use the kernel's slope directly. For the displacement the logarithm, which is diagonal in T_n
+/// (T_0 -> 2 c1 ln 2, T_n -> 2 c1/n), is separated from a smooth remainder. The last equation is q(1) = 0, by
 /// interpolation.
 template <class Number>
 Number strip_c11_once(Number s, double c1, double c2, double b, Eigen::Index order) {
@@ -77,10 +77,10 @@ Number strip_c11_once(Number s, double c1, double c2, double b, Eigen::Index ord
 
 /// Creep coefficient of a rectangle 2a x 2b under creepage xi e^{s V t/a} (s = i omega a/V in the harmonic case, 0 in
 /// the steady one), on its middle line, strip kernel. It tends to pi/(2(1-nu)) for b >> a. The singularities of the
-/// smooth rest lie at a distance b from the contact, so that the order and a dense system grow like 1/b: 2 s of run
-/// time at b/a = 0.01. The estimate is the relative difference to two thirds of the order, usually about 1e-12; above
-/// 1.5e-8 the status is not_converged. Throws std::invalid_argument unless |s| <= 1000, 0 <= poisson_ratio <= 0.5 and
-/// 0.005 <= aspect < inf.
+/// smooth remainder lie at a distance b from the contact, so that the order of the dense system grows like 1/b: 2 s of
+/// run time at b/a = 0.01. The error estimate is the relative difference from the result of two thirds of the order,
+/// usually about 1e-12; above 1.5e-8 the status is not_converged. Throws std::invalid_argument unless |s| <= 1000, 0 <=
+/// poisson_ratio <= 0.5 and 0.005 <= aspect < inf.
 inline EstimatedC11<double> strip_c11(std::complex<double> s, double poisson_ratio, double aspect) {
     rollbem::detail::require_poisson_ratio("reference::strip_c11", poisson_ratio);
     detail::require(rollbem::detail::is_finite(aspect) && aspect >= 0.005, "reference::strip_c11", "aspect", aspect,

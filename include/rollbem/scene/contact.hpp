@@ -1,5 +1,5 @@
-// Contact: the scene of two-dimensional tangential rolling contact.
-// Half-length a, half-width b, shear modulus G and Poisson's ratio nu, checked once and then trusted.
+// Contact: the contact area and material of two-dimensional tangential rolling contact: half-length a, half-width b,
+// shear modulus G and Poisson's ratio nu, checked once on construction.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -14,7 +14,8 @@ namespace rollbem {
 /// Sizes and material of a contact area 2a x 2b. Invariant: 0 < a < inf, 0 < b <= inf, 0 < G < inf, 0 <= nu <= 0.5.
 ///
 /// The contact is -a <= x <= a with the leading edge at x = +a and the trailing edge at x = -a. Any consistent set of
-/// units will do; SI is meant. The shape of every solution depends on nu and b/a alone: a and G only set its scale.
+/// units may be used; SI units are given here. The shape of every solution depends on nu and b/a alone: a and G only
+/// set its scale.
 template <class Scalar_ = double>
 class Contact {
 public:

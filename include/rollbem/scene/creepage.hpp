@@ -7,13 +7,14 @@
 
 namespace rollbem {
 
-/// Creepage of body 1 on body 2 as a vector [-]; as a rigid shift [m]. Positive components give negative forces.
+/// Creepage of body 1 relative to body 2 as a vector [-]; for a rigid shift its components are in [m]. Positive
+/// components give negative forces.
 template <class Scalar_ = double>
 struct Creepage {
     using Scalar = Scalar_;
 
     Scalar longitudinal = 0;  ///< along the rolling direction x
-    Scalar lateral = 0;       ///< across, along y
+    Scalar lateral = 0;       ///< along y
 
     friend bool operator==(const Creepage&, const Creepage&) = default;
 };

@@ -1,4 +1,4 @@
-// What the bodies do relative to each other, as rigid bodies, while the contact rolls on.
+// The relative rigid-body motion of the two bodies while the contact rolls.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -22,22 +22,22 @@ struct NumberOf<Creepage<Scalar>> {
 
 }  // namespace detail
 
-/// Motion during one step. Value_ is a number for one direction of creepage (which one it is, is the kernel's
-/// business), and Creepage<Scalar> for both.
+/// Motion during one step. Value_ is a number for creepage in one direction (the direction is that of the kernel), and
+/// Creepage<Scalar> for both.
 template <class Value_>
 class RigidMotion {
 public:
     using Value = Value_;
     using Scalar = typename detail::NumberOf<Value>::type;
 
-    /// The same creepage xi [-] all the way.
-    RigidMotion(Value creepage) : start_(creepage), end_(creepage) {}  // NOLINT: a creepage is meant to convert
+    /// Constant creepage xi [-].
+    RigidMotion(Value creepage) : start_(creepage), end_(creepage) {}  // NOLINT: implicit on purpose
 
-    /// Creepage [-] that varies linearly along the way.
+    /// Creepage [-] that varies linearly over the step.
     static RigidMotion linear(Value start, Value end) { return {start, end, Kind::linear}; }
 
-    /// Rigid shift xi dq [m] of body 1 against body 2, even along the way: needs no division by a speed that may
-    /// vanish, and is allowed with dq = 0.
+    /// Rigid shift xi dq [m] of body 1 relative to body 2, uniform over the step: it needs no division by a speed that
+    /// may vanish, and dq = 0 is allowed.
     static RigidMotion shift(Value shift) { return {shift, shift, Kind::shift}; }
 
     bool is_shift() const { return kind_ == Kind::shift; }
@@ -45,7 +45,7 @@ public:
     Value start() const { return start_; }                    ///< creepage at the start [-], or the shift [m]
     Value end() const { return end_; }                        ///< creepage at the end [-], or the shift [m]
 
-    /// Whether it can go with a distance rolled of dq, in any unit: ok, invalid_step or not_finite.
+    /// Whether it can be used with a distance rolled dq, in any unit: ok, invalid_step or not_finite.
     StepStatus check(Scalar dq) const noexcept {
         if (!detail::is_finite(dq) || !(is_shift() ? dq >= 0 : dq > 0)) return StepStatus::invalid_step;
         return detail::is_finite(start_) && detail::is_finite(end_) ? StepStatus::ok : StepStatus::not_finite;

@@ -1,5 +1,6 @@
-// Full adhesion by Chebyshev polynomials in place of elements, for kernels with a logarithm: a handful of unknowns in
-// geometric convergence. The same system as elements give, so that all that takes one runs on it unchanged.
+// Full adhesion by Chebyshev polynomials instead of elements, for kernels with a logarithm: a few unknowns, with
+// geometric convergence. It gives the same kind of system as elements do, so that everything that takes a system runs
+// on it unchanged.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -56,17 +57,17 @@ struct ChebyshevTraction {
     }
 };
 
-/// The system of Chebyshev states: its unknowns are displacement coefficients u_0 ... u_{m-1}, in units of a, its
-/// equations are those of zero slip at the m Chebyshev points, trailing to leading.
+/// The system of Chebyshev states: its unknowns are the displacement coefficients u_0 ... u_{m-1}, in units of a, and
+/// its equations are zero slip at the m Chebyshev points, trailing to leading.
 ///
-/// Invariant: besides that of RollingSystem, the half-width is finite.
+/// Invariant: that of RollingSystem, and the half-width is finite.
 template <class Scalar_>
 class ChebyshevSystem : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
-    /// p/G of unknowns as any problem on the system returns them, real or complex; of p/G per creepage alike. Throws
-    /// std::invalid_argument unless there are size() unknowns.
+    /// p/G from the unknowns that any problem on the system returns, real or complex; also p/(G xi) from unknowns per
+    /// creepage. Throws std::invalid_argument unless there are size() unknowns.
     template <class Value>
     ChebyshevTraction<Value> traction(const VectorX<Value>& unknowns) const {
         detail::require(unknowns.size() == this->size(), "ChebyshevSystem", "number of unknowns", unknowns.size(),
@@ -93,11 +94,11 @@ template <class Scalar>
 struct ChebyshevSteadySolution {
     ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is p/(G xi) [-]
     Scalar c11 = 0;                      ///< creep coefficient -F_bar/(a G xi) [-], Eq. (30)
-    /// Of c11, relative: twice what the last two coefficients owe to the smooth part of the kernel. They decay
-    /// geometrically.
+    /// Relative error of c11: twice the contribution of the kernel's smooth part to the last two coefficients, which
+    /// decay geometrically.
     Scalar error_estimate = 0;
     Scalar rcond = 0;                    ///< estimate of 1/(|K| |K^-1|) of the scaled equations in the 1-norm [-]
-    Status status = Status::not_finite;  ///< not_converged where error_estimate exceeds 1e-2
+    Status status = Status::not_finite;  ///< not_converged if error_estimate exceeds 1e-2
 };
 
 /// Steady rolling in the units of the contact's parameters.
@@ -151,12 +152,12 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 }
 
 /// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
-/// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument for no states, an infinite half-width (its system does
-/// not exist; solve_steady has it), b/a < 0.001, and for a plane kernel with Lambda <= 0, whose model grows in time.
-/// Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3. Rounding sets no limit to the
-/// states in double (tried to 1500), but the fastest mode decays at some m^2/10, and from m = 200 on rcond(G') is below
-/// what FrequencySweep asks for its reduction. In float the status of a steady solution of the system is
-/// ill_conditioned from some 60 states on; that of solve_steady(Chebyshev, kernel) never is.
+/// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument unless there is at least one state, the half-width is
+/// finite (otherwise only solve_steady exists), b/a >= 0.001, and, for a plane kernel, Lambda > 0, as its model is
+/// otherwise unstable in time. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
+/// Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at about
+/// m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a steady
+/// solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never is.
 template <SmoothSplitKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
@@ -252,9 +253,9 @@ ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& 
 
 }  // namespace detail
 
-/// Steady rolling at unit creepage. There u = x + a constant that only sum a_k = 0 sets, so that K_00 is not needed and
-/// an infinite half-width has a solution. For the plane kernel it is exact from one state on. The kernel has to be a
-/// SmoothSplitKernel. Throws std::invalid_argument for no states and b/a < 0.001.
+/// Steady rolling at unit creepage. There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not
+/// needed and an infinite half-width has a solution. For the plane kernel a single state is exact. The kernel must be a
+/// SmoothSplitKernel. Throws std::invalid_argument unless there is at least one state and b/a >= 0.001.
 template <SmoothSplitKernel Kernel>
 ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
@@ -263,23 +264,24 @@ template <class Kernel>
 void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a SmoothSplitKernel
 
 /// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
-/// Throws as the dimensionless one does; a creepage, or a result, that is not finite gives Status::not_finite.
+/// Throws std::invalid_argument unless there is at least one state and b/a >= 0.001; a creepage or a result that is not
+/// finite gives Status::not_finite.
 template <class Scalar>
 ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
                                                std::type_identity_t<Scalar> creepage) {
     return detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
 }
 
-/// The same with a kernel of the contact, whose direction is that of creepage, traction and force: c11 is c22 with a
-/// lateral kernel. Throws std::invalid_argument also if the kernel's b/a is not the contact's.
+/// The same with any kernel of the contact, in whose direction creepage, traction and force act: with a lateral kernel
+/// c11 is c22. Throws std::invalid_argument also if the kernel's b/a is not the contact's.
 template <class Scalar, class Kernel>
 ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
                                                const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
     return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
 }
 
-/// Steady rolling of a contact at a lateral creepage [-] (positive creepage, negative traction), strip kernel. Throws
-/// and tells what is not finite as solve_steady does.
+/// Steady rolling of a contact at a lateral creepage [-] (positive creepage, negative traction), strip kernel. Errors
+/// are reported as by solve_steady at a longitudinal creepage.
 template <class Scalar>
 LateralChebyshevSteadySolution<Scalar> solve_steady_lateral(const Contact<Scalar>& contact, const Chebyshev& method,
                                                             std::type_identity_t<Scalar> creepage) {

@@ -1,5 +1,5 @@
 // Polynomial approach to harmonic creepage, Eqs. (17)-(27), plane kernel: in monomials as in the paper, and in
-// Chebyshev polynomials, where it costs O(order) and reaches machine precision. Dimensionless: a = G = V = 1.
+// Chebyshev polynomials, where it costs O(order) and is accurate to rounding. Dimensionless: a = G = V = 1.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -26,7 +26,7 @@ namespace rollbem {
 
 enum class PolynomialBasis { monomial, chebyshev };
 
-/// What to do about the status of a polynomial solution, as one clause for a message: ill_conditioned is for monomials
+/// What to do about the status of a polynomial solution, as a clause for a message: ill_conditioned is for monomials
 /// whose matrix is close to singular, not_converged for an order that is too low or monomials that have broken down.
 inline const char* advice(Status status) {
     switch (status) {
@@ -40,8 +40,9 @@ inline const char* advice(Status status) {
     return "the result is not finite; use the Chebyshev basis at its default order";
 }
 
-/// Order from which the Chebyshev basis reaches Scalar's precision. I_n(s) falls off beyond n = |s| over a range that
-/// grows like |s|^(1/3), and faster than a power of |s|/n. Throws std::invalid_argument unless s is finite and modest.
+/// The lowest order at which the Chebyshev basis reaches the precision of Scalar. Beyond n = |s|, I_n(s) decreases over
+/// a range that grows like |s|^(1/3), and faster than any power of |s|/n. Throws std::invalid_argument unless |s| <=
+/// 1e8.
 template <std::floating_point Scalar>
 Eigen::Index default_polynomial_order(std::complex<Scalar> s) {
     const Scalar modulus = std::abs(s);
@@ -59,7 +60,7 @@ struct PolynomialSolution {
 
     PolynomialBasis basis;
     Complex c11;                       ///< Eq. (30): force per unit width over -a G xi
-    Vector traction_coefficients;      ///< c_j of Eq. (17) over G xi, of x^j or of T_j; they add up to zero
+    Vector traction_coefficients;      ///< c_j of Eq. (17) over G xi, of x^j or of T_j; their sum is zero
     Vector displacement_coefficients;  ///< u/(a xi), of x^l (Eq. 22) or of T_l
     Scalar error_estimate;             ///< of c11, relative
     Scalar condition;                  ///< monomial: estimated 1-norm condition; Chebyshev: 1, no matrix is inverted
@@ -102,10 +103,10 @@ struct PolynomialSolution {
     }
 
 private:
-    /// The polynomial of Eq. (17) divided by 1 - x, which it vanishes with: nothing cancels at the leading edge.
+    /// The polynomial of Eq. (17), which vanishes at x = 1, divided by 1 - x: nothing cancels at the leading edge.
     Complex quotient(const EdgeDistances<Scalar>& position) const {
         const Vector& c = traction_coefficients;
-        if (basis == PolynomialBasis::monomial) {  // synthetic division: minus the partial sums of c_j, from the top
+        if (basis == PolynomialBasis::monomial) {  // synthetic division: minus the partial sums of c_j, highest first
             const Scalar x = position.leading < position.trailing ? 1 - position.leading : position.trailing - 1;
             Complex partial = 0;
             Complex value = 0;
@@ -121,7 +122,7 @@ private:
 
 namespace detail {
 
-/// Lambda, after checking what every polynomial problem needs. Only the steady one allows Lambda <= 0.
+/// Lambda, after checking what every polynomial problem requires. Only the steady one allows Lambda <= 0.
 template <std::floating_point Scalar>
 Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
                          Eigen::Index order) {
@@ -132,8 +133,8 @@ Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson
                                         : stable_plane_lambda(who, poisson_ratio, aspect);
 }
 
-/// r_k = P_{k+1}/P_k from r_{k+1}, see solve_chebyshev. A vanishing denominator means P_k = 0: r_k is then infinite in
-/// truth and any huge number serves, because only P_k r_k counts.
+/// r_k = P_{k+1}/P_k from r_{k+1}, see solve_chebyshev. A vanishing denominator means P_k = 0: r_k is then infinite,
+/// and any huge number will do, because only P_k r_k matters.
 template <std::floating_point Scalar>
 std::complex<Scalar> chebyshev_ratio(std::complex<Scalar> s, Eigen::Index k, std::complex<Scalar> next) {
     const Scalar index = static_cast<Scalar>(k);
@@ -144,8 +145,8 @@ std::complex<Scalar> chebyshev_ratio(std::complex<Scalar> s, Eigen::Index k, std
     return s / (2 * index) / denominator;
 }
 
-/// (P_1 + ... + P_order)/P_1 from r_1 and P_order/P_1: the sum of the rows U_1, U_2, ... telescopes. Added up term by
-/// term it would cancel where Re s < 0.
+/// (P_1 + ... + P_order)/P_1 from r_1 and P_order/P_1: the sum of the rows U_1, U_2, ... telescopes. Added term by term
+/// it would cancel if Re s < 0.
 template <std::floating_point Scalar>
 std::complex<Scalar> chebyshev_sum(std::complex<Scalar> s, Eigen::Index order, std::complex<Scalar> ratio,
                                    std::complex<Scalar> tail) {
@@ -163,7 +164,7 @@ Status polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar
     return is_finite(error_estimate) && error_estimate <= tolerance ? Status::ok : Status::not_converged;
 }
 
-/// Chebyshev: at a sufficient order only rounding is left, so half the digits tell it from truncation.
+/// Chebyshev: at a sufficient order only rounding remains, so half the digits distinguish it from truncation.
 template <std::floating_point Scalar>
 Scalar chebyshev_tolerance() {
     return std::sqrt(std::numeric_limits<Scalar>::epsilon());
@@ -172,9 +173,9 @@ Scalar chebyshev_tolerance() {
 }  // namespace detail
 
 /// Creep coefficient of the plane model under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case, by the
-/// Chebyshev basis: solve_chebyshev without storing the coefficients, so without any allocation. `aspect` is b/a. Throws
-/// std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf, Lambda > 0 (or s = 0) and
-/// order >= 1.
+/// Chebyshev basis: solve_chebyshev without storing the coefficients, and so without any allocation. `aspect` is b/a.
+/// Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf, order >= 1 and either
+/// Lambda > 0 or s = 0.
 template <std::floating_point Scalar>
 EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                     std::type_identity_t<Scalar> aspect, Eigen::Index order) {
@@ -202,7 +203,7 @@ EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s
     return result;
 }
 
-/// The same at default_polynomial_order(s).
+/// The same at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
 template <std::floating_point Scalar>
 EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                     std::type_identity_t<Scalar> aspect) {
@@ -213,9 +214,9 @@ EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s
 /// diagonal: with P_n = 2 (1-nu) p_n the displacement is Lambda P_0 + sum P_n T_n/n. Zero slip, Eq. (23), in
 /// polynomials U_k of the second kind (T_n' = n U_{n-1}, T_n = (U_n - U_{n-2})/2) reads
 ///     U_0: P_1 - s (Lambda P_0 - P_2/4) = 1,   U_k: P_{k+1} - s (P_k/(2k) - P_{k+2}/(2(k+2))) = 0, 0 < k < order,
-/// and p = 0 at the leading edge adds the dense row sum P_n = 0, Eq. (27). Eliminated from the last row upwards the
-/// bordered band costs O(order), and is stable because the P_n are the recurrence's minimal solution. Arguments and
-/// exceptions as polynomial_c11.
+/// and p = 0 at the leading edge adds the dense row sum P_n = 0, Eq. (27). Elimination of this bordered band from the
+/// last row upwards costs O(order), and is stable because the P_n are the minimal solution of the recurrence. Arguments
+/// and exceptions are those of polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                            std::type_identity_t<Scalar> aspect, Eigen::Index order) {
@@ -246,7 +247,7 @@ PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Sca
             scalar.error_estimate,      Scalar(1),  scalar.status};
 }
 
-/// The same at default_polynomial_order(s).
+/// The same at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                            std::type_identity_t<Scalar> aspect) {
@@ -255,8 +256,8 @@ PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Sca
 
 /// The homogeneous problem in the Chebyshev basis as a standard eigenproblem M P = (1/s) P, P = (P_1, ..., P_order),
 /// P_0 = -sum P_n: order x order, upper Hessenberg. 1/eigenvalue converges to the exact nu_k a of G' p = nu G p with
-/// the plane kernel, the smallest first. Throws std::invalid_argument for order < 1, a bad poisson_ratio or aspect,
-/// or Lambda <= 0.
+/// the plane kernel, the smallest first. Throws std::invalid_argument unless order >= 1, 0 <= poisson_ratio <= 0.5, 0 <
+/// aspect < inf and Lambda > 0.
 template <std::floating_point Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::Index order, Scalar poisson_ratio,
                                                                        Scalar aspect) {
@@ -265,7 +266,7 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::In
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> matrix =
         Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>::Zero(order, order);
     matrix.row(0).setConstant(-lambda);
-    for (Eigen::Index k = 0; k < order; ++k) {  // row k stands for U_k, column j for P_{j+1}
+    for (Eigen::Index k = 0; k < order; ++k) {  // row k is that of U_k, column j of P_{j+1}
         if (k > 0) {
             matrix(k, k - 1) = Scalar(0.5) / static_cast<Scalar>(k);
         }
@@ -276,7 +277,8 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::In
     return matrix;
 }
 
-/// Moments mu_j = (1/pi) int x^j/sqrt(1-x^2) dx, j = 0 ... order: binomial(j, j/2)/2^j for even j, 0 for odd.
+/// Moments mu_j = (1/pi) int x^j/sqrt(1-x^2) dx, j = 0 ... order: binomial(j, j/2)/2^j for even j, 0 for odd. Throws
+/// std::invalid_argument if order < 0.
 template <std::floating_point Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, 1> monomial_moments(Eigen::Index order) {
     detail::require(order >= 0, "monomial_moments", "order", order, "be at least 0");
@@ -289,9 +291,9 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 1> monomial_moments(Eigen::Index order) {
 }
 
 /// B of Eq. (19), (order+1) x (order+1) and lower triangular: row j holds the coefficients of x^l in U_j/a (G = 1).
-/// Exact: x^j in Chebyshev polynomials, the diagonal kernel and back gives dU_j/dx = 2 (1-nu) sum_l mu_{j-1-l} x^l,
-/// free of cancellation, and U_j(0) by the derivative of mu_j with respect to j. Throws std::invalid_argument for
-/// order < 0, a bad poisson_ratio or aspect.
+/// Exact: expanding x^j in Chebyshev polynomials, applying the diagonal kernel and transforming back gives dU_j/dx = 2
+/// (1-nu) sum_l mu_{j-1-l} x^l, free of cancellation, and U_j(0) by the derivative of mu_j with respect to j. Throws
+/// std::invalid_argument unless order >= 0, 0 <= poisson_ratio <= 0.5 and 0 < aspect < inf.
 template <std::floating_point Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> displacement_matrix(Eigen::Index order, Scalar poisson_ratio,
                                                                           Scalar aspect) {
@@ -317,10 +319,10 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> displacement_matrix(Eigen:
     return b;
 }
 
-/// Limits of solve_monomial.
+/// Thresholds of solve_monomial.
 template <std::floating_point Scalar>
 struct MonomialOptions {
-    /// Above it the status is ill_conditioned; 1e12 in double.
+    /// Condition above which the status is ill_conditioned; 1e12 in double.
     Scalar largest_condition = std::min(Scalar(1e12), Scalar(2e-4) / std::numeric_limits<Scalar>::epsilon());
     /// Relative difference of c11 between order and order + 10 above which the status is not_converged.
     Scalar tolerance = std::cbrt(std::numeric_limits<Scalar>::epsilon()) / 100;
@@ -337,7 +339,7 @@ PolynomialSolution<Scalar> solve_monomial_once(
     const Eigen::Index order = b.rows() - 1;
     Matrix matrix(order + 1, order + 1);
     for (Eigen::Index l = 0; l < order; ++l) {
-        // the derivative of (x/a)^l brings the factor l, which Eqs. (24)-(26) lack
+        // the derivative of (x/a)^l gives the factor l, which is missing in Eqs. (24)-(26)
         matrix.row(l) = static_cast<Scalar>(l + 1) * b.col(l + 1).transpose().template cast<Complex>() -
                         s * b.col(l).transpose().template cast<Complex>();
     }
@@ -356,11 +358,11 @@ PolynomialSolution<Scalar> solve_monomial_once(
 
 }  // namespace detail
 
-/// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which fixes
-/// the order: Eqs. (25)-(27) with the factors 1 and l+1 that the derivative brings. The error estimate is the
-/// difference to order + 10 with the exact B. Status: ill_conditioned or not_converged by `options`; monomials break
-/// down by cancellation before the matrix looks singular. Throws std::invalid_argument for a B that is not square or
-/// smaller than 2 x 2, else as polynomial_c11.
+/// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which
+/// determines the order: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error estimate is the
+/// difference from order + 10 with the exact B. The status is ill_conditioned or not_converged according to `options`;
+/// monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless B is
+/// square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(
     std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio, std::type_identity_t<Scalar> aspect,
@@ -381,7 +383,7 @@ PolynomialSolution<Scalar> solve_monomial(
     return solution;
 }
 
-/// The same with the exact B of an order.
+/// The same with the exact B of a given order.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                           std::type_identity_t<Scalar> aspect, Eigen::Index order,

@@ -1,5 +1,5 @@
-// One step in full adhesion of a contact whose length changes on the way: the system scales with it, and nothing is
-// assembled again.
+// One step in full adhesion of a contact whose length changes during the step: the system scales with the length, and
+// nothing is assembled again.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -16,30 +16,31 @@
 
 namespace rollbem::detail {
 
-/// Solves a step of implicit_euler or sdirk2 for up to `largest` unknowns, on the stack. Lengths in units of a_0, the
-/// half-length that the system was made for; everything else in the unit of the unknowns y.
+/// Solves a step of implicit_euler or sdirk2 for up to `largest` unknowns, on the stack. Lengths are in units of a_0,
+/// the half-length for which the system was made; everything else is in the unit of the unknowns y.
 ///
 /// With x = a zeta, U(zeta) = u(a zeta) and the kernel C - S ln|x|, a contact of half-length a has
 ///
 ///     U = M(a) y,  M(a) = a (G - S ln(a) 1 w^T),    du/dx = G' y,    F = a w.y,    dU/dq = (1 + a' zeta) du/dx - xi,
 ///
-/// with G, G', w and the points zeta those of the system: what length adds to the logarithm is a constant, which
-/// displaces all of the contact alike and has no slope. Each stage, of the part g of the step, is
+/// where G, G', w and the points zeta are those of the system: the length adds a constant to the logarithm, which
+/// displaces the whole contact uniformly and has no slope. Each stage, of the fraction g of the step, is
 ///
 ///     M(a_k) y_k - g (dq + da zeta) G' y_k = U_old + carried - g xi dq,    carried = ((1-g)/g) (U_1 - U_old)
 ///
-/// in the last of two. It is solved for y_k - y_old, so that short steps keep their digits.
+/// where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short steps keep their
+/// digits.
 ///
-/// For Chebyshev states y are the coefficients of u for a = 1, and stand for the traction that causes it, whatever a
-/// is. Their equations are those of the tau method here, too: both sides of the equation are polynomials of a degree
-/// of at most m, and the tau method lets them differ by a multiple of T_m, which vanishes at the Chebyshev points; m
-/// equations at these m points leave such a difference and no other. The T_m that belongs to U itself vanishes there.
+/// For Chebyshev states y are the coefficients of u for a = 1, and represent the traction that causes it, whatever a
+/// is. Their equations are again those of the tau method: both sides of the equation are polynomials of degree at most
+/// m, and the tau method lets them differ by a multiple of T_m, which vanishes at the m Chebyshev points; m equations
+/// at these points allow exactly that difference. The T_m in U itself also vanishes there.
 template <class Scalar, Eigen::Index largest>
 class BreathingStep {
 public:
     using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, largest, 1>;
 
-    /// Of a system with points() and log_strength(), to which it refers.
+    /// For a system with points() and log_strength(), to which it keeps a reference.
     BreathingStep(const RollingSystem<Scalar>& system, const RationalExponential<Scalar>& integrator)
         : system_(system),
           strength_(*system.log_strength()),
@@ -47,17 +48,17 @@ public:
           stages_(integrator.stages),
           n_(system.size()) {}
 
-    /// From `old`, the unknowns at the half-length `a_old`, to `a_new`, rolling dq > |a_new - a_old| or, with the length
-    /// as it is, not at all. The travel in the unit of y.
+    /// From `old`, the unknowns at the half-length `a_old`, to `a_new`, rolling dq > |a_new - a_old|, or not rolling at
+    /// all with constant length. The travel is in the unit of y.
     void solve(const VectorX<Scalar>& old, Scalar a_old, Scalar a_new, Scalar dq, const Travel<Scalar>& travel) {
         const Scalar da = a_new - a_old;
         const Vector G_old = product(system_.G(), old), slope_old = product(system_.G_prime(), old);
         const Scalar sum_old = sum(old);
-        // U_1 - U_old over the share in which the last stage takes it, and its derivatives
+        // U_1 - U_old times the factor with which it enters the last stage, and its derivatives
         Vector carried = Vector::Zero(n_), carried_per_end = carried, carried_per_length = carried;
         for (int stage = 1; stage <= stages_; ++stage) {
             const bool last = stage == stages_;
-            const Scalar along = last ? Scalar(1) : gamma_;  // where on the way the stage lies
+            const Scalar along = last ? Scalar(1) : gamma_;  // position of the stage in the step
             const Scalar a = last ? a_new : a_old + gamma_ * da;
             factorise(a, dq, da);
 
@@ -74,7 +75,7 @@ public:
             for (Eigen::Index l = 0; l < n_; ++l) per_end_[l] = carried_per_end[l] - gamma_ * shift_per_end;
             solve_in_place<Scalar>(factors(), swaps_.data(), per_end_);
 
-            // d M/d a_new of a_k, and the way that the points are carried along
+            // by a_new: the derivative of M, through a_k, and of the travel zeta da of the points
             const Vector now = old + change_;
             const Vector G_now = product(system_.G(), now), slope_now = product(system_.G_prime(), now);
             const Scale rate{1, std::log(a) + 1};
@@ -96,8 +97,8 @@ public:
     }
 
     const Vector& change() const { return change_; }          ///< of the unknowns
-    const Vector& per_end() const { return per_end_; }        ///< of the new unknowns by the motion's end value
-    const Vector& per_length() const { return per_length_; }  ///< of the new unknowns by a_new
+    const Vector& per_end() const { return per_end_; }        ///< derivative by the motion's end value
+    const Vector& per_length() const { return per_length_; }  ///< derivative by a_new
 
 private:
     // linear G - logarithmic S 1 w^T: M(a), its derivative, or a difference of two
@@ -105,7 +106,7 @@ private:
         Scalar linear, logarithmic;
     };
 
-    // a ln a at both ends does not cancel
+    // the difference of a ln a between both ends, without cancellation
     static Scale growth_of(Scalar a_old, Scalar a_new) {
         const Scalar da = a_new - a_old;
         return {da, da * std::log(a_old) + a_new * std::log1p(da / a_old)};

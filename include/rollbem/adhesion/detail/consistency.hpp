@@ -1,5 +1,5 @@
 // Whether tractions of steady rolling can be an approximation at all: in full adhesion all of them oppose the creepage.
-// No user includes this by itself.
+// Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -13,15 +13,16 @@
 
 namespace rollbem::detail {
 
-/// More than this share of the traction on the wrong side, and a solution is no approximation. Schemes whose tractions
-/// converge stay at 0 but for zigzags at alpha_T below 0.1 on coarse meshes; others reach 0.3 to 1 with the number of
-/// elements. Between the two, at 0.14 to 0.27, lies alpha_T = 0 with alpha_L > 0: zigzags that c11 averages out.
+/// If a larger share of the traction assists the creepage, a solution is not an approximation. Schemes whose tractions
+/// converge stay at 0, except for oscillations at alpha_T below 0.1 on coarse meshes; others reach 0.3 to 1 as the
+/// number of elements grows. In between, at 0.14 to 0.27, lies alpha_T = 0 with alpha_L > 0: oscillations that average
+/// out in c11.
 inline constexpr double largest_assisting_share = 0.05;
 
-/// Share, in [0, 1], of the traction that pushes with a positive creepage: the part above zero of the sum of |p| dx.
-/// With the collocation points on or behind the elements' centres, or more than one width ahead of them, a small
-/// residual and a good condition come with the singularity at the wrong edge, or one of a higher order: c11 of 0, -1 or
-/// 3 times the exact one.
+/// Share, in [0, 1], of the traction that assists a positive creepage: the positive part of the sum of |p| dx. With
+/// collocation points at or behind the elements' centres, or more than one width ahead of them, the residual is small
+/// and the condition good, but the singularity lies at the wrong edge or has a higher order: c11 is 0, -1 or 3 times
+/// the exact one.
 template <class Scalar, class Traction>
 Scalar assisting_share(const Traction& traction, const ArrayX<Scalar>& widths) {
     Scalar assisting = 0, all = 0;

@@ -1,5 +1,4 @@
-// What the problems that take G'^-1 G ask of G'.
-// No user includes this by itself.
+// The condition that problems with G'^-1 G require of G'. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"

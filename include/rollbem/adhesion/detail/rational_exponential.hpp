@@ -1,4 +1,4 @@
-// The rational function of an integrator, and the way that a step goes.
+// The rational function of an integrator, and the relative travel in a step.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -13,7 +13,7 @@
 namespace rollbem::detail {
 
 /// r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are Laguerre
-/// polynomials of 1/gamma. It is cut off after `stages` terms, where 1/gamma is a zero of the Laguerre polynomial of
+/// polynomials of 1/gamma. It is truncated after `stages` terms, where 1/gamma is a zero of the Laguerre polynomial of
 /// that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
 template <class Scalar>
 struct RationalExponential {
@@ -33,7 +33,7 @@ struct RationalExponential {
         }
     }
 
-    Scalar b(int j) const { return b_[static_cast<std::size_t>(j)]; }  ///< 1 <= j <= stages, and 0 behind
+    Scalar b(int j) const { return b_[static_cast<std::size_t>(j)]; }  ///< 1 <= j <= stages; 0 beyond
 
     /// Coefficients of (r(w) - 1)/w - 1 in y^j: the response to linear creepage.
     Scalar ramp_weight(int j) const { return gamma * (b(j) + b(j + 1)); }
@@ -45,7 +45,7 @@ private:
     std::array<Scalar, 10> b_{};
 };
 
-/// Shift at constant creepage, what a linear change adds, and what the tangent is taken by.
+/// The shift at constant creepage, the contribution of a linear change, and their derivatives for the tangent.
 template <class Scalar>
 struct Travel {
     Travel(const RigidMotion<Scalar>& motion, Scalar dq) noexcept

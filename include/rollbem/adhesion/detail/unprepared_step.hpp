@@ -1,4 +1,4 @@
-// One step in full adhesion of any dq, for one state: what prepare() does for a whole matrix, on the stack.
+// One step in full adhesion of any dq for one state: what prepare() does for a whole matrix, on the stack.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -14,7 +14,7 @@
 
 namespace rollbem::detail {
 
-/// For up to `largest` unknowns and two stages. Lengths in units of the half-length.
+/// For up to `largest` unknowns and two stages. Lengths are in units of the half-length.
 template <class Scalar, Eigen::Index largest>
 class UnpreparedStep {
 public:
@@ -54,8 +54,10 @@ public:
         }
     }
 
-    const Vector& per_shift() const { return per_shift_; }  ///< what a shift of one takes from the unknowns
-    const Vector& per_ramp() const { return per_ramp_; }    ///< what a rise of creepage by one over dq does
+    const Vector& per_shift() const { return per_shift_; }  ///< decrease of the unknowns per unit shift
+    const Vector& per_ramp() const {
+        return per_ramp_;
+    }  ///< decrease per unit of a linear change of creepage, times dq
 
 private:
     Vector per_shift_, per_ramp_;

@@ -1,5 +1,5 @@
-// The delta of a kernel that has one, integrated: what a layer's compliance adds to G and G'.
-// A matter of which points lie in which elements.
+// The delta function of a kernel that has one, integrated: what the compliance of a layer adds to G and G'. It depends
+// only on which points lie in which elements.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -15,9 +15,9 @@
 
 namespace rollbem::detail {
 
-/// The integrals of compliance delta(x). Without an average, that of the displacement is 1 inside the element, 0
-/// outside and 1/2 on an edge; each average over +-delta makes it the share of the interval that lies inside, and the
-/// slope is a difference of those. Of the slope at a point there is none. Refers to the entries.
+/// The integrals of compliance delta(x). Without averaging, that of the displacement is 1 inside the element, 0 outside
+/// and 1/2 on an edge; an average over +-delta makes it the part of the interval that lies inside, and the slope is a
+/// difference of such parts. The slope at a point does not exist. Keeps a reference to the entries.
 template <class Scalar>
 class DeltaPart {
 public:
@@ -32,7 +32,7 @@ public:
                 const Scalar d = entries_.distance(l, m), delta = entries_.rows.half[l];
                 const Scalar reach = h + Scalar(entries_.averages) * delta;
                 if (std::abs(d) > 2 * reach) continue;
-                // distances are as exact as positions are, counted from the nearer edge of the contact
+                // distances are as accurate as positions, which are measured from the nearer edge of the contact
                 const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * (from + reach);
                 result(l, m) += compliance_ * entry(d, h, delta, std::min(rounding, h / 8));
             }

@@ -1,5 +1,5 @@
-// The entries of G or G': where rows are taken, which elements carry traction, and how far apart they are.
-// What all ways of computing an entry share.
+// The entries of G or G': where rows are taken, which elements carry traction, and how far apart they are. Shared by
+// all ways of computing an entry.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -20,8 +20,8 @@ namespace rollbem::detail {
 /// The points at which rows are taken and the intervals over which they are averaged, in units of a.
 template <class Scalar>
 struct RowPoints {
-    ArrayX<Scalar> from_trailing;  ///< 1 + x of the centre of the row's own element
-    ArrayX<Scalar> from_leading;   ///< 1 - x of it
+    ArrayX<Scalar> from_trailing;  ///< 1 + x of the centre of the row's element
+    ArrayX<Scalar> from_leading;   ///< 1 - x of that centre
     ArrayX<Scalar> offset;         ///< point minus centre
     ArrayX<Scalar> half;           ///< delta: half the width over which a row is averaged or differenced
 };
@@ -30,28 +30,28 @@ struct RowPoints {
 template <class Scalar>
 struct ColumnElements {
     ArrayX<Scalar> from_trailing;  ///< 1 + x of the centre
-    ArrayX<Scalar> from_leading;   ///< 1 - x of it
+    ArrayX<Scalar> from_leading;   ///< 1 - x of the centre
     ArrayX<Scalar> half;           ///< h: half the width
 };
 
-/// The integrals of Eqs. (12)-(14) that are asked for: entry (l, m) = int w(tau) g^{(q)}(d + tau) dtau, with g the
-/// kernel, q = 0 for the displacement and 1 for the slope, d = point - centre of the element, and w the element's
-/// indicator (half-width h) convolved with `averages` normalised indicators of half-width delta. A finite difference,
-/// Eq. (29), is an average of the slope: collocation then has q = 1, averages = 1.
+/// The integrals of Eqs. (12)-(14) to be computed: entry (l, m) = int w(tau) g^{(q)}(d + tau) dtau, with g the kernel,
+/// q = 0 for the displacement and 1 for the slope, d = point - centre of the element, and w the element's indicator
+/// (half-width h) convolved with `averages` normalised indicators of half-width delta. A finite difference, Eq. (29),
+/// is an average of the slope: collocation then has q = 1, averages = 1.
 template <class Scalar>
 struct Entries {
     using Array = ArrayX<Scalar>;
 
-    static constexpr Eigen::Index chunk = 8;  ///< rows a series is evaluated for at once: a few registers
+    static constexpr Eigen::Index chunk = 8;  ///< rows for which a series is evaluated at once: a few registers
     using Chunk = Eigen::Array<Scalar, chunk, 1>;
 
     Quantity quantity;
     int averages;
-    bool equal_widths;               ///< every h and delta are one number, and neighbours are 2h apart
+    bool equal_widths;               ///< all h and delta are equal, and neighbours are 2h apart
     RowPoints<Scalar> rows;          ///< padded to whole chunks by repeating the last
     ColumnElements<Scalar> columns;  ///< n
-    Eigen::Index count;              ///< rows asked for
-    /// ((h + averages delta) / d)^2 below which entries are far and a series is taken; 0: there is none.
+    Eigen::Index count;              ///< number of rows to be computed
+    /// ((h + averages delta) / d)^2 below which entries are far and a series is used; 0: there is no series.
     Scalar far_ratio = 0;
 
     Entries(Quantity which, int average_count, const RowPoints<Scalar>& points, const ColumnElements<Scalar>& elements,
@@ -72,7 +72,7 @@ struct Entries {
         return between + rows.offset[l];
     }
 
-    /// Whether element m lies too near to row l for the series.
+    /// Whether element m is too close to row l for the series.
     bool is_near(Eigen::Index l, Eigen::Index m) const {
         const Scalar size = columns.half[m] + Scalar(averages) * rows.half[l];
         const Scalar d = distance(l, m);
@@ -102,12 +102,12 @@ private:
     }
 };
 
-/// Terms of the far entries' series in even moments of w that can matter: 16^-last is below rounding.
+/// Number of terms that can matter in the series of far entries in even moments of w: 16^-last is below round-off.
 template <class Scalar>
 inline constexpr int last_moment = (std::numeric_limits<Scalar>::digits + 3) / 4;
 
 /// The second average of a far entry is taken by quadrature: about a far point the integrand is analytic far beyond the
-/// interval, where seven points reach double's rounding and nine long double's.
+/// interval, so that seven points reach the round-off of double and nine that of long double.
 template <class Scalar>
 QuadratureRule<Scalar> second_average(int averages) {
     if (averages == 2) return gauss_legendre<Scalar>(std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);

@@ -1,5 +1,5 @@
-// Rows of G or G' for any mesh, scheme and kernel: a whole matrix, or a few rows at a time.
-// Compiled once for a scalar type: schemes come as their rows, kernels as a view.
+// Rows of G or G' for any mesh, scheme and kernel: a whole matrix, or a few rows at a time. Compiled once for each
+// scalar type: schemes come as their rows, kernels as a view.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -21,15 +21,15 @@
 
 namespace rollbem::detail {
 
-// On a uniform mesh with one alpha the matrix is Toeplitz: the different entries are those of one element seen from as
-// many points. Equations from `first` on, as many as `out` has rows.
+// On a uniform mesh with one alpha the matrix is Toeplitz: its distinct entries are those of one element seen from all
+// points. Computes the equations from `first`, as many as `out` has rows.
 template <class Scalar>
 void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Scalar width, Scalar offset,
                    Eigen::Index first, MatrixX<Scalar>& out) {
     const Eigen::Index columns = out.cols(), count = out.rows() + columns - 1;
     RowPoints<Scalar> rows{ArrayX<Scalar>(count), ArrayX<Scalar>(count), ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
     for (Eigen::Index i = 0; i < count; ++i) {
-        // distances from the element instead of from an edge: exact multiples of the width
+        // distances from the element rather than from an edge: exact multiples of the width
         rows.from_trailing[i] = static_cast<Scalar>(first + 1 - columns + i) * width;
         rows.from_leading[i] = -rows.from_trailing[i];
         rows.offset[i] = offset;
@@ -45,7 +45,7 @@ void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int aver
     }
 }
 
-// Equations from `first` on for the tractions of elements from 0 on, as many as `out` has rows and columns.
+// The equations from `first` for the tractions of the first elements, as many as `out` has rows and columns.
 template <class Scalar>
 void influence_rows(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, Eigen::Index first,
                     const KernelView<Scalar>& kernel, Quantity quantity, MatrixX<Scalar>& out) {
@@ -55,7 +55,7 @@ void influence_rows(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, 
                                          segment(halved(mesh.widths()), 0, out.cols())};
     const auto fill = [&](Scalar offset, MatrixX<Scalar>& result) {
         const RowPoints<Scalar> rows = row_points(mesh, scheme, offset);
-        // the guard can move the points of the outermost rows elsewhere than those of the others
+        // the guard can move the points of the outermost rows differently from the others
         const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0];
         bool toeplitz = mesh.is_uniform();
         for (Eigen::Index l = 0; toeplitz && l < mesh.size(); ++l) {

@@ -1,5 +1,5 @@
-// A view of any line kernel with its type erased.
-// What integrates kernels is compiled once for a scalar type.
+// A type-erased view of any line kernel, so that the code that integrates kernels is compiled once for each scalar
+// type.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -14,9 +14,9 @@
 
 namespace rollbem::detail {
 
-/// A kernel behind functions of arrays, so that the integrals below are compiled once for a scalar type and not for
-/// every kernel; a call costs nothing beside the array it works on. Refers to the kernel. Pointers to functions instead
-/// of std::function, for the sake of the user's compiler.
+/// A kernel behind functions of arrays: the integrals below are compiled once for each scalar type and not for every
+/// kernel, and the cost of a call is negligible next to the work on its array. Keeps a reference to the kernel.
+/// Pointers to functions rather than std::function, which compile faster.
 template <class Scalar>
 struct KernelView {
     using Array = ArrayX<Scalar>;
@@ -42,19 +42,19 @@ struct KernelView {
         }
     }
 
-    /// Of what is smooth but at x = 0; the delta comes apart.
+    /// For a kernel with a delta: views its smooth part, and keeps the delta separately.
     template <DeltaKernel Kernel>
     KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor)
         : KernelView(kernel.elastic()) {
         compliance_ += kernel.compliance();
     }
 
-    /// Of the delta [a/G]; 0 for most kernels.
+    /// The strength of the delta [a/G]; 0 for most kernels.
     Scalar compliance() const { return compliance_; }
 
     /// g (level 0), H (1), H_integral (2), all without the delta.
     Array antiderivative(int level, const Array& x) const { return antiderivative_(kernel_, level, x); }
-    /// Empty where there is none.
+    /// Empty if the kernel has none.
     std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
         if (!log_split_) return std::nullopt;
         return log_split_(kernel_, reach);

@@ -19,13 +19,13 @@
 
 namespace rollbem::detail {
 
-/// Chooses for every entry how it is computed: near ones by differences of antiderivatives, far ones by a series where
-/// the kernel offers one. Far are entries with |d| well above h + averages delta. A delta is added to either.
+/// Chooses how each entry is computed: near entries by differences of antiderivatives, far ones (|d| well above h +
+/// averages delta) by a series if the kernel offers one. A delta is added to either.
 template <class Scalar>
 class LineIntegrals {
 public:
-    /// `equal_widths`: every h and delta are one number, and neighbours are 2h apart. Refers to the kernel. Throws
-    /// std::invalid_argument for the slope at points where the kernel has a delta.
+    /// `equal_widths`: all h and delta are equal, and neighbours are 2h apart. Keeps a reference to the kernel. Throws
+    /// std::invalid_argument for the slope at points if the kernel has a delta.
     LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
                   const ColumnElements<Scalar>& columns, bool equal_widths)
         : kernel_(kernel), entries_(quantity, averages, rows, columns, equal_widths) {
@@ -35,14 +35,14 @@ public:
                 "Derivative::finite_difference, or Galerkin in closed form");
         split_ = kernel_.log_split(entries_.reach());
         if (split_) polynomial_.emplace(entries_, split_->even);
-        // near differences lose about d^2 / (4 h delta) roundings: with equal widths that allows a larger d, and a
-        // Taylor series, which costs more a term than the other, of fewer terms
+        // near differences lose about d^2 / (4 h delta) rounding errors: with equal widths that allows a larger d, and
+        // so a Taylor series of fewer terms, each of which costs more than one of the other series
         const bool short_series = !split_ && equal_widths;
         if (split_ || kernel_.has_taylor()) entries_.far_ratio = Scalar(1) / (short_series ? 4096 : 16);
         last_taylor_ = short_series ? last_moment<Scalar> / 3 + 1 : last_moment<Scalar>;
     }
 
-    LineIntegrals(const LineIntegrals&) = delete;  // its parts refer to it
+    LineIntegrals(const LineIntegrals&) = delete;  // its parts keep references to it
     LineIntegrals& operator=(const LineIntegrals&) = delete;
 
     /// Writes the integral for every row l and element m to out(l, m).
@@ -61,7 +61,7 @@ private:
     Entries<Scalar> entries_;
     std::optional<LogSplit<Scalar>> split_;
     std::optional<PolynomialPart<Scalar>> polynomial_;
-    int last_taylor_;  // far_ratio^last is below rounding
+    int last_taylor_;  // far_ratio^last is below round-off
 };
 
 }  // namespace rollbem::detail

@@ -1,5 +1,5 @@
 // Far entries of a split kernel: a series for its logarithm that neither cancels nor, for the slope, needs a logarithm.
-// Several rows at once, in registers.
+// Several rows are computed at once, in registers.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -18,11 +18,11 @@
 
 namespace rollbem::detail {
 
-/// Series in the even moments of w, see Entries. Refers to all that it is made of.
+/// Series in the even moments of w, see Entries. Keeps references to its arguments.
 ///
 /// Even moments of w: M_2j = 2h sum c_j S_j with S_j = sum_i A^(j-i) B^i, A = (h + delta)^2, B = (h - delta)^2,
 /// c_j = 1/((2j+1)(j+1)) for one average; for none A = h^2, B = 0, c_j = 1/(2j+1). All terms are positive.
-/// The slope takes sum M_2j / d^2j; the displacement, besides the logarithm, sum_{j>0} M_2j / (2j d^2j).
+/// The slope takes sum M_2j / d^2j; the displacement takes the logarithm and sum_{j>0} M_2j / (2j d^2j).
 template <class Scalar>
 class LogarithmicSeries {
 public:
@@ -41,7 +41,7 @@ public:
             if (entries_.averages > 0) coefficients_[j] /= Scalar(j + 1);
             if (entries_.quantity == Quantity::displacement) coefficients_[j] *= j == 0 ? Scalar(0) : 1 / Scalar(2 * j);
         }
-        // the ratio up to which the terms 0 ... j suffice; S_j <= (j + 1) A^j
+        // the ratio up to which terms 0 to j suffice; S_j <= (j + 1) A^j
         const auto bound = [](int j) {
             return std::pow(std::numeric_limits<Scalar>::epsilon() / 4 * Scalar(2 * j + 3), 1 / Scalar(j + 1));
         };
@@ -49,7 +49,7 @@ public:
         bound_of_6_ = bound(6);
     }
 
-    /// Writes every entry to result(l, m); those of near ones are finite but wrong.
+    /// Writes every entry to result(l, m); near entries become finite but wrong.
     void fill(MatrixX<Scalar>& result) const {
         const bool twice = entries_.averages == 2, single_ratio = entries_.averages == 0 || entries_.equal_widths;
         const QuadratureRule<Scalar> rule = second_average<Scalar>(entries_.averages);
@@ -86,8 +86,8 @@ private:
     static constexpr Eigen::Index chunk = Entries<Scalar>::chunk;
     static constexpr int last = last_moment<Scalar>;
 
-    // sum_{j <= terms} c_j S_j by Horner's rule in A, whose coefficients are Horner sums in B. With the length known to
-    // the compiler and one entry a pass, the terms are unrolled and vectors of entries stay in registers.
+    // sum_{j <= terms} c_j S_j by Horner's rule in A, whose coefficients are Horner sums in B. With the length known at
+    // compile time and one entry per pass, the terms are unrolled and vectors of entries stay in registers.
     template <bool SingleRatio, int terms>
     Chunk moment_sum(const Chunk& A, const Chunk& B) const {
         const Scalar* c = coefficients_.data();
@@ -156,7 +156,7 @@ private:
 
     const Entries<Scalar>& entries_;
     const PolynomialPart<Scalar>& polynomial_;
-    int averages_;  // what the inner loop needs, at hand
+    int averages_;  // copied for the inner loop
     bool slope_;
     Scalar far_ratio_, strength_, constant_;
     ArrayX<Scalar> coefficients_;

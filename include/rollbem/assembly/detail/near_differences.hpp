@@ -1,5 +1,5 @@
-// Entries near the singularity: differences of the kernel's antiderivatives, in closed form.
-// The antiderivatives' values are shared along a row of equal widths.
+// Entries near the singularity: differences of the kernel's antiderivatives, in closed form. With equal widths,
+// neighbours in a row share the values of the antiderivatives.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -21,15 +21,15 @@
 
 namespace rollbem::detail {
 
-/// The integral over an element of g is a difference of H at its edges; each average over 2 delta takes one difference
-/// more, of the next antiderivative. Of a split kernel, the logarithm is integrated so and the polynomial added. Refers
-/// to all that it is made of.
+/// The integral of g over an element is a difference of H at its edges; each average over 2 delta adds one more
+/// difference, of the next antiderivative. For a split kernel this applies to the logarithm, and the polynomial is
+/// added. Keeps references to its arguments.
 template <class Scalar>
 class NearDifferences {
 public:
     using Array = ArrayX<Scalar>;
 
-    /// `split` and `polynomial` are both there or both empty.
+    /// `split` and `polynomial` are either both present or both empty.
     NearDifferences(const Entries<Scalar>& entries, const KernelView<Scalar>& kernel,
                     const std::optional<LogSplit<Scalar>>& split,
                     const std::optional<PolynomialPart<Scalar>>& polynomial)
@@ -37,7 +37,7 @@ public:
 
     /// Writes every near entry to result(l, m).
     void fill(MatrixX<Scalar>& result) const {
-        const Entries<Scalar>& entries = entries_;  // into a register
+        const Entries<Scalar>& entries = entries_;  // a local copy that stays in a register
         const Eigen::Index n = entries.columns.half.size();
         const Scalar spread = Scalar(entries.averages + 1) / (2 * std::sqrt(entries.far_ratio));
         std::vector<Run> runs;
@@ -70,10 +70,10 @@ private:
         Eigen::Index row, first, count, position;
     };
 
-    // The slope takes g (0), H (1), H_integral (2) for 0, 1, 2 averages; the displacement the next one.
+    // The slope uses g (0), H (1), H_integral (2) for 0, 1, 2 averages; the displacement uses the next one.
     int level() const { return entries_.averages + (entries_.slope() ? 0 : 1); }
 
-    // the antiderivative of the singular part, or of the whole kernel; what is constant for the slope is left out
+    // the antiderivative of the singular part, or of the whole kernel; constants that cancel in the slope are left out
     Array antiderivative(const Array& x) const {
         if (!split_) return kernel_.antiderivative(level(), x);
         const Scalar s = split_->strength;
@@ -107,7 +107,7 @@ private:
     }
 
     // The differences run over the element's two edges and, once for each average, over +-delta about the point. With
-    // equal widths all these steps are one, so that neighbours share all but one evaluation.
+    // equal widths all these steps are equal, so that neighbours share all but one evaluation.
     void append_run(Eigen::Index l, Eigen::Index first, Eigen::Index count, std::vector<Run>& runs,
                     std::vector<Scalar>& arguments) const {
         runs.push_back({l, first, count, static_cast<Eigen::Index>(arguments.size())});

@@ -1,5 +1,5 @@
-// The polynomial part of a split kernel, integrated: the same for near and far entries.
-// Its coefficients are prepared once for a matrix.
+// The polynomial part of a split kernel, integrated: the same for near and far entries. Its coefficients are computed
+// once for a matrix.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -13,7 +13,7 @@
 
 namespace rollbem::detail {
 
-/// Integrals of sum_{k>=1} even[k-1] x^{2k}, the smooth part of a LogSplit. Refers to the entries.
+/// Integrals of sum_{k>=1} even[k-1] x^{2k}, the smooth part of a LogSplit. Keeps a reference to the entries.
 ///
 /// With sigma_j the coefficients of sinhc(h t) sinhc(delta t)^averages = sum M_2j t^2j / (2h (2j)!), the integral of
 /// even_k x^{2k} is 2h sum_j sigma_j even_k (2k)!/(2k-q-2j)! d^(2k-q-2j): a polynomial in d^2, times d for the slope.
@@ -38,7 +38,7 @@ public:
                 for (Eigen::Index f = 2 * i + q + 1; f <= 2 * k; ++f) falling(i, j) *= static_cast<Scalar>(f);
             }
         }
-        // row l: coefficients of sinhc(delta_l t)^averages; with equal widths one row serves all
+        // row l: coefficients of sinhc(delta_l t)^averages; with equal widths one row serves all rows
         const Table average =
             sinhc_series(entries_.rows.half, entries_.equal_widths ? 1 : entries_.rows.half.size(), length);
         row_series_ = zeros(average.rows(), length);
@@ -50,7 +50,7 @@ public:
                 }
             }
         }
-        // what factor k of a row contributes to the power i, for every element; with equal widths one serves all
+        // contribution of factor k of a row to power i, for every element; with equal widths the same for all elements
         const Table element =
             sinhc_series(entries_.columns.half, entries_.equal_widths ? 1 : entries_.columns.half.size(), length);
         element_factors_ = zeros(element.rows(), length * length);
@@ -67,11 +67,11 @@ public:
         if (entries_.equal_widths) coefficients(0, common_powers_);
     }
 
-    Eigen::Index length() const { return row_series_.cols(); }           ///< number of powers; 0: no such part
+    Eigen::Index length() const { return row_series_.cols(); }           ///< number of powers; 0: no polynomial part
     const Table& common_coefficients() const { return common_powers_; }  ///< for equal widths
 
-    /// Row l of `powers`: coefficients of d^2i for element m seen from row l. With equal widths one row and one m, 0,
-    /// serve all: common_coefficients().
+    /// Row l of `powers`: coefficients of d^2i for element m seen from row l. With equal widths one row, with m = 0,
+    /// serves all: common_coefficients().
     void coefficients(Eigen::Index m, Table& powers) const {
         const Eigen::Index length = row_series_.cols();
         const Eigen::Index rows = row_series_.rows();
@@ -87,10 +87,10 @@ public:
         }
     }
 
-    /// Adds the integrals at the distances d of rows from l on, with the coefficients of their element.
+    /// Adds the integrals at the distances d of the rows from l onwards, with the coefficients of their element.
     void add(const Table& powers, const Chunk& d, Eigen::Index l, Chunk& value) const {
         Chunk sum;
-        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: one loop stays in registers
+        if (equal_widths_ && powers.cols() == 3) {  // a wide strip: a single loop that stays in registers
             const Scalar constant = powers(0, 0), linear = powers(0, 1), quadratic = powers(0, 2);
             for (Eigen::Index i = 0; i < chunk; ++i) {
                 const Scalar square = d[i] * d[i];
@@ -144,7 +144,7 @@ private:
         return table;
     }
 
-    // of the first `count` widths
+    // for the first `count` widths
     static Table sinhc_series(const Array& half, Eigen::Index count, Eigen::Index length) {
         Table series(count, length);
         for (Eigen::Index i = 0; i < length; ++i) {
@@ -157,7 +157,7 @@ private:
     }
 
     const Entries<Scalar>& entries_;
-    bool equal_widths_, slope_;  // what the inner loop needs, at hand
+    bool equal_widths_, slope_;  // copied for the inner loop
     Table row_series_, element_factors_, common_powers_;
 };
 

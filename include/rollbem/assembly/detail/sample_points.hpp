@@ -1,5 +1,5 @@
-// The points at which a scheme takes its rows, Eqs. (28) and (29).
-// Kept off the edges of elements where a scheme asks for it.
+// The points at which a scheme takes its rows, Eqs. (28) and (29), kept off the edges of elements if the scheme
+// requires it.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -14,13 +14,14 @@
 
 namespace rollbem::detail {
 
-// Offset from the centre of element `own` of the point `position` widths ahead of it, moved to 0.001 dx from any edge
-// it lies nearer to; dx is the width of the element the point lies in, on an edge the one on the trailing side.
+// Offset from the centre of element `own` to the point `position` widths ahead of it. A point closer than 0.001 dx to
+// an edge is moved to that distance; dx is the width of the element that contains the point, on an edge the trailing
+// one.
 template <class Scalar>
 Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar position) {
     const auto& widths = mesh.widths();
     const Scalar half = Scalar(0.5), inside = Scalar(0.499), outside = Scalar(0.501);
-    const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();  // this near to an edge is on it
+    const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();  // a point this close to an edge is on it
     const Scalar upper = half + rounding, lower = rounding - half;
     Eigen::Index e = own;
     while (position > upper && e + 1 < mesh.size()) {

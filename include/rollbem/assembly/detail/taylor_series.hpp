@@ -1,5 +1,5 @@
-// Far entries of a kernel that offers its Taylor coefficients.
-// Costs more a term than the series for a logarithm, and serves any kernel that is smooth away from zero.
+// Far entries of a kernel that offers its Taylor coefficients. A term costs more than in the series for a logarithm,
+// but the series serves any kernel that is smooth away from zero.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -16,13 +16,13 @@
 
 namespace rollbem::detail {
 
-/// Taylor's series of the kernel about the distance d, integrated term by term. Refers to all that it is made of.
+/// Taylor's series of the kernel about the distance d, integrated term by term. Keeps references to its arguments.
 template <class Scalar>
 class TaylorSeries {
 public:
     using Array = ArrayX<Scalar>;
 
-    /// `last`: far_ratio^last is below rounding.
+    /// `last`: far_ratio^last is below round-off.
     TaylorSeries(const Entries<Scalar>& entries, const KernelView<Scalar>& kernel, int last)
         : entries_(entries), kernel_(kernel), last_(last) {}
 

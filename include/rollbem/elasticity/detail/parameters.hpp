@@ -1,5 +1,5 @@
-// The parameters of a kernel of a contact 2b wide: what they have to be, and those of a given contact.
-// No user includes this by itself.
+// The parameters of a kernel for a contact 2b wide: what is required of them, and their values for a given contact.
+// Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -10,7 +10,7 @@
 
 namespace rollbem::detail {
 
-/// What a kernel of a contact 2b wide asks of its parameters.
+/// Throws std::invalid_argument unless half_width > 0 and c1 and c2 are finite.
 template <class Scalar>
 void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2) {
     require(!is_nan(half_width) && half_width > 0, who, "half_width", half_width, "be positive");
@@ -18,7 +18,7 @@ void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2)
     require(is_finite(c2), who, "c2", c2, "be finite");
 }
 
-/// The kernel of a contact, with (c1, c2) for either direction of creepage.
+/// The kernel of a contact, with the (c1, c2) of each direction of creepage.
 template <class Kernel>
 Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact) {
     return Kernel(contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());

@@ -1,5 +1,4 @@
-// Taylor series of the strip kernel's slope, by recurrence.
-// No user includes this by itself.
+// Taylor series of the strip kernel's slope, by recurrence. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -10,15 +9,15 @@
 
 namespace rollbem::detail {
 
-/// The series of x g'(x)/(-2b/pi) = c1/r + c2 x^2/r^3 of the strip about a few points at once, which stay in registers:
-/// those of y = 1/r and z = 1/r^3 follow from (r^2) y' + x y = 0 and (r^2) z' + 3 x z = 0, scaled by x^k so that no
-/// power overflows.
+/// The series of x g'(x)/(-2b/pi) = c1/r + c2 x^2/r^3 of the strip about a few points at once, few enough for
+/// registers: the series of y = 1/r and z = 1/r^3 follow from (r^2) y' + x y = 0 and (r^2) z' + 3 x z = 0, scaled by
+/// x^k so that no power overflows.
 template <class Scalar>
 class StripSeries {
 public:
     static constexpr Eigen::Index size = 8;
 
-    /// About `count` <= size points x with r = sqrt(x^2 + b^2).
+    /// Expands about `count` <= size points x with r = sqrt(x^2 + b^2).
     StripSeries(const Scalar* x, const Scalar* r, Eigen::Index count) {
         for (Eigen::Index j = 0; j < size; ++j) {
             const Eigen::Index i = std::min(j, count - 1);

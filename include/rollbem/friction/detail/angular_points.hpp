@@ -1,5 +1,4 @@
-// Points of the midpoint rule in an angle, doubled from level to level.
-// No user includes this by itself.
+// Points of the midpoint rule in an angle, doubled from level to level. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -16,7 +15,7 @@
 
 namespace rollbem::detail {
 
-/// The M points phi = (j + 1/2) pi/M of the midpoint rule in an angle: Gauss and Chebyshev's in its cosine.
+/// The M points phi = (j + 1/2) pi/M of the midpoint rule in an angle, which are Gauss-Chebyshev points in its cosine.
 template <class Scalar>
 struct AngularPoints {
     ArrayX<Scalar> cosine, rise;  // cos(phi), and (1 + cos(phi))/2 without cancellation
@@ -29,13 +28,13 @@ struct AngularPoints {
         }
     }
     Eigen::Index size() const { return rise.size(); }
-    /// Of the integral of a function of (1 + cos(phi))/2 = 0 ... 1.
+    /// Weight in the integral of a function of (1 + cos(phi))/2 = 0 ... 1.
     Scalar weight(Eigen::Index j) const {
         return std::sqrt(rise[j] * (1 - rise[j])) * std::numbers::pi_v<Scalar> / static_cast<Scalar>(size());
     }
 };
 
-/// The points of every level, made when they are first asked for.
+/// The points of every level, computed on first use.
 template <class Scalar>
 class PointsOfLevels {
 public:

@@ -1,5 +1,4 @@
-// The border that belongs to a creepage, and how fine a problem it takes.
-// No user includes this by itself.
+// The border at a given creepage, and the resolution that it needs. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -19,19 +18,21 @@
 
 namespace rollbem::detail {
 
-/// The narrowest strip, d/a of its smooth part, that these orders resolve.
+/// The narrowest strip, by the distance d/a of its smooth part, that these orders resolve.
 template <class Scalar>
 inline constexpr Scalar least_distance = Scalar(0.02);
 
-/// Accuracy of the stick border, level by level: the points of the pressure, and what a smooth part takes that is
+/// Accuracy of the stick border, level by level: the points of the pressure, and the orders for a smooth part that is
 /// analytic up to a distance d. All rates are the slowest ones, those of a zone of half-length 1.
 ///
-/// N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), r the logarithm of the
-/// Bernstein ellipse through there, cosh r = (sqrt(4 + d^2) + d)/2; the force converges twice as fast. N starts where
-/// the sum has e^-14 and doubles, with which the force has rounding in any scalar type.
+/// N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), where r is the logarithm of
+/// the parameter of the Bernstein ellipse through the corners, cosh r = (sqrt(4 + d^2) + d)/2; the force converges
+/// twice as fast. N starts where the sum is accurate to e^-14 and doubles, which makes the force accurate to rounding
+/// in any scalar type.
 /// P points for the integrals of the unknowns, whose integrands are singular at a distance d from any point of the
-/// zone: rounding at 2P - N = ln(1/eps)/asinh(d).
-/// K points for the integrals of the known tractions, which may have kinks: they grow with the points of the pressure.
+/// zone: accurate to rounding for 2P - N = ln(1/eps)/asinh(d).
+/// K points for the integrals of the known tractions, which may have kinks: their number grows with the points of the
+/// pressure.
 template <class Scalar>
 void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scalar>& points, Scalar distance) {
     if (!is_finite(distance)) return rule.set(points, 0, 0, 0);
@@ -43,12 +44,12 @@ void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scala
     rule.set(points, N, P, std::max(std::min<Eigen::Index>(points.size(), 512), K));
 }
 
-/// The border whose creepage is `creepage` > 0, from `y` on: secant steps within a bracket, bisection where they leave
-/// it or do not halve it in three steps. Full sliding where the creepage suffices for it.
+/// The border whose creepage is `creepage` > 0, starting from `y`: secant steps within a bracket, and bisection if they
+/// leave it or do not halve it in three steps. Full sliding if the creepage is large enough.
 template <class Scalar, class Problem>
 std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const StickZoneRule<Scalar>& rule,
                                                        Scalar creepage, Scalar y, int& evaluations) {
-    // x/a is rounded, which is felt where the distance y to the trailing edge is small
+    // x/a is rounded, which matters if the distance y to the trailing edge is small
     const Scalar small = 4 * std::numeric_limits<Scalar>::epsilon();
     ++evaluations;
     typename Problem::Point point = problem.evaluate(2, rule);
@@ -79,16 +80,16 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
     return {y, point};
 }
 
-/// A border that more points and unknowns do not move.
+/// A border that has converged with the numbers of points and unknowns.
 template <class Scalar, class Problem>
 struct SettledBorder {
     Scalar y = -1;
-    typename Problem::Point point{};                         // its force is that at the creepage sought
-    Scalar error = std::numeric_limits<Scalar>::infinity();  // of the force: what the last level changed
+    typename Problem::Point point{};                         // its force is that at the given creepage
+    Scalar error = std::numeric_limits<Scalar>::infinity();  // of the force: its change in the last level
     StickZoneRule<Scalar> rule;
 };
 
-/// Goes from level to level until the force at `creepage` >= 0 settles to the rounding of `load`.
+/// Refines level by level until the force at `creepage` >= 0 converges to the rounding of `load`.
 template <class Scalar, class Problem>
 SettledBorder<Scalar, Problem> settle_border(Problem& problem, PointsOfLevels<Scalar>& levels,
                                              const SmoothSplit<Scalar>& split, Scalar creepage, Scalar load,
@@ -112,7 +113,7 @@ SettledBorder<Scalar, Problem> settle_border(Problem& problem, PointsOfLevels<Sc
         ++evaluations;
         point = problem.evaluate(y, settled.rule);
         settled.error = std::abs(force_at_creepage() - coarse);
-        // the creepage of full sliding must settle too: it is infinite for a pressure that does not end at zero
+        // the creepage of full sliding must also converge: it is infinite if the pressure does not vanish at the edge
         if (y == 2 && creepage < point.creepage + std::abs(point.creepage - coarse_creepage)) {
             settled.error += std::abs(point.creepage - coarse_creepage) / split.strength;
         }

@@ -1,5 +1,5 @@
-// Lemke's complementary pivoting for a friction problem: slower than rounds of an active set, and certain to end.
-// Knows neither rolling nor units.
+// Lemke's complementary pivoting for a friction problem: slower than an active-set iteration, but certain to terminate.
+// Independent of rolling and units.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -18,11 +18,11 @@
 
 namespace rollbem::detail {
 
-/// Follows the solutions of s = M p + c + t d, |p_i| <= bound_i, from full sliding at large t down to t = 0, d of one
-/// sign. Between two pivots p and t move along a line on which all but one of the conditions hold with equality where
-/// they should; that one, the driven, gives way to the condition that blocks. For finite bounds the path ends at a
-/// solution for every M, as a secondary ray would have to leave the box (Lemke 1965; Cottle, Pang and Stone, ch. 4).
-/// Everything is allocated by the constructor.
+/// Follows the solutions of s = M p + c + t d, |p_i| <= bound_i, from full sliding at large t down to t = 0, where all
+/// entries of d have the same sign. Between two pivots p and t move along a line on which all complementarity
+/// conditions but one hold; that one, the driven condition, is exchanged for the condition that blocks the move. For
+/// finite bounds the path ends at a solution for every M, as a secondary ray would have to leave the box (Lemke 1965;
+/// Cottle, Pang and Stone, ch. 4). Everything is allocated by the constructor.
 template <class Scalar>
 class ComplementaryPath {
 public:
@@ -45,13 +45,13 @@ public:
           swaps_(static_cast<std::size_t>(n + 1)) {}
 
     const Vector& traction() const { return traction_; }  ///< p at the end
-    const Vector& sign() const { return sign_; }          ///< 0 where an element sticks at the end, else that of s
+    const Vector& sign() const { return sign_; }          ///< 0 if an element sticks at the end, otherwise that of s
 
-    /// The whole path; how many pivots it took.
+    /// Follows the whole path; returns the number of pivots.
     int follow(const Matrix& M, const Vector& constant, const Vector& bound) {
         const Index n = M.rows();
         const Scalar side = constant.sum() < 0 ? Scalar(-1) : Scalar(1);
-        // entries apart by an irrational step: no two conditions then block at once on a symmetric problem
+        // entries that differ by an irrational step: then no two conditions of a symmetric problem block at once
         for (Index i = 0; i < n; ++i) {
             const Scalar golden = static_cast<Scalar>(i + 1) * Scalar(0.6180339887498949L);
             cover_[i] = side * (1 + (golden - std::floor(golden)) / 64);
@@ -104,7 +104,7 @@ private:
     static constexpr Scalar endless = std::numeric_limits<Scalar>::max();
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
-    // The first condition to be met within `step`, which is cut short there; -1 where there is none.
+    // The first condition to be met within `step`, which is shortened accordingly; -1 if there is none.
     Index find_blocking(const Vector& bound, Scalar& step) const {
         Index blocking = -1;
         for (Index i = 0; i < bound.size(); ++i) {
@@ -125,7 +125,7 @@ private:
         return blocking;
     }
 
-    // (dp, dt) of the path, and the change of slip that follows. False when there is none to working precision.
+    // (dp, dt) of the path, and the resulting change of slip. False if there is none to working precision.
     bool find_direction(const Matrix& M, Index driven, bool drives_traction, Scalar direction) {
         const Index n = M.rows();
         for (bool fresh = !follow_driven(M, driven);; fresh = true) {
@@ -134,7 +134,7 @@ private:
             change_.noalias() = M * direction_.head(n);
             change_ += direction_[n] * cover_;
             if (fresh) return true;
-            // rounding that the updates of the inverse have picked up makes stick elements creep
+            // rounding errors accumulated by the updates of the inverse make stick elements slip
             Scalar creep = 0;
             for (Index i = 0; i < n; ++i) {
                 if (sign_[i] == 0 && i != driven) creep = std::max(creep, std::abs(change_[i]));
@@ -143,8 +143,8 @@ private:
         }
     }
 
-    // The equations for (dp, dt): no slip on the stick elements, no change of traction on the others, unit speed of the
-    // driven. Their inverse, afresh.
+    // The equations for (dp, dt): no slip on the stick elements, no change of traction on the others, unit rate of the
+    // driven one. Computes their inverse from scratch.
     bool invert(const Matrix& M, Index driven) {
         const Index n = M.rows();
         system_.setZero();
@@ -166,7 +166,7 @@ private:
         return all_finite(inverse_);
     }
 
-    // The inverse after a pivot, by updates of rank one. False when one of them would be singular.
+    // The inverse after a pivot, by updates of rank one. False if one of them would be singular.
     bool follow_driven(const Matrix& M, Index driven) {
         const Index n = M.rows();
         if (driven_ < 0) return false;
@@ -187,7 +187,7 @@ private:
         return replace_row(before);
     }
 
-    // Row i of the equations becomes r, row_ = r^T times the inverse.
+    // Row i of the equations becomes r; row_ = r^T times the inverse.
     bool replace_row(Index i) {
         const Scalar pivot = row_[i];
         if (!(std::abs(pivot) > std::sqrt(epsilon) * row_.cwiseAbs().maxCoeff())) return false;
@@ -199,7 +199,7 @@ private:
 
     Matrix system_, inverse_;
     Vector sign_, traction_, slip_, change_, cover_;
-    Vector kept_;  // 1 where the inverse holds the element's own equation
+    Vector kept_;  // 1 if the inverse contains the element's own equation
     Vector row_, column_, direction_;
     std::vector<Index> swaps_;
     Index driven_ = -1;

@@ -1,6 +1,5 @@
-// Steady rolling by the exact border, where one border leaves slip behind it and stick ahead of it.
-// Dimensionless, a = G = 1.
-// No user includes this by itself.
+// Steady rolling by the exact border, if a single border separates slip behind it from stick ahead of it.
+// Dimensionless, a = G = 1. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -22,16 +21,16 @@
 
 namespace rollbem::detail {
 
-/// What solve_stick_border tells of an exact solution, for creepage >= 0.
+/// An exact solution for solve_stick_border, for creepage >= 0.
 template <class Scalar>
 struct ExactBorder {
     StickZone<Scalar> zone;
     Scalar force, force_error, tangent;
-    Scalar residual;  // of the law
+    Scalar residual;  // violation of the law
     Eigen::Index coefficients, unknowns;
 };
 
-/// Nothing where the pressure jumps, the force does not settle to `tolerance` or the law is violated.
+/// Empty if the pressure jumps, the force does not converge to `tolerance` or the law is violated.
 template <class Scalar, class Kernel, class Bound>
 std::optional<ExactBorder<Scalar>> find_exact_border(const Kernel& kernel, const Bound& bound,
                                                      const PressureScan<Scalar>& scan, PointsOfLevels<Scalar>& levels,

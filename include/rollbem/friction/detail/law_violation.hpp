@@ -1,5 +1,4 @@
-// Where tractions and slip of a stick zone break Coulomb's law, and by how much.
-// No user includes this by itself.
+// Where and by how much the tractions and slip of a stick zone violate Coulomb's law. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -19,12 +18,13 @@ namespace rollbem::detail {
 
 template <class Scalar>
 struct Violation {
-    Scalar largest = 0, integral = 0;  // over the part of a zone, 0 ... 1
+    Scalar largest = 0, integral = 0;  // over a zone, 0 ... 1
 };
 
-/// How far a function of the part of a zone, 0 at its trailing and 1 at its leading end, rises above zero by more than
-/// rounding in `unit`: at points that gather at both ends, and at the vertices of the parabolas through those about
-/// each local maximum, so that what rises between the points is found. Where something does, on a dense set.
+/// How far a function on a zone, 0 at its trailing and 1 at its leading end, rises above zero by more than rounding in
+/// `unit`: at points that cluster at both ends, and at the vertices of the parabolas through the points about each
+/// local maximum, so that peaks between the points are found. If there is a violation, it is measured on a dense set of
+/// points.
 template <class Scalar, class Function>
 Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Scalar unit, const Function& f) {
     constexpr int dense = 5;  // 512 points
@@ -53,14 +53,14 @@ Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Sca
     return violation;
 }
 
-/// How far a solution breaks the law.
+/// How far a solution violates the law.
 template <class Scalar>
 struct LawCheck {
     Scalar residual;  // the largest violation, over the largest bound or over the creepage
-    Scalar force;     // what the violations may amount to
+    Scalar force;     // estimated effect of the violations
 };
 
-/// |p| <= bound and traction against the creepage in stick, slip along the creepage in slip.
+/// p| <= bound and traction opposing the creepage in stick, slip in the direction of the creepage in slip.
 template <class Scalar, class Bound, class SmoothSlope>
 LawCheck<Scalar> check_law(PointsOfLevels<Scalar>& levels, int level, const StickZone<Scalar>& zone, const Bound& bound,
                            Scalar largest_bound, Scalar creepage, const SmoothSlope& smooth_slope) {

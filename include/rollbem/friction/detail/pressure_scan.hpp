@@ -1,5 +1,4 @@
-// What a pressure known at every point amounts to: its load, and whether it jumps.
-// No user includes this by itself.
+// Properties of a pressure known at every point: its load, and whether it jumps. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -20,14 +19,14 @@ namespace rollbem::detail {
 template <class Scalar>
 struct PressureScan {
     Scalar load = 0;     // integral over x/a
-    Scalar largest = 0;  // of the values seen
+    Scalar largest = 0;  // of the sampled values
     bool jumps = true;
-    int level = 0;  // at which it settled, or the last
+    int level = 0;  // at which it converged, or the last
 };
 
 /// Integral of a bound over the contact by the midpoint rule in the angle, the number of points doubled until it
-/// settles. With a kink the last doubling changes it like 1/M^2, with a jump J by J pi/(2 M) or nearly wherever the
-/// jump lies.
+/// converges. With a kink the last doubling changes it like 1/M^2, with a jump J by about J pi/(2 M) wherever the jump
+/// lies.
 template <class Scalar, class Bound>
 PressureScan<Scalar> scan_pressure(const Bound& bound, PointsOfLevels<Scalar>& levels) {
     PressureScan<Scalar> scan;

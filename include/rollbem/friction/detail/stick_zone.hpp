@@ -1,5 +1,5 @@
 // Steady rolling with slip behind a border c and stick from there to the leading edge, in closed form and Chebyshev
-// series. Dimensionless (a = G = 1) and for creepage >= 0; nothing here checks that the picture holds.
+// series. Dimensionless (a = G = 1) and for creepage >= 0; that slip and stick are so arranged is not checked here.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -27,26 +27,26 @@ Scalar second_kind_sum(const ArrayX<Scalar>& a, Eigen::Index first, Scalar t) {
     return one;
 }
 
-/// What is known of a solution: all that tractions and slip are evaluated from. y = 1 + c is the distance of the border
-/// from the trailing edge.
+/// A solution: the data that tractions and slip are evaluated from. y = 1 + c is the distance of the border from the
+/// trailing edge.
 ///
-/// In slip p = -bound(x), in stick p = p_1 + p_2. With h(s) = bound(s) sqrt((1+s)/(1-s)), s = -1 + y (1 + cos phi)/2 and
-/// h = sum h_n cos(n phi) in slip, the logarithmic part of the kernel alone gives
-/// - in stick p_1 = -sqrt((1-x)/(1+x)) sum h_n rho^n, rho = y/(sqrt(1+x) + sqrt(x-c))^2, and a slope pi S h_0 of slip
-///   and p_1 together, S the kernel's strength;
+/// In slip p = -bound(x), in stick p = p_1 + p_2. With h(s) = bound(s) sqrt((1+s)/(1-s)), s = -1 + y (1 + cos phi)/2
+/// and h = sum h_n cos(n phi) in slip, the logarithmic part of the kernel alone gives
+/// - in stick p_1 = -sqrt((1-x)/(1+x)) sum h_n rho^n, rho = y/(sqrt(1+x) + sqrt(x-c))^2, and the slope pi S h_0 due to
+///   slip and p_1 together, where S is the kernel's strength;
 /// - in slip the slope pi S h_0 - pi S sqrt((1-x)/(1+x)) sum h_n sin(n phi).
-/// (From the inversion of the finite Hilbert transform bounded at both ends: the integrals over the stick zone that
-/// it asks for are elementary, those over the slip zone are the coefficients h_n.) p_2 = sqrt(1-t^2) sum q_k U_k(t),
-/// t = -1 ... 1 in stick, answers the kernel's smooth part; there is none for the plane kernel.
+/// (From the inversion of the finite Hilbert transform bounded at both ends: its integrals over the stick zone are
+/// elementary, those over the slip zone are the coefficients h_n.) p_2 = sqrt(1-t^2) sum q_k U_k(t), t = -1 ... 1 in
+/// stick, balances the kernel's smooth part; it vanishes for the plane kernel.
 template <class Scalar>
 struct StickZone {
     Scalar y = 0;
     Scalar creepage = 0;
     Scalar strength = 1;  // S
     ArrayX<Scalar> h, q;
-    ArrayX<Scalar> places, loads;  // sum of loads[j] f(places[j]): integral of p f, f as smooth as the smooth part
+    ArrayX<Scalar> places, loads;  // sum of loads[j] f(places[j]): integral of p f for smooth f
 
-    Scalar power_sum(Scalar rho) const {  // sum h_n rho^n, as far as rounding sees it
+    Scalar power_sum(Scalar rho) const {  // sum h_n rho^n, to rounding
         Scalar sum = 0, power = 1;
         for (Eigen::Index n = 0; n < h.size() && power > std::numeric_limits<Scalar>::epsilon() / 4;
              ++n, power *= rho) {
@@ -55,7 +55,7 @@ struct StickZone {
         return sum;
     }
 
-    Scalar traction(Scalar x) const {  // of stick
+    Scalar traction(Scalar x) const {  // in stick
         const Scalar behind = std::max(x + (1 - y), Scalar(0)), root = std::sqrt(1 + x) + std::sqrt(behind);
         if (!(y > 0)) return 0;
         Scalar p = -std::sqrt((1 - x) / (1 + x)) * power_sum(y / (root * root));
@@ -68,7 +68,7 @@ struct StickZone {
     }
 
     template <class SmoothSlope>
-    Scalar slip(Scalar x, const SmoothSlope& smooth_slope) const {  // of slip, over the rolling velocity
+    Scalar slip(Scalar x, const SmoothSlope& smooth_slope) const {  // in the slip zone, over the rolling velocity
         const Scalar pi = std::numbers::pi_v<Scalar>;
         const Scalar to_border = std::max(y - (1 + x), Scalar(0));
         const Scalar cosine = std::clamp<Scalar>(1 - 2 * to_border / y, -1, 1);

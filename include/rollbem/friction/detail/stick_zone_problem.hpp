@@ -1,6 +1,5 @@
-// The equations of a stick zone that ends at a given border: the creepage that belongs to it, the force and the
-// tractions. For any kernel that offers the slope of its smooth part.
-// No user includes this by itself.
+// The equations of a stick zone that ends at a given border: creepage, force and tractions, for any kernel that offers
+// the slope of its smooth part. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -26,9 +25,9 @@ namespace rollbem::detail {
 template <class Scalar>
 struct StickZoneRule {
     const AngularPoints<Scalar>* points = nullptr;  // of the slip zone
-    Eigen::Index unknowns = 0;                      // N: q_0 ... q_{N-2} and one more; 0 without a smooth part
-    Eigen::Index places = 0;                        // P of the integrals of the unknowns
-    ArrayX<Scalar> eta, omega;                      // K of integrals of even functions from 0 to 1: Gauss-Legendre
+    Eigen::Index unknowns = 0;                      // N: D and q_0 ... q_{N-2}; 0 without a smooth part
+    Eigen::Index places = 0;                        // P, of the integrals of the unknowns
+    ArrayX<Scalar> eta, omega;                      // K Gauss-Legendre points for even functions from 0 to 1
 
     void set(const AngularPoints<Scalar>& slip_points, Eigen::Index N, Eigen::Index P, Eigen::Index K) {
         points = &slip_points;
@@ -41,7 +40,7 @@ struct StickZoneRule {
     }
 };
 
-/// The steady problem as a function of its border: the creepage that belongs to it is part of the answer.
+/// The steady problem as a function of its border: the creepage is part of the solution.
 template <class Scalar, class Kernel, class Bound>
 class StickZoneProblem {
 public:
@@ -53,7 +52,7 @@ public:
         zone_.strength = kernel.smooth_split().strength;
     }
 
-    /// 0 <= y <= 2. At y = 0 nothing slips and nothing is loaded; at y = 2 all slips.
+    /// 0 <= y <= 2. At y = 0 nothing slips and there is no load; at y = 2 everything slips.
     Point evaluate(Scalar y, const StickZoneRule<Scalar>& rule) {
         const Scalar pi = std::numbers::pi_v<Scalar>, S = zone_.strength;
         const Eigen::Index M = rule.points->size();
@@ -73,7 +72,8 @@ public:
         return point;
     }
 
-    /// The zone of the last evaluation, at its creepage plus `excess`: no more than what is left of a root.
+    /// The zone of the last evaluation at `creepage`, which differs from the one found only by the tolerance of the
+    /// search.
     const StickZone<Scalar>& zone(Scalar creepage, const StickZoneRule<Scalar>& rule) {
         if (rule.unknowns == 0) transform();
         zone_.creepage = creepage;
@@ -81,11 +81,11 @@ public:
     }
 
 private:
-    /// h_n from the values. A long series is that of a pressure with kinks: what lies beyond is of their size over its
-    /// order squared, and dies out ahead of the border.
+    /// h_n from the values. A long series belongs to a pressure with kinks: the terms left out are of the size of the
+    /// kinks over their order squared, and decay ahead of the border.
     ///
-    /// phi and pi - phi are both among the points as long as their number is even: odd n take the differences of their
-    /// values, even ones the sums, which are values at 2 phi. A third of the work without that.
+    /// As long as the number of points is even, both phi and pi - phi are among them: odd n need the differences of
+    /// their values, even n the sums, which are values at 2 phi. This takes a third of the work of a plain sum.
     void transform() {
         const Eigen::Index M = values_.size(), count = std::min<Eigen::Index>(M, 1024);
         ArrayX<Scalar>& h = zone_.h;
@@ -113,7 +113,8 @@ private:
         return (Scalar(2 * j + 1) / Scalar(2 * points)) * std::numbers::pi_v<Scalar>;
     }
 
-    /// The sums for h_n, n = stride, 3 stride ..., of an even number of values; leaves half as many, those for the rest.
+    /// The sums for h_n, n = stride, 3 stride ..., of an even number of values; leaves half as many values for the
+    /// other n.
     void add_odd_coefficients(Eigen::Index points, Eigen::Index stride) {
         const Eigen::Index half = points / 2;
         differences_.resize(half);
@@ -137,9 +138,8 @@ private:
         }
     }
 
-    /// With p_2 = sqrt((1-t)/(1+t)) [D + (1+t) sum q_k U_k(t)] the slope in stick is that of all tractions at N
-    /// Chebyshev points; D, which no bounded traction has, is linear in the creepage and vanishes at the one that is
-    /// sought.
+    /// With p_2 = sqrt((1-t)/(1+t)) [D + (1+t) sum q_k U_k(t)] the slope in stick due to all tractions is imposed at N
+    /// Chebyshev points; D, which must vanish for bounded tractions, is linear in the creepage and so determines it.
     void add_smooth_part(const StickZoneRule<Scalar>& rule, Point& point) {
         const Eigen::Index N = rule.unknowns, K = rule.eta.size(), points = rule.places;
         transform();
@@ -161,9 +161,9 @@ private:
         for (Eigen::Index l = 0; l < points; ++l) zone_.loads[2 * K + l] *= tractions[l];
     }
 
-    /// The tractions of slip and p_1, K places each. Slip: x = -1 + y eta^2, on which sqrt(1+x) is smooth. p_1:
-    /// 1 + x = y cosh^2 u, rho = exp(-2u), which resolves the layer at the border however thin; u = U (1 - eta^2), on
-    /// which sqrt(1-x) is smooth.
+    /// The tractions of slip and p_1, at K points each. Slip: x = -1 + y eta^2, on which sqrt(1+x) is smooth. p_1: 1 +
+    /// x = y cosh^2 u, rho = exp(-2u), which resolves the layer at the border however thin; u = U (1 - eta^2), on which
+    /// sqrt(1-x) is smooth.
     void place_known_tractions(const StickZoneRule<Scalar>& rule) {
         const Eigen::Index K = rule.eta.size();
         const Scalar y = zone_.y, U = y > 0 ? std::asinh(std::sqrt((2 - y) / y)) : Scalar(0);
@@ -179,7 +179,7 @@ private:
         }
     }
 
-    /// The places of p_2 over sqrt((1-t)/(1+t)) and the weights there, from `first` on.
+    /// The points of p_2 over sqrt((1-t)/(1+t)) and their weights, stored from index `first`.
     void place_unknown_tractions(Eigen::Index first, Eigen::Index points) {
         const Scalar pi = std::numbers::pi_v<Scalar>, half = (2 - zone_.y) / 2, centre = zone_.y / 2;
         for (Eigen::Index l = 0; l < points; ++l) {
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    /// 1 for D, then (1+t) U_k(t), at the points of the unknown tractions.
+    /// The modes at the points of the unknown tractions: 1 for D, then (1+t) U_k(t).
     static MatrixX<Scalar> modes_at_points(Eigen::Index N, Eigen::Index points) {
         MatrixX<Scalar> modes(points, N);
         for (Eigen::Index l = 0; l < points; ++l) {
@@ -202,8 +202,8 @@ private:
         return modes;
     }
 
-    /// D and q_k per creepage in column 0, and what they are less in column 1. The first `known` places have their
-    /// loads; without a smooth part they cause the slope `creepage`.
+    /// Column 0: D and q_k per unit creepage; column 1: what is subtracted from their multiple. The first `known`
+    /// points have their loads; without a smooth part these cause the slope `creepage`.
     MatrixX<Scalar> amplitudes(Eigen::Index N, Eigen::Index known, Scalar creepage,
                                const MatrixX<Scalar>& modes) const {
         const Scalar pi = std::numbers::pi_v<Scalar>, half = (2 - zone_.y) / 2, centre = zone_.y / 2;

@@ -1,5 +1,5 @@
-// Displacements of Chebyshev tractions: the logarithm in closed form, the kernel's smooth part by quadrature.
-// No user includes this by itself.
+// Displacements due to Chebyshev tractions: the logarithm in closed form, the kernel's smooth part by quadrature.
+// Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -21,14 +21,13 @@
 
 namespace rollbem::detail {
 
-/// The circle in 4 count equal steps: cosines and sines of k pi/(2 count).
+/// Cosines and sines of k pi/(2 count): the circle in 4 count equal steps.
 template <class Scalar>
 class CircleTable {
 public:
     explicit CircleTable(Eigen::Index count) : cosines_(static_cast<std::size_t>(4 * count)), quarter_(count) {
         const Scalar step = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * count);
-        for (Eigen::Index k = 0; k <= count;
-             ++k) {  // the smaller of two angles, so that small cosines keep their digits
+        for (Eigen::Index k = 0; k <= count; ++k) {  // the smaller of two angles: small cosines keep their digits
             const Scalar value = 2 * k <= count ? std::cos(static_cast<Scalar>(k) * step)
                                                 : std::sin(static_cast<Scalar>(count - k) * step);
             set(k, value);
@@ -49,8 +48,8 @@ private:
     Eigen::Index quarter_;
 };
 
-/// Checks the number of states and the kernel; returns the kernel's split. The points of its smooth part grow like a/b,
-/// and what they cost like (a/b)^2, seconds at the least b/a, where some hundred states are needed besides.
+/// Checks the number of states and the kernel; returns the kernel's split. The number of points for its smooth part
+/// grows like a/b, and their cost like (a/b)^2: seconds at the smallest b/a, where some hundred states are also needed.
 template <SmoothSplitKernel Kernel>
 SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
@@ -61,18 +60,18 @@ SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const 
             split.strength, "be positive and finite");
     require(!is_nan(split.distance) && split.distance >= Scalar(0.001), "Chebyshev",
             "b/a of the kernel (distance of its smooth part's singularity)", split.distance,
-            "be at least 0.001: take elements for so narrow a strip");
+            "be at least 0.001: use elements for so narrow a strip");
     return split;
 }
 
-/// How many Gauss-Chebyshev points take the smooth part against T_0 ... T_m to rounding.
+/// The number of Gauss-Chebyshev points that integrate the smooth part against T_0 ... T_m to rounding.
 ///
-/// For x in [-1, 1], e(x - y) as a function of y is analytic but for x +-ib and beyond. The ellipse with foci +-1 and
-/// the minor half-axis b, the Bernstein ellipse of rho = b + sqrt(1 + b^2), leaves all of them outside or on it, so
-/// that the coefficient of T_n(y) falls off like rho^-n (the singularities are integrable). N points do not tell T_n
-/// from T_k where n = 2N - k or higher: what they make of the integral against T_k, k <= m, is wrong by some rho^-(2N -
-/// m). The same holds for the coefficient of T_j(x), j <= m. It is below rounding from 2N - m = ln(1/eps)/ln(rho) on,
-/// and ln(rho) = asinh(b); N > m keeps the T_k apart. Ten more make up for the factor before rho^-n.
+/// For x in [-1, 1], e(x - y) as a function of y is analytic except on the lines from x +-ib outwards. The ellipse with
+/// foci +-1 and the minor half-axis b, the Bernstein ellipse of rho = b + sqrt(1 + b^2), has all of them outside or on
+/// it, so that the coefficient of T_n(y) decreases like rho^-n (the singularities are integrable). N points do not
+/// distinguish T_n with n >= 2N - k from T_k: the integral against T_k, k <= m, has an error of about rho^-(2N - m).
+/// The same holds for the coefficient of T_j(x), j <= m. It is below rounding for 2N - m >= ln(1/eps)/ln(rho), where
+/// ln(rho) = asinh(b); N > m distinguishes the T_k. Ten more points account for the factor before rho^-n.
 template <class Scalar>
 Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
     if (!is_finite(b)) return m + 1;
@@ -80,9 +79,9 @@ Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
     return std::max(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
 }
 
-/// Entry (j, k), j and k from 0 to m: the coefficient of T_j(x) in the integral of e(x - y) T_k(y)/sqrt(1 - y^2), e the
-/// smooth part, from `points` Gauss-Chebyshev points in x and y. As e is even, entries with odd j + k vanish, and half
-/// of the x do.
+/// Entry (j, k), 0 <= j, k <= m: the coefficient of T_j(x) in the integral of e(x - y) T_k(y)/sqrt(1 - y^2), where e is
+/// the smooth part, from `points` Gauss-Chebyshev points in x and y. As e is even, entries with odd j + k vanish, and
+/// half of the points x suffice.
 template <SmoothSplitKernel Kernel>
 MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::Index m, Eigen::Index points) {
     using Scalar = typename Kernel::Scalar;
@@ -99,7 +98,7 @@ MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::
         for (Eigen::Index q = 0; q < points; ++q) distance[q] = polynomials(p, 1) - polynomials(q, 1);
         const ArrayX<Scalar> smooth = kernel.smooth_part(distance);
         displacement.noalias() = polynomials.transpose() * smooth.matrix();
-        const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // of -x, too
+        const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // -x counts too
         for (Eigen::Index k = 0; k <= m; ++k) {
             for (Eigen::Index j = k % 2; j <= m; j += 2) {
                 compliance(j, k) += share * polynomials(p, j) * displacement[k];
@@ -112,7 +111,8 @@ MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::
     return compliance;
 }
 
-/// K of u = K a, row j >= 1 times j/(pi S), row 0 over pi S, S the strength: for j >= 1 the identity and a smooth rest.
+/// K of u = K a, row j >= 1 times j/(pi S), row 0 over pi S, where S is the strength: for j >= 1 the identity plus a
+/// smooth remainder.
 template <SmoothSplitKernel Kernel>
 MatrixX<typename Kernel::Scalar> scaled_compliance(const Kernel& kernel,
                                                    const SmoothSplit<typename Kernel::Scalar>& split, Eigen::Index m) {
