@@ -1,5 +1,5 @@
 #!/bin/sh
-# The first program in README.md is tests/readme/example.cpp, to the letter. Usage: check.sh <source folder>
+# The first program in README.md is exactly tests/readme/example.cpp. Usage: check.sh <source folder>
 set -eu
 quoted=$(mktemp)
 trap 'rm -f "$quoted"' EXIT
