@@ -43,7 +43,7 @@ struct WrongKernel {
 };
 void function(const Mesh<double>& mesh) { (void)$call($3); $qualified }
 END
-        # shellcheck disable=SC2086 # one word an option
+        # shellcheck disable=SC2086 # one word per option
         if "$compiler" -std=c++20 -fsyntax-only $includes "$folder/unit.cpp" > "$folder/said" 2>&1; then
             [ "$2" = - ] && continue
             echo "$call of $1 compiles"
