@@ -1,4 +1,4 @@
-// Assembly of G' and G beside Eigen's LU solve of the same size and beside the plain double loop over elements.
+// Assembly of G' and G, compared with Eigen's LU solve of the same size and with a plain double loop over elements.
 // Sample run: ./bench_assembly --benchmark_filter=/80$
 #include <string>
 #include <utility>
@@ -94,7 +94,7 @@ void lu_solve(benchmark::State& state) {
     state.counters["n"] = static_cast<double>(state.range(0));
 }
 
-/// The whole system of m Chebyshev states, beside BM_LU of elements.
+/// The whole system of m Chebyshev states, to compare with BM_LU.
 template <class Kernel>
 void chebyshev_system(benchmark::State& state, double aspect) {
     const Kernel kernel = Kernel::longitudinal(Contact<double>::dimensionless(aspect, contact.poisson_ratio()));

@@ -1,6 +1,5 @@
-// c11 from nothing to the number, with its error: element schemes from the mesh on, Chebyshev states, the polynomial
-// approach and the closed form. A plain double loop over elements with LU stands beside the elements, monomials beside
-// Chebyshev polynomials.
+// The whole computation of c11, with its error: element schemes including the mesh, Chebyshev states, the polynomial
+// approach and the closed form. Baselines are a plain double loop over elements with LU, and monomials.
 // Sample run: ./bench_precision --benchmark_filter='Recommended|Polynomial'
 #include <cmath>
 #include <complex>
@@ -57,7 +56,7 @@ BENCHMARK(BM_RichardsonCosine)->Arg(14)->Arg(40)->Arg(80)->Arg(160);
 
 const auto c11_of = [](const auto&... method) { return solve_steady(method..., kernel).c11; };
 
-// Argument: the number of digits asked for, of a kernel about which nothing else is known.
+// Argument: the number of digits requested, for a kernel whose aspect is not given.
 void BM_Recommended(benchmark::State& state) {
     const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
     const Eigen::Index m = recommended_scheme(tolerance, Purpose::steady).method.states;
@@ -66,7 +65,7 @@ void BM_Recommended(benchmark::State& state) {
 }
 BENCHMARK(BM_Recommended)->DenseRange(2, 8);
 
-// The same by elements.
+// The same with elements.
 void BM_RecommendedElements(benchmark::State& state) {
     const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
     const Eigen::Index n = recommended_elements(tolerance, Purpose::steady).n;
@@ -75,7 +74,7 @@ void BM_RecommendedElements(benchmark::State& state) {
 }
 BENCHMARK(BM_RecommendedElements)->DenseRange(2, 8);
 
-// The plain way to the errors of Kalker's scheme: four antiderivatives for every entry, LU of the whole.
+// The plain implementation of Kalker's scheme: four antiderivatives per entry, and LU of the full matrix.
 void BM_Naive(benchmark::State& state) {
     const Eigen::Index n = state.range(0);
     measure(state, static_cast<double>(n), [&] {
@@ -89,7 +88,7 @@ void BM_Naive(benchmark::State& state) {
 }
 BENCHMARK(BM_Naive)->Arg(16)->Arg(40)->Arg(80)->Arg(160);
 
-// Complex c11 at omega a/V = 1, the order as argument.
+// Complex c11 at omega a/V = 1. Argument: the order.
 void BM_Polynomial(benchmark::State& state) {
     EstimatedC11<double> solution{};
     for (auto _ : state) benchmark::DoNotOptimize(solution = polynomial_c11(Complex(0, 1), nu, aspect, state.range(0)));
@@ -98,7 +97,7 @@ void BM_Polynomial(benchmark::State& state) {
 }
 BENCHMARK(BM_Polynomial)->Arg(5)->Arg(10)->Arg(20)->Arg(34)->Arg(80);
 
-// The same with the order that it takes by itself.
+// The same with the default order.
 void BM_PolynomialDefault(benchmark::State& state) {
     EstimatedC11<double> solution{};
     for (auto _ : state) benchmark::DoNotOptimize(solution = polynomial_c11(Complex(0, 1), nu, aspect));
@@ -107,7 +106,7 @@ void BM_PolynomialDefault(benchmark::State& state) {
 }
 BENCHMARK(BM_PolynomialDefault);
 
-// As the paper has it.
+// The monomials of the paper.
 void BM_PolynomialMonomial(benchmark::State& state) {
     PolynomialSolution<double> solution{};
     for (auto _ : state) benchmark::DoNotOptimize(solution = solve_monomial(Complex(0, 1), nu, aspect, state.range(0)));
@@ -116,7 +115,7 @@ void BM_PolynomialMonomial(benchmark::State& state) {
 }
 BENCHMARK(BM_PolynomialMonomial)->Arg(5)->Arg(10)->Arg(20);
 
-// Bessel functions of GSL; the error is the difference to the polynomial approach.
+// Bessel functions of GSL; the error is the difference from the polynomial approach.
 void BM_ClosedForm(benchmark::State& state) {
     Complex c11 = 0;
     for (auto _ : state) benchmark::DoNotOptimize(c11 = reference::plane_c11({0, 1}, nu, aspect));

@@ -1,4 +1,4 @@
-// Problems solved with ready influence matrices, each fast route beside the plain one, and the steady problem whole.
+// Problems solved with given influence matrices, each fast method next to the plain one, and the whole steady problem.
 // Sample run: ./bench_problems --benchmark_filter='Stability|Sweep'
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ std::vector<double> frequencies() {
     return values;
 }
 
-// Largest relative error of c11(z) against the plane limit, which is the strip's within 2e-7 at this width.
+// Largest relative error of c11(z) against the plane limit, which agrees with the strip to 2e-7 at this width.
 template <class Response>
 double sweep_error(const Response& c11) {
     double largest = 0;
@@ -100,7 +100,7 @@ void BM_SweepLU(benchmark::State& state) {
 }
 BENCHMARK(BM_SweepLU)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200);
 
-// The reduction is part of it.
+// Includes the reduction to Hessenberg form.
 void BM_SweepHessenberg(benchmark::State& state) {
     const RollingSystem<double> system = system_of_paper(state.range(0));
     for (auto _ : state) {

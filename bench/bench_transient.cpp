@@ -1,4 +1,4 @@
-// Steps of the time-domain contact beside one matrix-vector product of the same size.
+// Steps of the contact in the time domain, compared with one matrix-vector product of the same size.
 #include <utility>
 
 #include <benchmark/benchmark.h>
@@ -19,7 +19,7 @@ TransientModel<double> make_model(Eigen::Index n, Integrator integrator) {
             unchecked, integrator};
 }
 
-/// Relative error of the force at q/a = 1 after a step of creepage, in the steps of dq that are measured.
+/// Relative error of the force at q/a = 1 after a step of creepage, by the steps of dq that are timed.
 template <class Dq>
 double step_error(const TransientModel<double>& model, const Dq& dq, int steps) {
     TransientState<double> state = model.at_rest(), next = state;
@@ -36,7 +36,7 @@ void count(benchmark::State& bench, double error) {
     bench.counters["relative_error"] = error;
 }
 
-/// y = A x, what a step cannot be cheaper than.
+/// y = A x, the lower bound for a step.
 void BM_Gemv(benchmark::State& bench) {
     const Eigen::Index n = bench.range(0);
     const MatrixX<double> A = MatrixX<double>::Random(n, n);
@@ -81,7 +81,7 @@ BENCHMARK(BM_TransientStepEuler)->Arg(40);
 BENCHMARK(BM_TransientStepExponential)->Arg(40);
 BENCHMARK(BM_ChebyshevStep)->Arg(4)->Arg(8)->Arg(12)->Arg(24)->Arg(40);
 
-/// A step of a dq that was not prepared.
+/// A step of an unprepared dq.
 void BM_TransientNewStep(benchmark::State& bench) {
     const TransientModel<double> model = make_model(bench.range(0), Integrator::sdirk2);
     TransientState<double> state = model.at_rest(), next = state;

@@ -1,5 +1,5 @@
-// The plain way to a matrix: a double loop over elements, four antiderivatives for every entry of a finite-difference
-// G', two for one of G. What fast paths are measured against.
+// The plain implementation of the matrices, a baseline for the fast ones: a double loop over elements, with four
+// antiderivatives for every entry of a finite-difference G' and two for every entry of G.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-# rollbem_app_support: what every study program and every test of apps/support needs, with the facts of the build in
-# <build_info.hpp>. The git revision is looked up at each build; when it changes, one small file is compiled again.
+# rollbem_app_support: what every study program and every test of apps/support needs, with facts about the build in
+# <build_info.hpp>. The git revision is determined at each build; when it changes, one small file is recompiled.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type_upper)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type_upper}}" build_info_flags)
 string(REPLACE "\\" "\\\\" build_info_flags "${build_info_flags}")
@@ -26,7 +26,7 @@ foreach(part IN ITEMS config_file csv files mesh_names non_steady options output
     target_sources(rollbem_app_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 if(NOT MSVC)
-    # it assembles, which studies time
+    # it assembles matrices, which studies time
     set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp"
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 endif()

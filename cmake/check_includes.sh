@@ -1,8 +1,8 @@
 #!/bin/sh
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
-# Folders are stages; a header includes its own stage and earlier ones only, and there is no cycle. The kernels know no
-# mesh, the reference shares nothing with the assembly, the umbrella and everything outside reference/ need no GSL, the
-# time stepper costs no eigenvalue headers, only compiled/ needs a library of its own, and nothing prints.
+# Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
+# depend on meshes nor the reference on the assembly, only reference/ needs GSL, the time stepper includes no eigenvalue
+# headers, only compiled/ needs a compiled library, and nothing prints.
 set -eu
 cd "$1"
 
@@ -25,7 +25,7 @@ function resolve(directory, target,  parts, count, kept, i, path) {
     return path
 }
 
-# Depth first: 1 while a header is open, 2 when it is done.
+# Depth-first search: 1 while a header is open, 2 when it is done.
 function find_cycle(file, trail,  list, count, i) {
     state[file] = 1
     count = split(includes[file], list, " ")
@@ -36,7 +36,7 @@ function find_cycle(file, trail,  list, count, i) {
     state[file] = 2
 }
 
-# Fills reached[] with all that `file` includes, directly or not; the value is the way there.
+# Fills reached[] with all that `file` includes, directly or indirectly; the value is the path to it.
 function reach(file, trail,  list, count, i) {
     count = split(includes[file], list, " ")
     for (i = 1; i <= count; ++i) if (!(list[i] in reached)) {
@@ -45,7 +45,7 @@ function reach(file, trail,  list, count, i) {
     }
 }
 
-# Complains when something that `file` reaches matches `pattern`.
+# Complains if something that `file` includes matches `pattern`.
 function forbid(file, pattern, reason,  target) {
     split("", reached)
     reach(file, file)

@@ -1,5 +1,5 @@
 # rollbem::compiled: the library's largest templates compiled once for double, so that a program that includes
-# rollbem/compiled/*.hpp in place of the headers themselves need not compile them again. Optional: headers alone do.
+# rollbem/compiled/*.hpp instead of the headers themselves need not compile them. Optional: the headers suffice.
 set(compiled_dir "${PROJECT_SOURCE_DIR}/include/rollbem/compiled")
 add_library(rollbem_compiled STATIC)
 foreach(part IN ITEMS assembly chebyshev steady frequency friction polynomial stability transient)

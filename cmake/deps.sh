@@ -1,8 +1,8 @@
 #!/bin/sh
 # deps.sh [--ci] [--docs] [--fmu]: installs what building rollbem and its programs, tests and benchmarks needs.
-# Installs only what is missing and says what; silent when nothing is. --ci adds the tools of continuous integration,
-# --docs Doxygen for the API reference; --fmu puts FMPy, which brings the headers of FMI 2.0 and runs FMUs in tests,
-# into build-fmu/venv.
+# Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of continuous integration,
+# --docs Doxygen for the API reference; --fmu installs FMPy, which brings the headers of FMI 2.0 and runs the FMUs in
+# tests, into build-fmu/venv.
 set -eu
 
 ci=no
@@ -33,10 +33,10 @@ as_root() {
     fi
 }
 
-# Adds package $1 to the missing ones unless the command $2 exists.
+# Adds package $1 to $missing unless the command $2 exists.
 need_command() { have "$2" || missing="$missing $1"; }
 
-# Adds the packages after $1 to the missing ones unless the query $1 knows them.
+# Adds the packages after $1 to $missing unless the query $1 finds them.
 need_packages() {
     query=$1
     shift
@@ -50,7 +50,7 @@ say() { echo "deps.sh: installing with $1:$missing"; }
 # Whether Python can make virtual environments with pip in them.
 have_venv() { have python3 && python3 -c 'import ensurepip, venv' 2>/dev/null; }
 
-# Puts FMPy into build-fmu/venv. That is never activated: FMPy brings a cmake of its own.
+# Installs FMPy into build-fmu/venv, which is never activated: FMPy brings its own cmake.
 fmpy=0.3.32
 install_fmpy() {
     venv=$(dirname "$0")/../build-fmu/venv
@@ -79,7 +79,7 @@ if have apt-get; then
     if [ -n "$missing" ]; then
         say apt-get
         as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 update </dev/null
-        # shellcheck disable=SC2086 # one word a package
+        # shellcheck disable=SC2086 # one word per package
         as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 -o Dpkg::Use-Pty=0 \
             install -y --no-install-recommends $missing </dev/null
     fi

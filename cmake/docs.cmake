@@ -1,4 +1,4 @@
-# Target `docs`: an API reference in build/docs/html from the doc comments. Only on demand, and only where Doxygen is.
+# Target `docs`: an API reference in build/docs/html from the doc comments. Only on demand; needs Doxygen.
 find_program(ROLLBEM_DOXYGEN doxygen)
 mark_as_advanced(ROLLBEM_DOXYGEN)
 if(NOT ROLLBEM_DOXYGEN)

@@ -1,4 +1,4 @@
-# Finds what the chosen options need, with a message that says how to get it.
+# Finds what the chosen options need, with a message that says how to install it.
 
 macro(rollbem_find package needed_by)
     find_package(${package} ${ARGN} QUIET)
@@ -9,7 +9,7 @@ macro(rollbem_find package needed_by)
     endif()
 endmacro()
 
-# Asked for without a version: Eigen 5 answers a request for 3.4 with "incompatible".
+# Requested without a version: Eigen 5 declares itself incompatible with a request for 3.4.
 if(NOT TARGET Eigen3::Eigen)
     rollbem_find(Eigen3 "the library" CONFIG)
     if(Eigen3_VERSION VERSION_LESS 3.4)

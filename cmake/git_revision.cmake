@@ -1,5 +1,5 @@
 # cmake -DSOURCE_DIR=... -DOUTPUT=... -P git_revision.cmake: writes the definition of build_info::git_revision.
-# The file is touched only when the revision has changed. Git takes no locks, so a commit can go on meanwhile.
+# The file is written only if the revision has changed. Git takes no locks, so a concurrent commit is not disturbed.
 set(revision "unknown")
 if(EXISTS "${SOURCE_DIR}/.git")
     execute_process(

@@ -1,6 +1,6 @@
-# Installs the headers, the CMake package with its components `reference` and `compiled`, and a pkg-config file. All of
-# it can be moved elsewhere, and is independent of the machine's architecture but for the library of `compiled`, which is
-# a package of its own where such libraries go; the main package finds it there.
+# Installs the headers, the CMake package with its components `reference` and `compiled`, and a pkg-config file. All are
+# relocatable, and independent of the architecture except for the library of `compiled`, which is a package of its own
+# in the folder for libraries; the main package finds it there.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

@@ -5,11 +5,11 @@ if(MSVC)
 else()
     target_compile_options(rollbem_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
         $<$<BOOL:${ROLLBEM_WARNINGS_AS_ERRORS}>:-Werror>
-        # g++ 12 sees uninitialised and overlapping strings inside std::variant and std::string where there are none
+        # g++ 12 warns falsely of uninitialised and overlapping strings inside std::variant and std::string
         $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized -Wno-error=restrict>)
 endif()
 
-# What measures no time is compiled with -O1 in a Release build: compiling costs far more than running it.
+# For programs that are not timed: -O1 in a Release build, because compiling takes far longer than running.
 add_library(rollbem_quick_to_compile INTERFACE)
 target_link_libraries(rollbem_quick_to_compile INTERFACE rollbem_warnings)
 if(NOT MSVC)

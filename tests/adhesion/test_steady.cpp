@@ -140,7 +140,7 @@ TEST_CASE("Equal alphas are best near 0.515, Galerkin's alpha_T is best at 1", "
     CHECK(equal(0.66) > exact_slope(0.66));
 }
 
-TEST_CASE("c11 converges at order one on uniform and two on cosine meshes", "[steady][convergence]") {
+TEST_CASE("The c11 converges at order one on uniform and two on cosine meshes", "[steady][convergence]") {
     const std::pair<int, double> published[] = {{20, 4.3e-4},   {40, 1.06e-4},  {80, 2.63e-5},
                                                 {160, 6.54e-6}, {320, 1.63e-6}, {640, 4.08e-7}};
     std::vector<double> sizes, uniform, cosine;

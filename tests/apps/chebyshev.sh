@@ -1,6 +1,6 @@
 #!/bin/sh
-# --method chebyshev of the studies of full adhesion and --state-space of frequency_study, seen from outside: what they
-# refuse, empty cells, errors that are known for each number of states, and the files of matrices.
+# --method chebyshev of the studies of full adhesion and --state-space of frequency_study, seen from outside: rejected
+# input, empty cells, the known error for each number of states, and the files of matrices.
 # Usage: chebyshev.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 steady="$programs/steady_study --method chebyshev"
@@ -19,7 +19,7 @@ near() {
         END { exit bad || NR != count }' || fail "column $column is not near $*: $(cat out)"
 }
 
-# --- bad input: what needs elements, and what no states have
+# --- bad input: options that need elements
 for study in steady traction stability frequency 'transient --step 1'; do
     s="$programs/${study%% *}_study --method chebyshev --output x.csv"
     case $study in *' '*) s="$s ${study#* }" ;; esac
@@ -48,7 +48,7 @@ for options in '' '--transient --creepage-ratio 0.5'; do
         "$programs/friction_study" --method chebyshev --output x.csv $options
 done
 
-# --- steady: exact to rounding for the plane and for infinite width; narrow strips need states, and say so
+# --- steady: exact to round-off for the plane and for infinite width; narrow strips report too few states
 good 5 $steady --n 1,2,8,40 --kernel plane --poisson 0.25
 header method,derivative,mesh,n,alpha_L,alpha_T,c11,c11_exact,c11_ratio,relative_error,residual,assembly_us,solve_us
 check 'names and empty cells' '$1 == "chebyshev" && $2 $3 $5 $6 $11 $12 == "" && $13 > 0'
@@ -106,7 +106,7 @@ good 4 $frequency --n 4,16,32 --aspect 0.3 --omega 1
 check 'no c11 of too few states' '($3 $4 $7 == "") == ($1 == 4) && $5 != ""'
 shards $frequency --n 3,5 --omega 0.1,1,3
 
-# --- the response to a step, one and five half-lengths behind it
+# --- the response to a step, after one and five half-lengths
 good 16 $transient --step 1 --n 8,12,48 $plane --dq 1 --until 5
 header q_over_a,creepage,force,exact,relative_error
 check 'empty cells' '$6 == "chebyshev" && $7 $8 $10 $11 $12 == ""'
@@ -118,7 +118,7 @@ near 5 1.8e-7 8.1e-9
 shards $transient --step 1 --n 3,4 --until 1
 good 21 $transient --step 1 --n 4 --aspect 0.3 --until 1 --unchecked
 
-# --- the state space: what it refuses, leaving nothing
+# --- the state space: rejected input leaves no files
 f="$programs/frequency_study --omega 0,0.7,5"
 bad '--state-space = d must go with one scheme; the values of --n,' $f --method chebyshev --state-space d
 bad 'make 2' $f --n 10 --alpha-T 0.5,0.63 --state-space d
@@ -196,7 +196,7 @@ printf 'state-space = "configured"\nmethod = "chebyshev"\nn = 3\nomega = 1\n' >c
 good 2 "$programs/frequency_study" --config c.toml
 [ -s configured/A.csv ] || fail '--state-space in a configuration file'
 
-# --- nothing by halves: a full disk, an interrupt, a table that cannot be written
+# --- no partial output: a full disk, an interrupt, a table that cannot be written
 echo old >exact/A.csv
 for folder in exact full/below; do
     (ulimit -f 1 && $f --state-space $folder >out 2>err)

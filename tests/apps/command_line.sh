@@ -143,12 +143,12 @@ for shard in 1 2 3; do "$steady" --n 8,9 --aspect 1,10 --poisson 0,0.5 --no-timi
 20,0.10000000000000001,0.59999999999999998 20,0.10000000000000001,0.5 10,0,0.59999999999999998 10,0,0.5 \
 10,0.10000000000000001,0.59999999999999998 10,0.10000000000000001,0.5 " ] || fail "order of rows"
 
-# c11 itself: within 1e-4 of Carter at n = 20
+# c11 itself: within 1e-4 of Carter's at n = 20
 "$steady" --n 20 --aspect inf --poisson 0.25 | awk -F, '
     NR == 2 && $10 < -3.0e-5 && $10 > -3.2e-5 && $7 / $8 - 1 - $10 < 1e-12 { ok = 1 } END { exit !ok }' ||
     fail "relative error at n = 20"
 
-# jobs and shards change nothing
+# jobs and shards do not change the rows
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 | cut -d, -f1-11 >one
 "$steady" --n 5,10,15 --alpha-T 0.5,0.6,0.63 --jobs 3 >three
 cut -d, -f1-11 three | cmp -s - one || fail "rows depend on --jobs"
@@ -201,7 +201,7 @@ cat pipe >through &
 wait
 [ -p pipe ] && [ "$(wc -l <through)" -eq 2 ] && [ ! -e pipe.toml ] || fail "rows through a pipe"
 
-# a disk that is full: nothing takes a name, whether rows or the companion do not fit
+# a full disk: no file appears, whether the rows or the companion do not fit
 for arguments in '--n 10' '--n 10,20,30,40,50,60,70,80 --alpha-T 0.5,0.6,0.63'; do
     echo old >full.csv
     (ulimit -f 1 && "$steady" $arguments --output full.csv 2>err)
@@ -227,7 +227,7 @@ done
 PATH=/nonexistent "$steady" --n 10 --output closed.csv --plot closed.svg >&- 2>&- <&-
 [ $? -eq 3 ] && [ "$(wc -l <closed.csv)" -eq 2 ] || fail "a message in a file"
 
-# an interrupt leaves nothing, and what was there before
+# an interrupt leaves no new file, and keeps older ones
 interrupt INT big.csv "$steady" --n 6000 --output big.csv
 [ $code -eq 130 ] || fail "exit $code instead of 130 after an interrupt"
 [ -z "$(find . -name 'big.csv*')" ] || fail "an interrupt leaves files"
@@ -237,7 +237,7 @@ interrupt TERM big.csv "$steady" --n 6000 --jobs 2 --output big.csv --plot big.s
 for file in big.csv big.csv.toml big.svg; do [ "$(cat $file)" = old ] || fail "$file after a termination"; done
 [ "$(ls -d big*)" = "$(printf '%s\n' big.csv big.csv.toml big.svg)" ] || fail "a termination leaves $(ls -d big*)"
 
-# the clock of the progress line goes on within a long row
+# the clock of the progress line advances within a long row
 if command -v script >/dev/null && command -v timeout >/dev/null; then
     timeout 40 script -qefc "'$programs/stability_study' --critical --n 800 --output long.csv" typescript >/dev/null 2>&1 &
     pid=$!
@@ -259,7 +259,7 @@ PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
 code=$?
 [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code instead of 3 without gnuplot"
 [ "$(wc -l <rows.csv)" -eq 3 ] && [ ! -e rows.svg ] || fail "files without gnuplot"
-# a gnuplot that is killed, fails, draws nothing or a part, or does not listen: the older plot stays
+# a gnuplot that is killed, fails, draws nothing or only a part, or reads no input: the older plot is kept
 mkdir bin
 for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null' \
     'cat >/dev/null; echo "<svg>"'; do
@@ -276,7 +276,7 @@ if command -v gnuplot >/dev/null; then
     grep -q '</svg>' steady.svg || fail "steady.svg is not whole"
     "$traction" --n 10,20 --plot traction.png >out 2>err || fail "traction plot: $(cat err)"
     [ "$(head -c 4 traction.png | tail -c 3)" = PNG ] || fail "traction.png is no PNG"
-    # a disk that is full, be it only for the plot: the older one stays
+    # a disk that is full, even if only for the plot: the older plot is kept
     ln -s /dev/full full.svg
     for picture in full.svg cut.svg cut.png; do
         [ -h $picture ] || echo old >$picture

@@ -1,12 +1,12 @@
 #!/bin/sh
-# apps/support, seen from outside: configuration files, standard streams as files, and files of one run that are the same.
+# apps/support, seen from outside: configuration files, standard streams as files, and conflicts between files of a run.
 # Usage: files.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 steady=$programs/steady_study
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 
-# a configuration file that is malformed: its name, the line, and what is wrong
-# malformed LINE TEXT CONTENT: refused at that line
+# a malformed configuration file: the message has its name, the line and the error
+# malformed LINE TEXT CONTENT: rejected at that line
 malformed() {
     printf "$3" >"$scratch/malformed.toml"
     bad "--config = $scratch/malformed.toml: line $1 = " "$steady" --config "$scratch/malformed.toml" --output x.csv
@@ -57,7 +57,7 @@ check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 ==
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
 
-# the file beside the rows repeats a run: the same rows, without its files, jobs and shard; the command line wins
+# the companion file repeats a run: the same rows, without its files, jobs and shard; the command line wins
 printf '%s\n' -1 -0.2 0.5 1 >own
 "$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv || fail run.csv
 sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
@@ -89,7 +89,7 @@ malformed 3 'must not give n a second time' '[given]\nn = 10\nn = 20\n'
 malformed 2 'must name an option of steady_study; did you mean --alpha-T?' '[given]\nalpha-t = 10\n'
 rm -rf run.* t.csv* again.* parts own
 
-# - is a standard stream, and no file
+# - is a standard stream, not a file
 mkdir streams
 (cd streams && "$steady" --n 10 --output - | cut -d, -f1-10 >../out && "$steady" --edges - <"$scratch/edges" >../err) ||
     fail "standard streams"
@@ -102,15 +102,15 @@ bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scr
 "$steady" --n 10 --output - >/dev/full 2>err
 [ $? -eq 4 ] || fail "--output - to a full disk"
 
-# no file of a run is written to twice, or read besides
-# state: all that is in the folder names
+# no file of a run is written twice, or both read and written
+# state: the contents of the folder `names`
 state() {
     for file in names/*; do
         echo "$file $(readlink "$file")"
         [ -h "$file" ] || cat "$file"
     done
 }
-# taken TEXT ARG...: refused, and nothing has changed
+# taken TEXT ARG...: rejected, and no file has changed
 taken() {
     text=$1
     shift

@@ -1,5 +1,5 @@
-# What the scripts of this folder share; to be sourced by them with a folder of programs as $1.
-# Makes an empty folder to work in, which goes away at the end, and counts failures.
+# Shared by the scripts of this folder, which source it with the folder of programs as $1.
+# Works in a temporary folder, and counts failures.
 set -u
 programs=$(cd "$1" && pwd) || exit 1
 scratch=$(mktemp -d) || exit 1
@@ -12,7 +12,7 @@ fail() {
     failures=$((failures + 1))
 }
 
-# bad TEXT PROGRAM ARG...: bad input, exit 2, one line on stderr that has TEXT, nothing on stdout, no file.
+# bad TEXT PROGRAM ARG...: bad input: exit 2, one line with TEXT on stderr, nothing on stdout, no file.
 bad() {
     text=$1
     shift
@@ -27,7 +27,7 @@ bad() {
     rm -rf work
 }
 
-# bad_pairs COLUMNS PROGRAM ARG...: what is bad in the file of pairs that the last argument names and that is not there.
+# bad_pairs COLUMNS PROGRAM ARG...: invalid and missing files of pairs; the last argument lacks the name of the file.
 bad_pairs() {
     columns=$1
     shift
@@ -45,7 +45,7 @@ bad_pairs() {
     bad 'must have at least one row below its header' "$@" "$scratch/pairs"
 }
 
-# good LINES PROGRAM ARG...: exit 0, so many lines in the file out, nothing on stderr.
+# good LINES PROGRAM ARG...: exit 0, this number of lines in the file out, nothing on stderr.
 good() {
     lines=$1
     shift
@@ -56,7 +56,7 @@ good() {
     [ ! -s err ] || fail "something on stderr: $*"
 }
 
-# check WHAT CONDITION: an awk expression that holds in every row of the file out.
+# check WHAT CONDITION: an awk expression that must hold in every row of the file out.
 check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
 
 # column NAME: its number in the file out.
@@ -91,7 +91,7 @@ orders() {
     done
 }
 
-# interrupt SIGNAL FILE PROGRAM ARG...: the signal, sent once FILE is being written; leaves the exit code in $code.
+# interrupt SIGNAL FILE PROGRAM ARG...: sends the signal once FILE is being written; sets $code to the exit code.
 interrupt() {
     signal=$1
     file=$2

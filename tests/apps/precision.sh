@@ -1,5 +1,5 @@
 #!/bin/sh
-# apps/precision_study.cpp, seen from outside: what it refuses, columns, rows, numbers known by other routes, the front,
+# apps/precision_study.cpp, seen from outside: rejected input, columns, rows, independently known numbers, the front and
 # the cheapest schemes; and for every study that shards add up to the whole.
 # Usage: precision.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
@@ -74,7 +74,7 @@ check '0/0.63 is unstable at n = 160' '$6 == 0 && $5 == "" && $7 == ""'
 good 3 "$precision" --n 40 --schemes cosine --quantity c11,c11_z1 --kernel strip --aspect 10
 check 'the error of the strip is that of its model' '$8 > 3e-4 && ($4 / $8 - 1) ^ 2 < 0.01'
 
-# --- both directions, and a load that varies: elements alone, in every column like other friction
+# --- both directions, and a varying load: elements only, with the columns of other friction
 good 38 "$precision" --n 10,20,40 --schemes cosine,uniform-0.5/0.5,galerkin-cosine,richardson-cosine,chebyshev-states,polynomial,closed-form \
     --quantity friction_force,combined_force,load_force --cheapest cheapest.csv
 grep -E '^(chebyshev|polynomial)' out && fail 'friction without elements'
@@ -85,7 +85,7 @@ for quantity in combined_force load_force; do
     grep -q "^$quantity,1e-2,elements,[a-z]" cheapest.csv && grep -q "^$quantity,1e-2,stable-elements,[a-z]" cheapest.csv &&
         grep -q "^$quantity,1e-12,all,,,,,none\$" cheapest.csv || fail "cheapest schemes for $quantity"
 done
-# a mesh that breathes, and one on the largest contact, against the series of two discretisations
+# a breathing mesh, and one on the largest contact, against the series of two discretisations
 row() { awk -F, -v s="$1" -v n="$2" -v q="$3" '$1 == s && $2 == n && $3 == q { ok = '"$4"' } END { exit !ok }' out || fail "$1 $2 $3: $(grep "$1,$2,$3" out)"; }
 row cosine 20 load_force '($4 / 2.8e-3 - 1) ^ 2 < 0.03 ^ 2'
 row cosine 40 load_force '($4 / 8.07e-4 - 1) ^ 2 < 0.01 ^ 2'
@@ -105,8 +105,8 @@ good 2 "$precision" --n 20 --schemes cosine --quantity combined_force --aspect i
 bad '--aspect = inf must be positive and finite' $p --quantity load_force --aspect inf
 "$precision" --help | grep -q 'load_force: creepage ratio' || fail '--help says nothing of load_force'
 
-# --- Chebyshev states: numbers of the plane known otherwise, b/a = 100 and nu = 0.25, geometric in their number; the
-# strip's distance from the plane; where they do not exist
+# --- Chebyshev states: known errors on the plane, b/a = 100 and nu = 0.25, geometric in their number; the strip's
+# distance from the plane; kernels without states
 good 9 "$precision" --n 6,8,10,12 --schemes chebyshev-states --quantity c11_z5,step_force --aspect 100 --poisson 0.25
 at() { awk -F, -v n="$1" -v q="$2" '$2 == n && $3 == q { ok = '"$3"' } END { exit !ok }' out || fail "$1 states: $2: $(cat out)"; }
 at 6 c11_z5 '($4 / 5.3e-3 - 1) ^ 2 < 1e-3'
@@ -121,8 +121,8 @@ check 'from 1 to 48 states without --n' '$2 >= 1 && $2 <= 48'
 bad '--aspect = 0.0005 must be at least 0.001 for the scheme chebyshev-states' $p --kernel strip --aspect 0.0005 --quantity c11
 bad '--n = 4 must fit' $p --schemes chebyshev-states --quantity friction_force
 
-# --- shards add up to the whole, byte for byte but for times and what follows from them
-# aside FILE: the rows with columns of times and on_front left empty
+# --- shards add up to the whole, byte for byte except for times and what depends on them
+# aside FILE: the rows with empty columns for times and on_front
 aside() {
     awk -F, 'BEGIN { OFS = "," } NR == 1 { for (i = 1; i <= NF; ++i) out[i] = $i ~ /_us$|^on_front$/; print; next }
         { for (i = 1; i <= NF; ++i) if (out[i]) $i = ""; print }' "$1"
@@ -146,7 +146,7 @@ adds_up "$programs/friction_study" --n 5,8 --creepage-ratio 0.5,1.1
 adds_up "$programs/friction_study" --n 5 --transient --creepage-ratio 0.5 --until 1
 adds_up "$precision" --n 4,6 --schemes cosine,uniform-0/0.63,chebyshev-states,polynomial --quantity c11,c11_z1
 
-# --- --front: of the whole nothing but itself, of shards the columns that were empty, and of one contact only
+# --- --front: reproduces the whole, fills the empty columns of shards, and takes a single contact only
 sed '3s/,1000,/,100,/' whole >mixed
 bad 'line 3 must have the kernel, aspect, poisson' "$precision" --front ../mixed
 "$precision" --front whole >again || fail '--front'
@@ -160,7 +160,7 @@ grep -q '^c11,1e-2,elements,[a-z]' cheapest.csv || fail 'cheapest of parts'
 if command -v gnuplot >/dev/null; then
     good 17 "$precision" --front whole --plot p.svg
     [ "$(grep -c '</svg>' p.svg)" -eq 1 ] && grep -q 'Pareto front' p.svg || fail 'plot'
-    # a scheme has the same colour in every panel, though friction lacks two of them; rounding has a floor
+    # a scheme has the same colour in every panel, though friction lacks two schemes; round-off has a floor
     good 11 "$precision" --n 40 --schemes cosine,chebyshev-states,polynomial,closed-form \
         --quantity c11,c11_z5,friction_force --plot p.svg
     awk '/<title>/ { split($0, part, /<title>|<.title>/); title = part[2] }

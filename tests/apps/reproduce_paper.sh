@@ -12,7 +12,7 @@ bad jobs "$program" "$scratch/results" --jobs 0
 bad extra "$program" "$scratch/results" extra
 [ ! -e "$scratch/results" ] || fail "bad input left a folder"
 
-# No gnuplot: exit code 0, a note, every panel as CSV, the claims and the page; plots of an earlier run are gone.
+# No gnuplot: exit code 0, a note, every panel as CSV, the claims and the page; plots of an earlier run are removed.
 mkdir "$scratch/results"
 echo old >"$scratch/results/fig05a.svg"
 PATH="$scratch/nowhere" "$program" "$scratch/results" --quiet >"$scratch/out" 2>"$scratch/err" </dev/null
@@ -31,7 +31,7 @@ statements=$(grep -c ',statement$' "$claims") additions=$(grep -c ',addition$' "
 [ $((statements + additions + 1)) -eq "$(wc -l <"$claims")" ] || fail "a claim is neither statement nor addition"
 grep -q "^$statements statements of the paper: .* $additions additions: all hold" "$scratch/out" || fail "$(cat "$scratch/out")"
 
-# The page quotes the paper in the row of each statement, and its contents lead somewhere.
+# The page quotes the paper in the row of each statement, and the links in its contents work.
 page=$scratch/results/index.html
 failing=$(sed -n 's/.*hold, \([0-9]*\) do not hold as printed.*/\1/p' "$scratch/out")  # their rows appear twice
 [ "$(grep -c '<td>“..*”</td>' "$page")" -eq $((statements + failing)) ] || fail "statements without the paper's words"

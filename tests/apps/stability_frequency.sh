@@ -1,6 +1,6 @@
 #!/bin/sh
-# apps/stability_study.cpp and apps/frequency_study.cpp, seen from outside: what they refuse, columns, rows, shards and
-# jobs, and numbers that are known by other routes.
+# apps/stability_study.cpp and apps/frequency_study.cpp, seen from outside: rejected input, columns, rows, shards and
+# jobs, and independently known numbers.
 # Usage: stability_frequency.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 stability=$programs/stability_study
@@ -53,7 +53,7 @@ check 'no exact eigenvalues where the plane model does not decay' '$2 != "" && $
 good 11 $s --n 10 --spectrum --alpha 1
 # one element, uniform, alpha = 0: G' is zero, and so is the eigenvalue
 good 2 $s --n 1 --spectrum --alpha 0
-# what steady rolling holds against a scheme whose eigenvalues are stable
+# schemes with stable eigenvalues that steady rolling reports as inconsistent
 good 3 $s --n 20 --alpha 0.5,1.5
 check 'status' '$8 == 0 && $16 == ($6 == 0.5 ? "ok" : "inconsistent") && $17 == "strip" && $18 == 1000 && $19 == 0.25'
 good 2 $s --n 3 --alpha-L 0 --alpha-T 0.1

@@ -21,7 +21,7 @@ TEST_CASE("Every task runs once and is reported once, on any number of threads",
     }
 }
 
-TEST_CASE("An exception of a task ends parallel_for and is passed on", "[parallel]") {
+TEST_CASE("An exception in a task ends parallel_for and is passed on", "[parallel]") {
     for (const std::size_t jobs : {1, 4}) {
         std::vector<int> runs(100);
         std::string message;

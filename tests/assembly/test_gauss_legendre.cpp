@@ -10,14 +10,14 @@ namespace {
 
 using rollbem::detail::gauss_legendre;
 
-TEMPLATE_TEST_CASE("Gauss-Legendre is exact up to degree 2N-1 and not one more", "[quadrature]", float, double,
+TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1 and no further", "[quadrature]", float, double,
                    long double) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index count : {1, 2, 3, 4, 5, 6, 7, 9}) {
         const auto rule = gauss_legendre<Scalar>(count);
         REQUIRE(rule.nodes.size() == count);
-        // the shift makes odd degrees count: (x + 1/2)^degree
+        // the shift, (x + 1/2)^degree, makes odd degrees matter
         const auto error = [&](int degree) {
             Scalar sum = 0;
             for (Eigen::Index k = 0; k < count; ++k) {

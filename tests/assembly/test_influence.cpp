@@ -39,13 +39,13 @@ double distance(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b) {
     return static_cast<double>((a - b).cwiseAbs().maxCoeff() / size);
 }
 
-// A general mesh with the given mesh's edges: no shortcut for equal widths.
+// The given mesh marked as not uniform: no shortcut for equal widths.
 template <class Scalar>
 Mesh<Scalar> as_general(const Mesh<Scalar>& mesh) {
     return Mesh<Scalar>({mesh.widths(), mesh.edges_from_trailing(), mesh.edges_from_leading(), false});
 }
 
-TEMPLATE_TEST_CASE("Every entry of G and G' meets brute force", "[influence]", float, double, long double) {
+TEMPLATE_TEST_CASE("Every entry of G and G' agrees with brute force", "[influence]", float, double, long double) {
     using Scalar = TestType;
     for (const Eigen::Index n : {3, 11}) {
         const auto meshes = brute_force::every_mesh<Scalar>(n);
@@ -59,7 +59,7 @@ TEMPLATE_TEST_CASE("Every entry of G and G' meets brute force", "[influence]", f
                             brute_force::largest_error(matrix, kernel, exact_meshes[i].mesh, scheme, slope);
                         const double in_eps = static_cast<double>(error / std::numeric_limits<Scalar>::epsilon());
                         CAPTURE(n, kernel_name, scheme_name, meshes[i].name, slope, in_eps);
-                        // third differences, and a narrow strip's H that is nearly constant, cancel more
+                        // third differences, and a narrow strip's H, which is nearly constant, cancel more
                         const bool delicate = kernel.b < 1 || scheme_name.find("exact fd") != std::string::npos;
                         CHECK(in_eps < (delicate ? 4e4 : 4e3));
                     }
@@ -69,7 +69,7 @@ TEMPLATE_TEST_CASE("Every entry of G and G' meets brute force", "[influence]", f
     }
 }
 
-TEST_CASE("A finite difference is closed-form Galerkin of the analytic derivative", "[influence]") {
+TEST_CASE("The finite difference is closed-form Galerkin of the analytic derivative", "[influence]") {
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(20)) {
         for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
             const MatrixX<double> points = build(mesh, Collocation{0, 0.63, fd}, kernel, true);
@@ -83,7 +83,7 @@ TEST_CASE("A finite difference is closed-form Galerkin of the analytic derivativ
     }
 }
 
-TEST_CASE("One-point Galerkin is collocation", "[influence]") {
+TEST_CASE("Galerkin's method with one point is collocation", "[influence]") {
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(9)) {
         for (const auto derivative : {fd, analytic}) {
             for (const auto& [alpha_L, alpha_T] : {std::pair{0.0, 0.63}, {0.5, 0.5}}) {
@@ -101,7 +101,7 @@ TEST_CASE("One-point Galerkin is collocation", "[influence]") {
     }
 }
 
-TEST_CASE("Galerkin with ever more points tends to the closed form", "[influence][convergence]") {
+TEST_CASE("Galerkin's method with more and more points converges to the closed form", "[influence][convergence]") {
     const brute_force::Kernel kernel{false, 4, 0.75L, 0.25L};
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(6)) {
         for (const auto derivative : {fd, analytic}) {
@@ -115,7 +115,7 @@ TEST_CASE("Galerkin with ever more points tends to the closed form", "[influence
                 }
                 CAPTURE(name, derivative, slope, errors[0], errors[1], errors[2]);
                 CHECK(errors[1] < errors[0] / 4);
-                // the guard leaves the singular ends of analytic slopes a thousandth short
+                // the guard leaves out a thousandth of the width at the singular ends of analytic slopes
                 CHECK(errors[2] < errors[1] / (derivative == analytic && slope ? 1.5 : 3));
                 CHECK(errors[2] < (derivative == analytic && slope ? 2e-3 : 1e-4));
             }
@@ -123,8 +123,8 @@ TEST_CASE("Galerkin with ever more points tends to the closed form", "[influence
     }
 }
 
-TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh: Toeplitz, and the same as the general path", "[influence]", float,
-                   double, long double) {
+TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal to the general ones", "[influence]",
+                   float, double, long double) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {1, 2, 3, 4, 5, 16, 33}) {
@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh: Toeplitz, and the same as th
                         const MatrixX<Scalar> fast = build(mesh, scheme, kernel, slope);
                         CAPTURE(n, kernel_name, alpha, scheme.index(), slope);
                         CHECK(fast.allFinite());
-                        // beyond the contact there are no edges to keep clear of, so that the last rows may differ
+                        // no edges to keep clear of beyond the contact, so the last rows may differ
                         const bool at_outer_edge = std::abs(alpha) == 1.5;
                         const bool zero = n == 1 && alpha == 0 && slope;  // but for rounding
                         if (!at_outer_edge && !zero)
@@ -160,7 +160,7 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh: Toeplitz, and the same as th
     }
 }
 
-TEST_CASE("Unequal alphas on a uniform mesh take the same values as on a general one", "[influence]") {
+TEST_CASE("Unequal alphas give the same matrices on a uniform mesh as on a general one", "[influence]") {
     const Mesh<double> mesh = uniform_mesh(40), general = as_general(mesh);
     for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
         for (const auto& [name, scheme] : brute_force::every_scheme()) {
@@ -172,7 +172,7 @@ TEST_CASE("Unequal alphas on a uniform mesh take the same values as on a general
     }
 }
 
-TEST_CASE("A larger contact of the same shape has the same slopes", "[influence]") {
+TEST_CASE("A contact twice as long has the same slopes and half the scaled displacements", "[influence]") {
     // a contact twice as long, of the same width, meshed so that its trailing half is the first contact
     const Eigen::Index n = 8;
     ArrayX<double> edges(n + 2);
@@ -191,7 +191,7 @@ TEST_CASE("A larger contact of the same shape has the same slopes", "[influence]
     }
 }
 
-TEST_CASE("The guard keeps points 0.001 of a width off the edges", "[influence]") {
+TEST_CASE("The guard keeps points 0.001 of a width away from edges", "[influence]") {
     const PlaneKernel<double> kernel(1000, 0.75, 0.25);
     const auto matrix = [&](const Mesh<double>& mesh, double alpha) {
         return assemble_G_prime(mesh, Collocation{alpha, alpha, analytic}, kernel);
@@ -206,14 +206,14 @@ TEST_CASE("The guard keeps points 0.001 of a width off the edges", "[influence]"
     CHECK(distance(matrix(mesh, 0.499), matrix(mesh, 0.501)) > 1e-4);
     CHECK(distance(matrix(mesh, -0.5), matrix(mesh, -0.501)) < 1e-12);  // an edge belongs to its trailing side
     CHECK(distance(matrix(mesh, -0.4995), matrix(mesh, -0.499)) < 1e-12);
-    // a point in the next element keeps clear by that element's width: widths 1.5 and 0.5
+    // the clearance is measured by the element that the point lies in: widths 1.5 and 0.5
     const Mesh<double> steps = mesh_from_edges<double>(Eigen::Array3d(-1, 0.5, 1));
     const double ahead = (0.75 + 0.0005) / 1.5;  // of the first element's width
     CHECK(std::abs(matrix(steps, 0.5001)(0, 1) / matrix(steps, ahead)(0, 1) - 1) < 1e-10);
     CHECK(std::abs(matrix(steps, 0.5)(0, 1) / matrix(steps, 0.499)(0, 1) - 1) < 1e-10);
     CHECK(std::abs(matrix(steps, 0.5)(1, 1) / matrix(steps, 0.499)(1, 1) - 1) < 1e-10);
     CHECK(std::abs(matrix(steps, 0.5001)(1, 1) / matrix(steps, 0.501)(1, 1) - 1) < 1e-10);  // beyond the leading edge
-    // an end value of 0.5 is on the edge on every mesh, whatever interpolation rounds
+    // an end value of 0.5 lies on the edge on every mesh, despite round-off of the interpolation
     for (const Eigen::Index n : {3, 4, 10, 41}) {
         for (const auto& [name, each] : brute_force::every_mesh<double>(n)) {
             const MatrixX<double> ends = assemble_G_prime(each, Collocation{0, 0.5, analytic}, kernel);
@@ -222,14 +222,14 @@ TEST_CASE("The guard keeps points 0.001 of a width off the edges", "[influence]"
             CHECK(std::abs(ends(0, 0) / clear(0, 0) - 1) < 1e-10);
         }
     }
-    for (const int points : {1, 2, 3, 7, 64, 1000}) {  // Gauss points fall on edges too
+    for (const int points : {1, 2, 3, 7, 64, 1000}) {  // Gauss points may fall on edges too
         for (const double alpha : {0.5, 0.0, 1.0, 2.0}) {
             CHECK(assemble_G_prime(uniform_mesh(4), Galerkin{alpha, alpha, analytic, 1, points}, kernel).allFinite());
         }
     }
 }
 
-TEST_CASE("Lambda moves the points of G alone", "[influence]") {
+TEST_CASE("Lambda moves only the collocation points of G", "[influence]") {
     const StripKernel<double> kernel(10, 0.75, 0.25);
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(7)) {
         const auto all = [&, &mesh = mesh](double lambda, double alpha_T) {
@@ -244,7 +244,7 @@ TEST_CASE("Lambda moves the points of G alone", "[influence]") {
     }
 }
 
-// The least a kernel must offer; counts the evaluations of H.
+// The least that a kernel must provide; counts the evaluations of H.
 struct MinimalKernel {
     using Scalar = double;
     PlaneKernel<double> plane{10, 0.75, 0.25};
@@ -260,7 +260,7 @@ static_assert(LineKernel<MinimalKernel> && !SplitKernel<MinimalKernel> && !Taylo
 static_assert(SplitKernel<PlaneKernel<double>> && SplitKernel<StripKernel<float>> &&
               TaylorKernel<StripKernel<long double>>);
 
-TEST_CASE("g, H and H_integral are enough of a kernel, and H is evaluated once per neighbour", "[influence]") {
+TEST_CASE("A kernel needs only g, H and H_integral, and H is evaluated once per pair of neighbours", "[influence]") {
     for (const Eigen::Index n : {3, 10, 60}) {
         for (const auto& [name, mesh] : brute_force::every_mesh<double>(n)) {
             for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
@@ -289,7 +289,7 @@ TEST_CASE("g, H and H_integral are enough of a kernel, and H is evaluated once p
     }
 }
 
-TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the elements that remain", "[influence]") {
+TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the remaining elements", "[influence]") {
     const PlaneKernel<double> plane(1000, 0.75, 0.25);
     for (const auto derivative : {fd, analytic}) {
         for (const Eigen::Index n : {2, 3, 20}) {
@@ -302,7 +302,7 @@ TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the elements t
             CHECK(distance<double>(boundary, shifted.topLeftCorner(n - 1, n - 1)) < 1e-13);
             CHECK(distance<double>(boundary, remaining) < 1e-13);  // slopes of the plane have no length scale
         }
-        // for the strip the contact without its leading element is shorter; narrow strips lose (d/dx)^2 roundings
+        // on a strip, the contact without its leading element is shorter; narrow strips lose (d/dx)^2 to round-off
         const StripKernel<double> strip(2, 0.75, 0.25), shorter(2 * 10.0 / 9, 0.75, 0.25);
         CHECK(distance<double>(assemble_G_prime(uniform_mesh(10), KnotheBoundary{derivative}, strip),
                                assemble_G_prime(uniform_mesh(9), Collocation{1, 1, derivative}, shorter)) < 1e-12);
@@ -311,7 +311,7 @@ TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the elements t
     CHECK(distance<double>(G, assemble_G(cosine_mesh(6), Collocation{0, 0}, plane).bottomLeftCorner(5, 5)) < 1e-13);
 }
 
-TEST_CASE("Extreme grading keeps the entries to the ratio of the sizes", "[influence]") {
+TEST_CASE("Extreme grading loses no more digits than the ratio of element sizes explains", "[influence]") {
     const auto check = [](const Mesh<double>& mesh, const Mesh<Real>& exact, double limit) {
         for (const brute_force::Scheme& scheme :
              std::vector<brute_force::Scheme>{Collocation{0, 0.625}, Collocation{0, 0.625, analytic}}) {
@@ -332,7 +332,7 @@ TEST_CASE("Extreme grading keeps the entries to the ratio of the sizes", "[influ
     check(geometric_mesh(12, 1e-6), geometric_mesh<Real>(12, 1e-6L), 1e-9);
 }
 
-TEST_CASE("Assembly refuses what it cannot do, by name", "[influence]") {
+TEST_CASE("Assembly rejects infinite widths where G is needed, and invalid schemes", "[influence]") {
     const double infinity = std::numeric_limits<double>::infinity();
     const PlaneKernel<double> plane(infinity, 0.75, 0.25);
     CHECK(assemble_G_prime(uniform_mesh(4), Collocation{}, plane).allFinite());

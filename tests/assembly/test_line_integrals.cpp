@@ -14,7 +14,7 @@ namespace {
 using namespace rollbem;
 using brute_force::Real;
 
-// Rows of a fine mesh against long double: a naive second difference loses 8e-8 here.
+// Rows of a fine mesh against long double; a naive second difference has an error of 8e-8 here.
 void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const brute_force::Kernel& kernel, int averages,
                 bool slope, double limit) {
     const Eigen::Index n = mesh.size();
@@ -71,17 +71,17 @@ TEST_CASE("Rows of 10^4 elements keep ten digits", "[line_integrals]") {
     }
 }
 
-TEST_CASE("The series of far entries is cut off below rounding", "[line_integrals]") {
+TEST_CASE("The series of far entries is truncated below round-off", "[line_integrals]") {
     const brute_force::Kernel kernel{true, 1000, 0.75L, 0.25L};
-    for (const Eigen::Index n : {32, 64, 128}) {  // powers of two: uniform distances are exact
+    for (const Eigen::Index n : {32, 64, 128}) {  // powers of two: distances on uniform meshes are exact
         for (const int averages : {0, 1}) {
             check_rows(uniform_mesh(n), uniform_mesh<Real>(n), kernel, averages, true, 1e-13);
         }
     }
 }
 
-TEST_CASE("The slope of one element at any distance", "[line_integrals]") {
-    // whatever the number of terms: ln((d + h)/(d - h)) = 2 atanh(h/d)
+TEST_CASE("The slope of one element is accurate at any distance", "[line_integrals]") {
+    // for any number of terms: ln((d + h)/(d - h)) = 2 atanh(h/d)
     const PlaneKernel<double> kernel(100, 0.75, 0.25);
     const double strength = 1.5 / std::numbers::pi, half = 0.125;
     for (double ratio = 0.005; ratio < 1.0 / 3; ratio *= 1.01) {
@@ -96,8 +96,8 @@ TEST_CASE("The slope of one element at any distance", "[line_integrals]") {
     }
 }
 
-TEST_CASE("Columns may be fewer than rows and lie anywhere", "[line_integrals]") {
-    // one element seen from the points of another mesh: the rows and columns of G' need not belong together
+TEST_CASE("Columns may be fewer than rows and may lie anywhere", "[line_integrals]") {
+    // one element seen from the points of a mesh: the rows and columns of G' may come from different meshes
     const Mesh<double> mesh = cosine_mesh(13);
     const StripKernel<double> kernel(3, 0.75, 0.25);
     const detail::RowPoints<double> rows{mesh.from_trailing(), mesh.from_leading(), 0.25 * mesh.widths(),

@@ -1,5 +1,5 @@
-// A scheme of one's own, rollbem/discretisation/scheme.hpp, through every problem: all that the library asks for is
-// rows(). Here the mean of two collocation points, whose matrices are the means of those of both points.
+// A user-defined scheme, rollbem/discretisation/scheme.hpp, in every problem: all that the library asks for is
+// rows(). Here the mean over two collocation points, whose matrices are the means of those of each point.
 #include <cmath>
 #include <utility>
 
@@ -48,7 +48,7 @@ ElementSystem<double> mean_of_both(const Mesh<double>& mesh, const TwoPoints& sc
     return {(G + other_G) / 2, (G_prime + other_G_prime) / 2, mesh.widths()};
 }
 
-TEST_CASE("The matrices of two points are the means of those of each", "[scheme]") {
+TEST_CASE("The matrices of a scheme with two points are the means of those of each point", "[scheme]") {
     for (const TwoPoints& scheme : {stable, unstable}) {
         for (const Mesh<double>& mesh : {uniform_mesh(20), cosine_mesh(17), geometric_mesh(12, 3.0)}) {
             const ElementSystem<double> own = rolling_system(mesh, scheme, kernel), mean = mean_of_both(mesh, scheme);
@@ -61,7 +61,7 @@ TEST_CASE("The matrices of two points are the means of those of each", "[scheme]
     }
 }
 
-TEST_CASE("Two points: steady, stability, frequency and time", "[scheme]") {
+TEST_CASE("A scheme with two points solves steady, stability, frequency and time problems", "[scheme]") {
     const Mesh<double> mesh = uniform_mesh(20);
     const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
 
@@ -96,7 +96,7 @@ TEST_CASE("Two points: steady, stability, frequency and time", "[scheme]") {
     }
 }
 
-TEST_CASE("Two points: friction", "[scheme]") {
+TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
     const Mesh<double> mesh = uniform_mesh(20);
     const CoulombFriction<double> friction{0.3, 1e-2 * mean_hertz_pressure(mesh)};
     const SteadyFrictionModel<double> model(contact, mesh, stable, kernel, friction);

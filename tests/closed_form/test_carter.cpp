@@ -34,9 +34,9 @@ double integrate_with_ends(Function f, double lower, double upper, double alpha,
     return result;
 }
 
-TEST_CASE("c11 is minus the integral of Carter's traction", "[carter]") {
+TEST_CASE("The exact c11 is minus the integral of Carter's traction", "[carter]") {
     for (const double nu : {0.0, 0.25, 0.28, 0.5}) {
-        // with x = -cos(theta) the integrand is a trigonometric polynomial: the midpoint rule is exact
+        // with x = -cos(theta) the integrand is a trigonometric polynomial, so the midpoint rule is exact
         const int count = 8;
         double force = 0;
         for (int k = 0; k < count; ++k) {
@@ -50,7 +50,7 @@ TEST_CASE("c11 is minus the integral of Carter's traction", "[carter]") {
     }
 }
 
-TEST_CASE("Carter's mean meets adaptive quadrature", "[carter]") {
+TEST_CASE("Carter's mean traction agrees with adaptive quadrature", "[carter]") {
     const double nu = 0.28;
     const double edges[] = {-1, -0.999, -0.9, -0.3, 0, 0.2, 0.21, 0.95, 0.9999, 1};
     for (const double x1 : edges) {
@@ -72,7 +72,7 @@ TEST_CASE("Carter's mean meets adaptive quadrature", "[carter]") {
     }
 }
 
-TEST_CASE("Carter's mean keeps full accuracy on the smallest elements of a cosine mesh", "[carter]") {
+TEST_CASE("Carter's mean traction is accurate on the smallest elements of a cosine mesh", "[carter]") {
     const long double pi = std::numbers::pi_v<long double>;
     for (const int n : {10, 1000, 10000}) {
         double largest = 0;
@@ -87,7 +87,7 @@ TEST_CASE("Carter's mean keeps full accuracy on the smallest elements of a cosin
                 static_cast<double>(distance(pi * (n - j - 1) / n))};
             const double mean = carter_mean_traction(interval, 0.25);
             sum += static_cast<long double>(mean) * static_cast<long double>(interval.width);
-            // the integral is theta + sin(theta); its leading end is taken from pi, where it is of third order
+            // the integral is theta + sin(theta); near pi, where it is of third order, it is expanded about pi
             const long double phi = pi * (n - j - 1) / n;
             const long double step = pi / n;
             const long double integral = phi + step > 1.5L ? step + std::sin(upper) - std::sin(lower) : [&] {
@@ -111,7 +111,7 @@ TEST_CASE("Carter's mean keeps full accuracy on the smallest elements of a cosin
     }
 }
 
-TEST_CASE("Carter's mean tends to the traction at the centre", "[carter]") {
+TEST_CASE("Carter's mean traction of a small element tends to the traction at its centre", "[carter]") {
     for (const double x : {-0.99, -0.5, 0.0, 0.7, 0.99}) {
         const double h = 1e-7;
         CHECK(std::abs(carter_mean_traction(ContactInterval<double>{1 + x - h, 2 * h, 1 - x - h}, 0.3) /
@@ -122,7 +122,7 @@ TEST_CASE("Carter's mean tends to the traction at the centre", "[carter]") {
     CHECK(carter_traction(-1.0, 0.3) == -std::numeric_limits<double>::infinity());
 }
 
-TEMPLATE_TEST_CASE("Carter's solution in every scalar type", "[carter]", float, double, long double) {
+TEMPLATE_TEST_CASE("Carter's solution holds in every scalar type", "[carter]", float, double, long double) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     const Scalar nu = Scalar(0.25);
@@ -133,7 +133,7 @@ TEMPLATE_TEST_CASE("Carter's solution in every scalar type", "[carter]", float, 
     CHECK(std::abs(plane_lambda(nu, Scalar(0.25)) - Scalar(1) / 3) < 2 * eps);
 }
 
-TEST_CASE("Carter's functions refuse bad input by name", "[carter]") {
+TEST_CASE("Carter's functions reject invalid input and name the quantity", "[carter]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH(steady_c11(0.7), "steady_c11: poisson_ratio = 0.7 must lie in [0, 0.5]");

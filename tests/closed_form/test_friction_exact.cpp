@@ -31,7 +31,7 @@ gsl_function wrap(Function& f) {
     return result;
 }
 
-/// Integral over the ascending break points, which hold every singularity of f (GSL's QAGP).
+/// Integral between ascending break points that include every singularity of f (GSL's QAGP).
 template <typename Function>
 double integrate(Function f, std::vector<double> points) {
     const Workspace workspace = make_workspace();
@@ -82,7 +82,7 @@ TEST_CASE("Carter's friction solution sticks, slips and carries its force", "[fr
     }
 }
 
-TEST_CASE("Carter's friction solution in its limits", "[friction]") {
+TEST_CASE("Carter's friction solution has the limits of full sliding and full adhesion", "[friction]") {
     CHECK(carter_force_ratio(1.0) == 1);
     CHECK(carter_force_ratio(3.0) == 1);
     CHECK(carter_force_ratio(-3.0) == -1);
@@ -96,7 +96,7 @@ TEST_CASE("Carter's friction solution in its limits", "[friction]") {
     CHECK(carter_creepage_ratio(carter_force_ratio(delta)) == Approx(delta).epsilon(1e-15));
 }
 
-TEST_CASE("Cattaneo's shift meets adaptive quadrature of the plane kernel", "[friction]") {
+TEST_CASE("Cattaneo's shift agrees with adaptive quadrature of the plane kernel", "[friction]") {
     for (const double nu : {0.0, 0.25, 0.5}) {
         for (const double aspect : {1.0, 50.0}) {
             for (const double force_ratio : {-0.3, 0.01, 0.6, 0.99, 1.0}) {
@@ -132,7 +132,7 @@ TEST_CASE("Cattaneo's shift meets adaptive quadrature of the plane kernel", "[fr
     }
 }
 
-TEST_CASE("Cattaneo's inverse over many magnitudes", "[friction]") {
+TEST_CASE("The inverse of Cattaneo's shift is accurate over 300 orders of magnitude", "[friction]") {
     for (const double aspect : {0.2, 1.0, 1e6}) {
         for (int k = -300; k <= 0; k += 20) {
             const double force_ratio = std::pow(10.0, k) * 0.999999;
@@ -145,7 +145,7 @@ TEST_CASE("Cattaneo's inverse over many magnitudes", "[friction]") {
     CHECK(cattaneo_force_ratio(0.0, 0.25, 10.0) == 0);
 }
 
-TEMPLATE_TEST_CASE("friction closed forms in every scalar type", "[friction]", float, double, long double) {
+TEMPLATE_TEST_CASE("Closed forms of friction hold in every scalar type", "[friction]", float, double, long double) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     CHECK(std::abs(carter_force_ratio(Scalar(0.5)) - Scalar(0.75)) <= eps);
@@ -158,7 +158,7 @@ TEMPLATE_TEST_CASE("friction closed forms in every scalar type", "[friction]", f
     CHECK(std::abs(cattaneo_force_ratio(shift, Scalar(0.25), Scalar(10)) - Scalar(0.75)) <= 2 * eps);
 }
 
-TEST_CASE("friction closed forms refuse bad input by name", "[friction]") {
+TEST_CASE("Closed forms of friction reject invalid input and name the quantity", "[friction]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH(carter_creepage_ratio(1.5), "carter_creepage_ratio: force_ratio = 1.5 must lie in [-1, 1]");
     CHECK_THROWS_AS(carter_force_ratio(nan), std::invalid_argument);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace rollbem::detail;
 
-TEMPLATE_TEST_CASE("Numbers are finite, infinite or none, by their bits", "[finite]", float, double, long double) {
+TEMPLATE_TEST_CASE("Bits tell finite numbers, infinities and NaN apart", "[finite]", float, double, long double) {
     using Limits = std::numeric_limits<TestType>;
     for (const TestType value : {TestType(0), TestType(-1), Limits::min(), Limits::denorm_min(), Limits::max()}) {
         for (const TestType number : {value, -value}) {
@@ -33,7 +33,7 @@ TEMPLATE_TEST_CASE("Numbers are finite, infinite or none, by their bits", "[fini
     }
 }
 
-TEMPLATE_TEST_CASE("One number of many that is not finite is found", "[finite]", float, double, long double) {
+TEMPLATE_TEST_CASE("A single number that is not finite is found among many", "[finite]", float, double, long double) {
     using Limits = std::numeric_limits<TestType>;
     Eigen::Array<TestType, Eigen::Dynamic, 1> values(9);
     values.setConstant(Limits::max());

@@ -16,7 +16,7 @@ namespace {
 using namespace rollbem;
 using brute_force::Real;
 
-// Largest relative difference, in roundings of Scalar; 0 must meet 0.
+// Largest relative difference in units of Scalar's epsilon; zeros must match exactly.
 template <class A, class B>
 double in_eps(const A& values, const B& exact) {
     if (values.size() != exact.size()) return 1e300;
@@ -29,7 +29,7 @@ double in_eps(const A& values, const B& exact) {
     return largest;
 }
 
-TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[mesh]", float, double, long double) {
+TEMPLATE_TEST_CASE("Meshes are consistent and accurate to round-off", "[mesh]", float, double, long double) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {3, 4, 17, 40, 1000, 10000}) {
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
             const Mesh<Real>& fine = exact[i].mesh;
             CAPTURE(n, large[i].name);
             REQUIRE(mesh.size() == n);
-            // everything against long double, relative even beside an edge
+            // all arrays against long double, with relative accuracy even next to an edge of the contact
             CHECK(in_eps(mesh.widths(), fine.widths()) < 40);
             CHECK(in_eps(mesh.edges_from_trailing(), fine.edges_from_trailing()) < 40);
             CHECK(in_eps(mesh.edges_from_leading(), fine.edges_from_leading()) < 40);
@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
             CHECK(in_eps(mesh.from_leading(), fine.from_leading()) < 40);
             CHECK(static_cast<double>((mesh.centres().template cast<Real>() - fine.centres()).abs().maxCoeff()) <
                   4 * eps);
-            // and among one another
+            // and against each other
             CHECK(mesh.edges_from_trailing()[0] == 0);
             CHECK(mesh.edges_from_trailing()[n] == 2);
             CHECK(mesh.edges_from_leading()[0] == 2);
@@ -91,7 +91,7 @@ TEMPLATE_TEST_CASE("Meshes are consistent and accurate to a few roundings", "[me
     }
 }
 
-TEST_CASE("Edges of the makers meet their formulas", "[mesh]") {
+TEST_CASE("Edges of the cosine and the uniform mesh follow their formulas", "[mesh]") {
     for (const Eigen::Index n : {3, 10, 10000}) {
         const Mesh<double> cosine = cosine_mesh(n), uniform = uniform_mesh(n);
         CAPTURE(n);
@@ -108,7 +108,7 @@ TEST_CASE("Edges of the makers meet their formulas", "[mesh]") {
     }
 }
 
-TEMPLATE_TEST_CASE("Symmetric meshes mirror exactly", "[mesh]", float, double, long double) {
+TEMPLATE_TEST_CASE("Symmetric meshes are exactly symmetric", "[mesh]", float, double, long double) {
     using Scalar = TestType;
     for (const Eigen::Index n : {3, 4, 7, 40, 161, 10000}) {
         for (const Mesh<Scalar>& mesh : {uniform_mesh<Scalar>(n), knothe_mesh<Scalar>(n, Scalar(0.3)),
@@ -125,7 +125,7 @@ TEMPLATE_TEST_CASE("Symmetric meshes mirror exactly", "[mesh]", float, double, l
     }
 }
 
-TEST_CASE("Ratios of the graded meshes", "[mesh]") {
+TEST_CASE("Graded meshes have the element ratios asked for", "[mesh]") {
     for (const Eigen::Index n : {2, 3, 5, 40, 1000}) {
         for (const double ratio : {1e-6, 0.2, 0.999999, 1 + 1e-12, 2.0, 10.0, 1e6}) {
             const Mesh<double> mesh = geometric_mesh(n, ratio);
@@ -189,7 +189,7 @@ TEMPLATE_TEST_CASE("A specification makes the mesh of its topology", "[mesh]", f
     }
 }
 
-TEST_CASE("What is known of a topology holds for its meshes", "[mesh]") {
+TEST_CASE("The facts listed for a topology hold for its meshes", "[mesh]") {
     for (const TopologyInfo& known : topologies) {
         CAPTURE(known.name);
         CHECK(&info(known.topology) == &known);
@@ -197,7 +197,7 @@ TEST_CASE("What is known of a topology holds for its meshes", "[mesh]") {
         CHECK(topology_named(known.name) == known.topology);
         CHECK(make_mesh({known.topology, known.least_n, 0.3}).size() == known.least_n);
         CHECK_THROWS_AS(make_mesh({known.topology, known.least_n - 1, 0.3}), std::invalid_argument);
-        // a grading is used where one is taken, and only there
+        // the grading matters for those topologies that take one, and only for them
         const auto widths = [&](double grading) { return make_mesh({known.topology, 5, grading}).widths(); };
         CHECK((widths(0.3) == widths(0.6)).all() == (known.grading == Grading::none));
         if (known.grading == Grading::size_ratio) CHECK(std::abs(widths(0.3)[0] / widths(0.3)[4] - 0.3) < 1e-15);
@@ -214,10 +214,10 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     CHECK((mesh.edges() - edges).abs().maxCoeff() < 2e-16);
     CHECK(mesh.widths()[1] == 0.75 + 0.3);
     CHECK_FALSE(mesh.is_uniform());
-    // as accepted from vectors and expressions
+    // vectors and expressions are accepted
     const Eigen::Vector3d ends(-2, 0, 2);
     CHECK(mesh_from_edges<double>(ends / 2).size() == 2);
-    // the scalar type is that of the edges unless another is asked for
+    // the scalar type defaults to that of the edges
     CHECK(std::is_same_v<decltype(mesh_from_edges(edges)), Mesh<double>>);
     CHECK(std::is_same_v<decltype(mesh_from_edges(Eigen::ArrayXf())), Mesh<float>>);
     CHECK((mesh_from_edges(edges).widths() == mesh.widths()).all());
@@ -230,7 +230,7 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     }
 }
 
-TEST_CASE("Meshes refuse what cannot be, by name and value", "[mesh]") {
+TEST_CASE("Mesh makers reject invalid input and give name and value", "[mesh]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH(uniform_mesh(0), "uniform_mesh: n = 0 must be at least 1");
     CHECK_THROWS_WITH(uniform_mesh(-3), "uniform_mesh: n = -3 must be at least 1");
@@ -259,7 +259,7 @@ TEST_CASE("Meshes refuse what cannot be, by name and value", "[mesh]") {
     CHECK_THROWS_AS(from({-1, 2, 1}), std::invalid_argument);
 }
 
-TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
+TEST_CASE("A mesh rejects data that break its invariant", "[mesh]") {
     using Data = Mesh<double>::Data;
     const Data good{Eigen::Array2d(0.5, 1.5), Eigen::Array3d(0, 0.5, 2), Eigen::Array3d(2, 1.5, 0)};
     CHECK_NOTHROW(Mesh<double>(good));
@@ -279,7 +279,7 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
         data.edges_from_leading[1] = wrong;
         CHECK_THROWS_AS(Mesh<double>(data), std::invalid_argument);
     }
-    // the two distances of an edge agree to rounding
+    // the two distances of an edge must agree to round-off
     data = good;
     data.edges_from_leading[1] = 1.5 * (1 + 1e-15);
     CHECK_NOTHROW(Mesh<double>(data));
@@ -293,7 +293,7 @@ TEST_CASE("A mesh refuses data that break its invariant", "[mesh]") {
     data = good;
     data.edges_from_leading[1] = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH(Mesh<double>(data), "Mesh: 1 - x of an edge = inf must be finite");
-    // ratios so extreme that elements vanish are refused, not returned as a broken mesh
+    // ratios so extreme that elements vanish are rejected
     for (const double ratio : {1e300, 1e-300}) CHECK_THROWS_AS(geometric_mesh(3, ratio), std::invalid_argument);
 }
 

@@ -38,7 +38,7 @@ TEMPLATE_TEST_CASE("Alpha is linear in the centre and exact at both ends", "[sch
     CHECK(interpolate_alpha(uniform_mesh<Scalar>(1), 0.25, 0.25)[0] == Scalar(0.25));
 }
 
-TEST_CASE("Unknowns and their widths", "[scheme]") {
+TEST_CASE("Knothe's boundary condition drops the width of the leading element", "[scheme]") {
     const Mesh<double> mesh = geometric_mesh(7, 3.0);
     CHECK((unknown_widths(mesh, Collocation{}) == mesh.widths()).all());
     CHECK((unknown_widths(mesh, Galerkin{}) == mesh.widths()).all());
@@ -58,7 +58,7 @@ TEST_CASE("Schemes are imposed at the leading edges by default", "[scheme]") {
     }
 }
 
-TEST_CASE("Schemes refuse what cannot be, by name and value", "[scheme]") {
+TEST_CASE("Schemes reject invalid parameters and give name and value", "[scheme]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_NOTHROW(check_scheme(Collocation{2, -2}, 2));
     CHECK_NOTHROW(check_scheme(Collocation{0.5, 0.5}, 1));
@@ -79,7 +79,7 @@ TEST_CASE("Schemes refuse what cannot be, by name and value", "[scheme]") {
     CHECK_NOTHROW(check_scheme(KnotheBoundary{}, 2));
 }
 
-// A scheme whose rows are whatever a test makes of them.
+// A scheme with the rows that a test gives it.
 struct Given {
     SchemeRows<double> slope, displacement;
 
@@ -89,7 +89,7 @@ struct Given {
     }
 };
 
-TEST_CASE("Rows that break what is asked of them are refused", "[scheme]") {
+TEST_CASE("Rows that break the requirements on a scheme are rejected", "[scheme]") {
     const auto check = [](const auto& change, Quantity quantity = Quantity::slope) {
         Given scheme{Collocation{}.rows<double>(Quantity::slope, 5),
                      Collocation{}.rows<double>(Quantity::displacement, 5)};
@@ -121,7 +121,7 @@ TEST_CASE("Rows that break what is asked of them are refused", "[scheme]") {
     }
 }
 
-TEST_CASE("A scheme whose rows for G and G' differ in number or place is refused", "[scheme]") {
+TEST_CASE("A scheme whose rows for G and G' differ in number or position is rejected", "[scheme]") {
     const auto build = [](Eigen::Index first_equation, Eigen::Index unknown_count) {
         Given scheme{KnotheBoundary{}.rows<double>(Quantity::slope, 5),
                      KnotheBoundary{}.rows<double>(Quantity::displacement, 5)};

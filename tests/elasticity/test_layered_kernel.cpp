@@ -30,7 +30,7 @@ using brute_force::Real;
 
 const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 
-// A kernel of one's own: the three functions and no more, so that nothing but differences is left to the assembly.
+// A user's kernel with only the three required functions, for which the assembly has nothing but differences.
 struct Bare {
     using Scalar = double;
     StripKernel<double> strip{4.0, 0.75, 0.25};
@@ -45,7 +45,7 @@ static_assert(SmoothSplitKernel<PlaneKernel<double>> && !SmoothSplitKernel<Layer
 static_assert(SplitKernel<StripKernel<double>> && !SplitKernel<LayeredKernel<StripKernel<double>>>);
 static_assert(TaylorKernel<StripKernel<double>> && !TaylorKernel<LayeredKernel<StripKernel<double>>>);
 
-/// The share of [from, to] that lies in element m; of a point, 1/2 where it is one of its edges.
+/// The share of [from, to] that lies in element m; for a point, 1 inside and 1/2 on an edge.
 Real share(const brute_force::Mesh& mesh, Eigen::Index m, brute_force::Place from, brute_force::Place to) {
     const brute_force::Place trailing = brute_force::edge(mesh, m), leading = brute_force::edge(mesh, m + 1);
     const Real rounding = mesh.widths()[m] * 1e-12L;
@@ -63,7 +63,7 @@ brute_force::Place shifted(const brute_force::Place& place, Real distance) {
     return {place.from_trailing + distance, place.from_leading - distance};
 }
 
-/// What the compliance 1 adds to row l of G, or of G' by differences.
+/// What a layer of compliance 1 adds to row l of G, or of G' by finite differences.
 std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Rows& rows, bool slope, Eigen::Index l) {
     const Eigen::Index n = mesh.size(), own = l + rows.first;
     const Real along = (brute_force::centre(mesh, own) - brute_force::centre(mesh, 0)) /
@@ -86,7 +86,7 @@ std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Ro
     return result;
 }
 
-TEST_CASE("g, H and H_integral gain the delta and its antiderivatives", "[layer]") {
+TEST_CASE("A layer adds the delta and its antiderivatives to g, H and H_integral", "[layer]") {
     const StripKernel<double> strip(2.0, 0.75, 0.25);
     const LayeredKernel layered(strip, 0.5);
     ArrayX<double> x(7);
@@ -104,7 +104,7 @@ TEST_CASE("g, H and H_integral gain the delta and its antiderivatives", "[layer]
           PlaneKernel<double>(2.0, 0.75, 0.25).lambda());
 }
 
-TEST_CASE("A layer adds to every entry what geometry says, whatever way the rest is computed", "[layer]") {
+TEST_CASE("A layer adds its geometric share to every entry, however the rest is computed", "[layer]") {
     const double L = 0.375;
     const Eigen::Index n = 9;
     const std::vector<brute_force::NamedMesh<double>> meshes = brute_force::every_mesh<double>(n);
@@ -157,7 +157,7 @@ TEST_CASE("A layer adds to every entry what geometry says, whatever way the rest
     CHECK(refused == 8 * 6 * 4);
 }
 
-TEST_CASE("Layers upon each other add up, and a product without a matrix has them", "[layer]") {
+TEST_CASE("Nested layers add up, also in a product without a matrix", "[layer]") {
     const Mesh<double> mesh = cosine_mesh<double>(50);
     const PlaneKernel<double> plane(100.0, 0.72, 0.28);
     const LayeredKernel once(plane, 0.75);
@@ -171,7 +171,7 @@ TEST_CASE("Layers upon each other add up, and a product without a matrix has the
     CHECK((product - one.G_prime * p).norm() < 1e-13 * product.norm());
 }
 
-TEST_CASE("Steady friction on a layer, as CONTACT has it", "[layer]") {
+TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const double nu = 0.28, mu_p0 = 1e-3;
     const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
     const auto force = [&](double L, double delta, Eigen::Index n) {
@@ -201,10 +201,10 @@ TEST_CASE("Steady friction on a layer, as CONTACT has it", "[layer]") {
     CHECK(std::abs(force(0, 0.25, 160) - (0.5 - 0.0625)) < 2e-3);
 }
 
-TEST_CASE("A soft layer is a brush", "[layer]") {
+TEST_CASE("A soft layer acts as a brush", "[layer]") {
     const double nu = 0.28;
     const PlaneKernel<double> plane(std::numeric_limits<double>::infinity(), 1 - nu, nu);
-    // an upwind difference makes each traction L p(x) = -xi (a - x + dx/2) exactly; the bodies add a share of 1/L
+    // an upwind difference gives exactly L p(x) = -xi (a - x + dx/2); the bodies contribute a share of 1/L
     const Mesh<double> mesh = uniform_mesh<double>(40);
     std::vector<double> softness, errors;
     for (const double L : {1e2, 1e3, 1e4, 1e5}) {
@@ -222,7 +222,7 @@ TEST_CASE("A soft layer is a brush", "[layer]") {
     CAPTURE(errors);
     CHECK(errors[3] < 1e-4);
     CHECK(std::abs(support::observed_order(softness, errors) - 1) < 0.1);
-    // first order in the elements
+    // first order in the number of elements
     for (const bool cosine : {false, true}) {
         std::vector<double> counts, c11_errors;
         for (const Eigen::Index n : {20, 40, 80, 160}) {
@@ -235,7 +235,7 @@ TEST_CASE("A soft layer is a brush", "[layer]") {
     }
 }
 
-TEST_CASE("With a layer rolling is stable and tends to the steady state", "[layer]") {
+TEST_CASE("Rolling on a layer is stable and tends to the steady state", "[layer]") {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
     for (const Mesh<double>& mesh :
          {uniform_mesh<double>(20), uniform_mesh<double>(60), cosine_mesh<double>(20), cosine_mesh<double>(60)}) {
@@ -261,7 +261,7 @@ TEST_CASE("With a layer rolling is stable and tends to the steady state", "[laye
     }
 }
 
-TEST_CASE("Bristles that enter the contact bend with the way they have gone", "[layer]") {
+TEST_CASE("A brush from rest bends each bristle by the distance rolled since it entered", "[layer]") {
     // the brush from rest: p = -(xi/L) min(a - x, q), F_bar = -(xi/L) (2 a q - q^2/2) while q < 2a
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
     const double L = 1e7, dq = 1.0 / 512;
@@ -314,12 +314,12 @@ TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]
     }
 }
 
-TEMPLATE_TEST_CASE("A layer in every scalar type", "[layer]", float, double, long double) {
+TEMPLATE_TEST_CASE("A layer is accurate to round-off in every scalar type", "[layer]", float, double, long double) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     const PlaneKernel<Scalar> plane(Scalar(100), Scalar(0.72), Scalar(0.28));
     const PlaneKernel<Real> exact(100, Scalar(0.72), Scalar(0.28));
-    // on fine meshes, too, rounding moves no point to the other side of an edge
+    // even on fine meshes, round-off moves no point across an edge
     for (const Eigen::Index n : {8, 100, 800}) {
         const auto difference = [&](const Mesh<Scalar>& mesh, const Mesh<Real>& fine, const Collocation& scheme) {
             const MatrixX<Scalar> G = assemble_G(mesh, scheme, LayeredKernel(plane, Scalar(0.5)));
@@ -334,7 +334,7 @@ TEMPLATE_TEST_CASE("A layer in every scalar type", "[layer]", float, double, lon
         for (const Collocation& scheme : {halves, Collocation{0, 0}, Collocation{0, 0.5}}) {
             CAPTURE(n, scheme.alpha_L, scheme.alpha_T);
             CHECK(difference(uniform_mesh<Scalar>(n), uniform_mesh<Real>(n), scheme) < 2e3 * eps);
-            // where alpha varies, points of a fine cosine mesh come as near to an edge as rounding can tell
+            // where alpha varies, points of a fine cosine mesh come within round-off of an edge
             if (scheme.alpha_L != scheme.alpha_T) continue;
             CHECK(difference(cosine_mesh<Scalar>(n), cosine_mesh<Real>(n), scheme) < 2e3 * eps);
         }
@@ -346,7 +346,7 @@ TEMPLATE_TEST_CASE("A layer in every scalar type", "[layer]", float, double, lon
     CHECK(std::abs(c11 / fine - 1) < 1e3 * eps);
 }
 
-TEST_CASE("What a layer cannot do is refused by name", "[layer]") {
+TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]") {
     const PlaneKernel<double> plane(100.0, 0.75, 0.25);
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK(refusal([&] { LayeredKernel(plane, -0.5); }) ==
@@ -370,7 +370,7 @@ TEST_CASE("What a layer cannot do is refused by name", "[layer]") {
     CHECK_NOTHROW(rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic}, layered));
     CHECK_NOTHROW(solve_steady(mesh, analytic, LayeredKernel(plane, 0)));
 
-    // the kernel's own conditions stay
+    // the conditions on the kernel below still apply
     CHECK(refusal([&] {
               rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>(0.1, 0.75, 0.25), 5));
           }).find("Lambda") != std::string::npos);

@@ -39,7 +39,7 @@ ArrayX<Scalar> one(Scalar x) {
     return ArrayX<Scalar>::Constant(1, x);
 }
 
-TEST_CASE("g is Cerruti's point solution integrated over the width", "[kernel]") {
+TEST_CASE("The strip's g is Cerruti's point solution integrated over the width", "[kernel]") {
     for (const double nu : {0.0, 0.25, 0.5}) {
         for (const double b : {0.01, 0.5, 4.0, 100.0}) {
             const Contact<double> contact = Contact<double>::dimensionless(b, nu);
@@ -67,7 +67,7 @@ TEST_CASE("g is Cerruti's point solution integrated over the width", "[kernel]")
     }
 }
 
-TEMPLATE_TEST_CASE("g, H and H_integral meet their formulas to rounding, odd and even", "[kernel]", float, double,
+TEMPLATE_TEST_CASE("Kernels are accurate to round-off and have the right parity", "[kernel]", float, double,
                    long double) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
@@ -113,7 +113,7 @@ TEST_CASE("H is the integral of g, and H_integral that of H", "[kernel]") {
             }
         });
     }
-    for (const auto& [name, kernel] : brute_force::every_kernel()) {  // and g' that of brute force
+    for (const auto& [name, kernel] : brute_force::every_kernel()) {  // and brute_force::Kernel::slope is g'
         for (const Real x : {0.01L, 0.3L, 1.7L}) {
             const Real step = x * 1e-4L;
             const Real slope =
@@ -149,7 +149,7 @@ TEST_CASE("The strip tends to the plane as (a/b)^2", "[kernel][convergence]") {
     }
 }
 
-TEMPLATE_TEST_CASE("The split of the wide strip is g to rounding", "[kernel]", float, double, long double) {
+TEMPLATE_TEST_CASE("The split of a wide strip equals g to round-off", "[kernel]", float, double, long double) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Scalar nu : {Scalar(0), Scalar(0.25), Scalar(0.5)}) {
@@ -185,8 +185,8 @@ TEMPLATE_TEST_CASE("The split of the wide strip is g to rounding", "[kernel]", f
     CHECK(plane->even.size() == 0);
 }
 
-TEST_CASE("The split of a strip whose logarithm is faint has terms enough", "[kernel]") {
-    // the terms left out are measured by the logarithm, c1, but most of them come from c2
+TEST_CASE("The split has enough terms where the logarithm is weak", "[kernel]") {
+    // the truncation is judged relative to the logarithm, c1, but the terms come mostly from c2
     const double b = 8, reach = 2, c1 = 0.01, c2 = 1;
     const brute_force::Kernel exact{false, b, static_cast<Real>(c1), c2};
     const auto split = StripKernel<double>(b, c1, c2).log_split(reach);
@@ -229,7 +229,7 @@ TEST_CASE("Taylor coefficients of the strip reproduce g about any point", "[kern
                     const Real size = k == 0 ? std::abs(coefficient)
                                              : exact.scale() * exact.b / std::hypot(exact.b, static_cast<Real>(x));
                     CAPTURE(b, c1, x, k, series(0, k), static_cast<double>(coefficient));
-                    // the circle's rounding grows by 2^k; a coefficient is about `size` at most
+                    // round-off of the circle's mean grows like 2^k; a coefficient is at most about `size`
                     const double error =
                         std::abs(static_cast<double>((static_cast<Real>(series(0, k)) - coefficient) / size));
                     CHECK(error < 1e-13 + 1e-17 * std::pow(2.0, static_cast<double>(k)));
@@ -239,7 +239,7 @@ TEST_CASE("Taylor coefficients of the strip reproduce g about any point", "[kern
     }
 }
 
-TEST_CASE("Kernels refuse a half-width that is not positive", "[kernel]") {
+TEST_CASE("Kernels reject a half-width that is not positive", "[kernel]") {
     CHECK_THROWS_WITH(PlaneKernel<double>(0, 0.75, 0.25), "PlaneKernel: half_width = 0 must be positive");
     CHECK_THROWS_WITH(StripKernel<double>(-1, 0.75, 0.25), "StripKernel: half_width = -1 must be positive");
     CHECK_THROWS_AS(StripKernel<double>(std::numeric_limits<double>::quiet_NaN(), 0.75, 0.25), std::invalid_argument);
@@ -254,7 +254,7 @@ TEST_CASE("The contact sets the coefficients of both directions", "[kernel]") {
     CHECK((StripKernel<double>::lateral(contact).g(x) == StripKernel<double>(5, 1, -0.3).g(x)).all());
 }
 
-TEST_CASE("The slope of a kernel is taken apart", "[kernel]") {
+TEST_CASE("The slope of a kernel splits into a singular and a smooth part", "[kernel]") {
     for (const double b : {0.1, 1.0, 1e3}) {
         const StripKernel<double> strip(b, 0.72, 0.28);
         for (const double x : {-1.9, -0.3, 0.02, 0.7, 2.0}) {

@@ -1,5 +1,5 @@
-// rollbem/problem: const models shared by threads give each of them, to the last bit, what one thread alone gets.
-// The thread sanitizer sees every access that they share.
+// Const models shared by threads: each thread gets, bit for bit, what a single thread gets.
+// The thread sanitizer checks all shared accesses.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -25,7 +25,7 @@ using Numbers = std::vector<double>;
 constexpr double nu = 0.28;
 constexpr Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
 
-/// What `work` gives alone, and in each of four threads at once.
+/// Compares the results of `work` in one thread with those in each of four concurrent threads.
 void check_shared(const std::function<Numbers()>& work) {
     const Numbers alone = work();
     REQUIRE(!alone.empty());
@@ -39,7 +39,7 @@ void check_shared(const std::function<Numbers()>& work) {
     for (const Numbers& numbers : found) CHECK(numbers == alone);
 }
 
-TEST_CASE("Assembly and steady rolling", "[threads]") {
+TEST_CASE("Threads may share kernels and meshes for assembly and steady rolling", "[threads]") {
     const Contact<double> contact = Contact<double>::dimensionless(10, nu);
     const Mesh<double> mesh = cosine_mesh(20);
     const auto strip = StripKernel<double>::longitudinal(contact);
@@ -52,7 +52,7 @@ TEST_CASE("Assembly and steady rolling", "[threads]") {
     });
 }
 
-TEST_CASE("A time step, prepared or not", "[threads]") {
+TEST_CASE("Threads may share a transient model for prepared and unprepared steps", "[threads]") {
     const Contact<double> contact = Contact<double>::dimensionless(10, nu);
     const TransientModel<double> model(
         contact, rolling_system(cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact)), unchecked);
@@ -70,7 +70,7 @@ TEST_CASE("A time step, prepared or not", "[threads]") {
     });
 }
 
-TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
+TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[threads]") {
     const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
     const Mesh<double> mesh = cosine_mesh(20);
     const auto plane = PlaneKernel<double>::longitudinal(contact);
@@ -94,11 +94,11 @@ TEST_CASE("Coulomb friction, steady and in time", "[threads]") {
     });
 }
 
-TEST_CASE("Frequency response, reduced or not, and polynomials", "[threads]") {
+TEST_CASE("Threads may share frequency sweeps and the polynomial approach", "[threads]") {
     const PlaneKernel<double> plane(1000, 1 - nu, nu);
     const FrequencySweep<double> reduced(rolling_system(cosine_mesh(20), scheme, plane));
     MatrixX<double> weak = assemble_G_prime(cosine_mesh(20), scheme, plane);
-    weak.row(3) *= 1e-9;  // no reduction, but nothing to object to
+    weak.row(3) *= 1e-9;  // too ill-conditioned to reduce, but valid input
     const FrequencySweep<double> full(
         ElementSystem<double>(assemble_G(cosine_mesh(20), scheme, plane), weak, cosine_mesh(20).widths()));
     REQUIRE(reduced.reduced());

@@ -1,5 +1,5 @@
-// rollbem/rollbem.hpp under -ffast-math, where compilers take every number for finite: no status is ok beside a result
-// that is not a number, and nothing that is not a number is accepted as input.
+// rollbem/rollbem.hpp under -ffast-math, where compilers assume that every number is finite: no result that is NaN or
+// infinite has status ok, and none is accepted as input.
 #include <complex>
 #include <cstdint>
 #include <cstring>
@@ -29,7 +29,7 @@ namespace {
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 
-// numbers of which the compiler knows nothing
+// numbers that the compiler cannot reason about
 double from_bits(std::uint64_t number) {
     const volatile std::uint64_t hidden = number;
     const std::uint64_t bits = hidden;
@@ -57,7 +57,7 @@ struct Fixture {
     CoulombFriction<double> friction{0.3, ArrayX<double>::Ones(n)};
 };
 
-TEST_CASE_METHOD(Fixture, "fast math: steady rolling", "[fast_math]") {
+TEST_CASE_METHOD(Fixture, "Fast math: steady rolling reports what is not finite", "[fast_math]") {
     CHECK(solve_steady(contact, mesh, scheme, 1e-3).status == Status::ok);
     for (const double creepage : {nan, infinity, -infinity}) {
         CHECK(solve_steady(contact, mesh, scheme, creepage).status == Status::not_finite);
@@ -78,7 +78,7 @@ TEST_CASE_METHOD(Fixture, "fast math: steady rolling", "[fast_math]") {
     CHECK(solve_steady<double>(MatrixX<double>::Zero(n, n), widths).status != Status::ok);
 }
 
-TEST_CASE_METHOD(Fixture, "fast math: harmonic creepage and the count of unstable modes", "[fast_math]") {
+TEST_CASE_METHOD(Fixture, "Fast math: frequency response and stability report what is not finite", "[fast_math]") {
     const FrequencySweep<double> sweep(good);
     REQUIRE(sweep.reduced());
     CHECK(sweep(1).status == Status::ok);
@@ -87,13 +87,13 @@ TEST_CASE_METHOD(Fixture, "fast math: harmonic creepage and the count of unstabl
     CHECK_THAT(refusal([&] { sweep(nan); }), ContainsSubstring("omega a/V = nan must be finite"));
     CHECK_THAT(refusal([&] { sweep.at({0, infinity}); }), ContainsSubstring("Im(s) = inf must be finite"));
     CHECK_THAT(refusal([&] { solve_harmonic(good, nan); }), ContainsSubstring("must be finite"));
-    // what is finite by itself and not in the result
+    // finite input with a result that overflows
     const ElementSystem<double> huge(1e-3 * good.G(), 1e-3 * good.G_prime(), 1e308 * widths);
     CHECK(solve_harmonic(huge, 1).status == Status::not_finite);
     CHECK(FrequencySweep<double>(huge)(1).status == Status::not_finite);
 }
 
-TEST_CASE_METHOD(Fixture, "fast math: no system holds what is not a number", "[fast_math]") {
+TEST_CASE_METHOD(Fixture, "Fast math: systems reject entries that are not finite", "[fast_math]") {
     for (const double value : {nan, infinity, -infinity}) {
         for (Eigen::Index k = 0; k < n * n; k += 7) {
             MatrixX<double> G = good.G(), G_prime = good.G_prime();
@@ -110,7 +110,7 @@ TEST_CASE_METHOD(Fixture, "fast math: no system holds what is not a number", "[f
     }
 }
 
-TEST_CASE_METHOD(Fixture, "fast math: steps in full adhesion", "[fast_math]") {
+TEST_CASE_METHOD(Fixture, "Fast math: steps in full adhesion report what is not finite", "[fast_math]") {
     using Model = TransientModel<double>;
     const Contact<double> infinite = Contact<double>::dimensionless(infinity, 0.25);
     CHECK_THAT(refusal([&] { Model(infinite, good, unchecked); }), ContainsSubstring("half_width = inf must be"));
@@ -155,7 +155,7 @@ TEST_CASE_METHOD(Fixture, "fast math: steps in full adhesion", "[fast_math]") {
     }
 }
 
-TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {
+TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fast_math]") {
     using Model = FrictionModel<double>;
     for (const double value : {nan, infinity, -infinity}) {
         CoulombFriction<double> law = friction;
@@ -196,7 +196,7 @@ TEST_CASE_METHOD(Fixture, "fast math: friction", "[fast_math]") {
     CHECK((far.status != StepStatus::ok || finite(far.force_per_width)));
 }
 
-TEST_CASE_METHOD(Fixture, "fast math: friction in two directions", "[fast_math]") {
+TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is not finite", "[fast_math]") {
     using Model = CombinedFrictionModel<double>;
     using Vector = Creepage<double>;
     using Motion = RigidMotion<Vector>;
@@ -259,7 +259,7 @@ TEST_CASE_METHOD(Fixture, "fast math: friction in two directions", "[fast_math]"
             spoilt.half_length = value;
             CHECK(model.advance(spoilt, 0.1, creepage, next, workspace).status == StepStatus::invalid_load);
         }
-        // tangents that nobody asked for
+        // tangents that were not requested
         const LoadedCombinedStep<double> step = model.advance(now, 0.1, creepage, load, next, workspace);
         CHECK(!finite(step.tangent_by_load.longitudinal));
         CHECK(!finite(step.tangent_by_half_length.lateral));
@@ -269,7 +269,7 @@ TEST_CASE_METHOD(Fixture, "fast math: friction in two directions", "[fast_math]"
     }
 }
 
-TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
+TEST_CASE("Fast math: arguments that are not finite are rejected by name", "[fast_math]") {
     const auto refuses = [](const std::string& quantity, const std::function<void(double)>& call,
                             const std::vector<double>& values = {nan, infinity, -infinity}) {
         for (const double value : values) CHECK_THAT(refusal([&] { call(value); }), ContainsSubstring(quantity));
@@ -324,7 +324,7 @@ TEST_CASE("fast math: what is not a number is refused by name", "[fast_math]") {
     refuses("x/a = ", [](double x) { carter_traction(x, 0.25); });
 }
 
-TEST_CASE("fast math: extrapolation of what is not a number", "[fast_math]") {
+TEST_CASE("Fast math: extrapolation reports what is not finite", "[fast_math]") {
     CHECK(extrapolate([](std::ptrdiff_t k) { return 1 + 1 / static_cast<double>(k * k); }, 1, 2, 0.5).status ==
           Status::ok);
     for (const std::ptrdiff_t at : {4, 8, 16}) {

@@ -1,4 +1,4 @@
-/* cost LIBRARY DESCRIPTION: what fmi2DoStep takes beyond the step of the library that it makes. At most 0.3 us. */
+/* cost LIBRARY DESCRIPTION: the overhead of fmi2DoStep over the library's step. At most 0.3 us. */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +28,7 @@ int main(int count, char **arguments) {
     expect(fmu.enter_initialization_mode(instance), fmi2OK, "fmi2EnterInitializationMode");
     expect(fmu.exit_initialization_mode(instance), fmi2OK, "fmi2ExitInitializationMode");
 
-    /* The shortest time of many short rounds, in turns: what is longer was interrupted. */
+    /* The shortest time of many short rounds, alternating: longer ones were interrupted. */
     const int steps = adhesion ? 1000 : 10;
     double library_time = 1e30, fmu_time = 1e30, force = 0;
     for (int round = 0; round < rounds; ++round) {

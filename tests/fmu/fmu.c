@@ -19,7 +19,7 @@ static void *function(void *library, const char *name) {
     return address;
 }
 
-/* POSIX lets an object pointer become one to a function; ISO C has no cast for it. */
+/* POSIX lets an object pointer be converted to a function pointer; ISO C has no cast for it. */
 #define LOAD(member, name) *(void **)&fmu.member = function(library, name)
 #define LOAD_IF_THERE(member, name) *(void **)&fmu.member = dlsym(library, name)
 

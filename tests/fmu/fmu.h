@@ -36,13 +36,13 @@ typedef struct {
     fmi2GetDerivativesTYPE *get_derivatives;
 } Fmu;
 
-/* Ends the program with a message where something is missing. */
+/* Ends the program with a message if something is missing. */
 Fmu load_fmu(const char *library, const char *description);
 fmi2ValueReference reference_of(const Fmu *fmu, const char *variable);
 int has_variable(const Fmu *fmu, const char *variable);
 fmi2Component instantiate(const Fmu *fmu, const char *name, fmi2Type type);
 
-/* Ends the program with a message unless the status is what is expected. */
+/* Ends the program with a message unless the status is the expected one. */
 void expect(fmi2Status status, fmi2Status expected, const char *what);
 void set_real(const Fmu *fmu, fmi2Component instance, const char *variable, double value);
 double get_real(const Fmu *fmu, fmi2Component instance, const char *variable);

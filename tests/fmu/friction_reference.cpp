@@ -1,6 +1,6 @@
 // friction_reference follows|fixed: reads lines of duration [s], both slip velocities and the rolling speed [m/s] and
-// the load [N], and prints what the library answers to each step: both forces and the slip work to the last bit, and
-// the number of elements that stick. Ends with 1 at a step that is not ok.
+// the load [N], and prints the library's result of each step: both forces and the slip work bit for bit, and the number
+// of elements that stick. Exits with 1 at a step that is not ok.
 #include <cstdio>
 #include <string_view>
 

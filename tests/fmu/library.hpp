@@ -1,4 +1,4 @@
-// The library called as a C++ program would, for the FMUs to be compared with.
+// The library as a C++ program calls it, for comparison with the FMUs.
 #pragma once
 
 #include <rollbem/adhesion/transient.hpp>
@@ -13,7 +13,7 @@ namespace library {
 constexpr double half_length = 5e-3, half_width = 0.05, shear_modulus = 8e10, poisson_ratio = 0.28;
 constexpr double friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 2e5;
 
-/// What rollbem_friction does at its start values, with 40 elements.
+/// The steps of rollbem_friction at its start values, with 40 elements.
 class Friction {
 public:
     using Step = rollbem::LoadedCombinedStep<double>;
@@ -87,7 +87,7 @@ private:
     Model::State now_, next_;
 };
 
-/// What rollbem_adhesion does at its start values, with 12 states and steps of one length.
+/// The steps of rollbem_adhesion at its start values, with 12 states and steps of equal length.
 class Adhesion {
 public:
     explicit Adhesion(double distance)

@@ -1,4 +1,4 @@
-// Steps of the library, for cost.c to take the time of.
+// Steps of the library, timed by cost.c.
 #include "library_steps.h"
 
 #include "library.hpp"

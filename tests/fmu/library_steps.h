@@ -1,4 +1,4 @@
-/* Steps of the library, for cost.c to take the time of: `count` of them at 20 m/s with a slip of 1 mm/s. Returns the
+/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s. Returns the
    force [N]. */
 #ifdef __cplusplus
 extern "C" {

@@ -1,4 +1,4 @@
-"""What the tests of the FMUs share: an instance with variables by name, and a runner for test functions."""
+"""Shared by the tests of the FMUs: an instance with variables by name, and a runner for test functions."""
 import shutil
 import sys
 import traceback
@@ -28,7 +28,7 @@ class Fmu:
 
 
 class Instance:
-    """An instance by FMI's calls, with variables by name. `messages` is what it logged."""
+    """An instance called through FMI, with variables by name. `messages` are those that it logged."""
 
     def __init__(self, fmu, model_exchange=False, guid=None):
         self.fmu, self.messages = fmu, []
@@ -66,7 +66,7 @@ class Instance:
         return status_of(lambda: self.calls.fmi2DoStep(self.calls.component, time, duration, 0))
 
     def roll(self, duration, steps):
-        """Equal steps from t = 0 on, each of which must succeed; the forces after them."""
+        """Equal steps from t = 0, each of which must succeed; returns the force after each."""
         forces = []
         for i in range(steps):
             assert self.step(i * duration, duration) == ok, self.messages
@@ -74,7 +74,7 @@ class Instance:
         return forces
 
     def rate(self, name, value):
-        """Sets the derivative by time of an input."""
+        """Sets the time derivative of an input."""
         reference = (fmi2.fmi2ValueReference * 1)(self.reference(name))
         self.calls.fmi2SetRealInputDerivatives(self.calls.component, reference, 1, (fmi2.fmi2Integer * 1)(1),
                                                (c_double * 1)(value))
@@ -111,7 +111,7 @@ class Instance:
 
 
 def status_of(action):
-    """What an FMI function answers, which FMPy makes an exception of where it is worse than a warning."""
+    """The status of an FMI function, which FMPy turns into an exception if it is worse than a warning."""
     try:
         action()
     except FMICallException as exception:
@@ -126,7 +126,7 @@ def close_to(value, expected, tolerance, what=""):
 
 
 def run(functions):
-    """Runs the functions whose names begin with test_, and exits with 1 where one fails."""
+    """Runs the functions whose names begin with test_, and exits with 1 if one fails."""
     failed = []
     tests = [f for name, f in functions.items() if name.startswith("test_")]
     for test in tests:

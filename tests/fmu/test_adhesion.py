@@ -13,35 +13,35 @@ from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
 file, reference = sys.argv[1:3]
 fmu = Fmu(file)
 
-# b/a = 100, nu = 0.25: numbers to compare with are in the literature of this project
+# b/a = 100, nu = 0.25, as in the reference results
 a, b, G, nu, V = 5e-3, 0.5, 8e10, 0.25, 20.0
 scene = {"half_length": a, "half_width": b, "shear_modulus": G, "poisson_ratio": nu}
-force_unit = 2 * b * a * G  # N: a force is c11 times this and the creepage
+force_unit = 2 * b * a * G  # [N]; a force is c11 times this times the creepage
 creepage = 1e-4
 
 
 def exact_step(distances):
-    """-F/(a G xi) at q/a after a step of the creepage."""
+    """-F/(a G xi) at q/a after a step of creepage."""
     lines = subprocess.run([reference, str(nu), str(b / a), *map(repr, distances)], capture_output=True, text=True,
                            check=True).stdout.split()
     return [float(line) for line in lines]
 
 
 def bessel(n, z):
-    """J_n(z) by its integral: the trapezoidal rule converges faster than any power."""
+    """J_n(z) by its integral, for which the trapezoidal rule converges faster than any power."""
     angle = 2 * math.pi * np.arange(64) / 64
     return float(np.mean(np.cos(n * angle - z * np.sin(angle))))
 
 
 def exact_c11(z):
-    """c11 of a creepage e^{i z q/a}."""
+    """c11 under a creepage e^{i z q/a}."""
     compliance = math.log(4 * b / a) + nu / (1 - nu)
     J = bessel(0, z) + 1j * bessel(1, z)
     return math.pi / (2 * (1 - nu)) * J / (bessel(0, z) + 1j * z * compliance * J)
 
 
 def history(times, slip):
-    """Slip velocities at V as FMPy's input."""
+    """Slip velocities at speed V as FMPy's input."""
     inputs = {"time": times, "slip_velocity": slip, "rolling_speed": V, "normal_load": 1e5, "normal_load_rate": 0}
     columns = [np.broadcast_to(np.asarray(values, float), len(times)) for values in inputs.values()]
     return np.rec.fromarrays(columns, names=",".join(inputs))
@@ -72,8 +72,8 @@ def test_step_response():
 
 
 def sine_by_model_exchange(z, distances):
-    """Forces at q/a by FMPy's CVode, which sees the slip velocity at each instant that it asks for: in simulate_fmu it
-    would be held between communication points."""
+    """Forces at q/a by FMPy's CVode, with the slip velocity of every instant at which it evaluates the model;
+    simulate_fmu would hold it between communication points."""
     instance = Instance(fmu, True).start(**scene, rolling_speed=V)
     instance.calls.enterContinuousTimeMode()
     calls = instance.calls
@@ -92,7 +92,7 @@ def sine_by_model_exchange(z, distances):
 
 
 def sine_by_co_simulation(z, distances):
-    """Forces at q/a, evenly spaced from 0 on, with the slip velocity of the middle held in each step."""
+    """Forces at q/a, evenly spaced from 0, with the slip velocity at the middle of each step held constant."""
     instance = Instance(fmu).start(**scene, rolling_speed=V)
     forces = []
     for q, following in zip(np.append(0, distances), distances):
@@ -105,7 +105,7 @@ def sine_by_co_simulation(z, distances):
 
 def test_sine():
     for z in (0.1, 0.5, 1.0):
-        period, settled = 2 * math.pi / z, 100  # in a; the slowest mode has decayed to 3e-8 then
+        period, settled = 2 * math.pi / z, 100  # in a; by then the slowest mode has decayed to 3e-8
         for method, spacing in ((sine_by_model_exchange, 0.05), (sine_by_co_simulation, 1e-3)):
             spacing /= z
             q = spacing * np.arange(1, math.ceil((settled + period) / spacing))
@@ -118,7 +118,7 @@ def test_sine():
 
 
 def test_input_rates():
-    # a slip velocity that grows evenly, told by its rate: exact to second order, not to first
+    # a slip velocity that grows linearly, given by its rate: exact at second order, not at first
     errors = []
     for steps in (20, 40):
         instance = Instance(fmu).start(**scene, rolling_speed=V)
@@ -141,7 +141,7 @@ def test_input_rates():
 
 
 def test_steps_of_any_length():
-    # exact for inputs that hold, so that the way is free
+    # exact for constant inputs, so the steps are arbitrary
     instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
     forces, time = {}, 0.0
     for length in (0.3, 0.3, 0.6, 1.2, 0.1, 0.5):
@@ -161,7 +161,7 @@ def test_shift_without_rolling():
     instance = Instance(fmu).start(**scene, rolling_speed=0.0, slip_velocity=shift / 0.3)
     for i in range(3):
         assert instance.step(0.1 * i, 0.1) == ok
-    rigid = 2 * ((1 - nu) * math.log(4 * b / a) + nu)  # displacement over a by T_0's share of the traction over G
+    rigid = 2 * ((1 - nu) * math.log(4 * b / a) + nu)  # displacement over a, per T_0 coefficient of the traction over G
     close_to(instance.get("force"), -2 * b * G * math.pi * shift / rigid, 1e-13, "force of a rigid shift")
     instance.close()
 
@@ -217,7 +217,7 @@ def test_derivatives_of_model_exchange():
                     instance.set(**{known: base[known] + change})
                 return np.array(instance.rates() + [instance.get(name) for name in unknowns[-2:]])
 
-            # linear in each but the load
+            # linear in each input except the load
             change = 1e-6 if known in names else {"slip_velocity": 1e-3, "rolling_speed": 1.0, "normal_load": 20.0,
                                                   "normal_load_rate": 1e6}[known]
             difference = (move(change) - move(-change)) / 2
@@ -231,12 +231,12 @@ def test_derivatives_of_model_exchange():
 
 
 def load_at(q):
-    """A load that varies by half of it within 8 half-lengths, and its derivative by q/a."""
+    """A load that varies by 50 % with a period of 8 half-lengths, and its derivative by q/a."""
     return 1e5 * (1 + 0.5 * math.sin(2 * math.pi * q / 8)), 1e5 * 0.5 * 2 * math.pi / 8 * math.cos(2 * math.pi * q / 8)
 
 
 def test_load_that_varies():
-    # model exchange and the library's steps in co-simulation share neither equations nor integrator
+    # model exchange and the library's steps in co-simulation have different equations and integrators
     distances = np.arange(1, 17) / 2
     exchange = Instance(fmu, True).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
     exchange.calls.enterContinuousTimeMode()
@@ -260,7 +260,7 @@ def test_load_that_varies():
     exchange.close()
 
     errors = []
-    for steps in (20, 40, 80):  # in half a half-length
+    for steps in (20, 40, 80):  # per half of the half-length
         instance = Instance(fmu).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
         duration, forces = 0.5 * a / V / steps, []
         for i in range(16 * steps):
@@ -299,7 +299,7 @@ def test_derivatives_of_a_step():
             inputs[known] += by
             return force(inputs, length)
 
-        # a one-sided difference of second order where the speed cannot be less
+        # a one-sided difference of second order where the speed cannot be reduced
         difference = ((4 * moved(change / 2) - moved(change) - 3 * moved(0)) / change
                       if speed == 0 and known == "rolling_speed" else (moved(change) - moved(-change)) / (2 * change))
         close_to(force({**base, "rolling_speed": speed}, length, known), difference, 1e-6,
@@ -329,7 +329,7 @@ def test_save_step_restore_step():
         assert instance.get("force") == before and instance.derivative("force", "rolling_speed") == derivative
         assert roll(instance, 7, 4) == once
 
-        # in another instance, which has never been started
+        # in another instance that has never been started
         bytes_of_it = instance.calls.serializeFMUstate(state)
         other = Instance(fmu)
         copy = other.calls.deSerializeFMUstate(bytes_of_it)
@@ -343,7 +343,7 @@ def test_save_step_restore_step():
             other.calls.freeFMUstate(copy)
             other.close()
 
-    # damaged, cut off, of the other interface
+    # damaged, truncated, or from the other interface
     for damaged in (bytes_of_it[:100], bytes_of_it[:200] + b"?" + bytes_of_it[201:], b""):
         assert status_of(lambda: Instance(fmu).calls.deSerializeFMUstate(damaged)) == error
     exchange = Instance(fmu, True)
@@ -422,7 +422,7 @@ def test_wrong_parameters():
             instance.calls.enterInitializationMode()
             assert status_of(instance.calls.exitInitializationMode) == error, parameters
             assert message in instance.messages[-1], instance.messages
-            instance.calls.reset()  # from which it can begin anew
+            instance.calls.reset()  # the instance can then start again
             instance.start(**scene)
             instance.close()
 

@@ -1,4 +1,4 @@
-"""test_docs.py PAGE SCRIPT DESCRIBE...: the page holds the example's text, and the variables as the FMUs tell them."""
+"""test_docs.py PAGE SCRIPT DESCRIBE...: the page contains the example and the FMUs' own tables of variables."""
 import subprocess
 import sys
 

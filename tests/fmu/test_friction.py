@@ -1,4 +1,4 @@
-"""rollbem_friction.fmu: test_friction.py FMU REFERENCE, the program that makes the same steps by the library."""
+"""rollbem_friction.fmu: test_friction.py FMU REFERENCE, the program that takes the same steps with the library."""
 import math
 import subprocess
 import sys
@@ -11,7 +11,7 @@ from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
 file, reference = sys.argv[1:3]
 fmu = Fmu(file)
 
-# start values of the FMU, which the program has too
+# start values of the FMU and of the program
 a, b, G, nu, mu, V, N = 5e-3, 0.05, 8e10, 0.28, 0.3, 20.0, 1e5
 follows_load, fixed = {"mesh_length": 1, "mesh": 1}, {"mesh_length": 2, "mesh": 2}
 inputs = ("longitudinal_slip_velocity", "lateral_slip_velocity", "rolling_speed", "normal_load")
@@ -29,7 +29,7 @@ def set_inputs(instance, values):
 
 
 def make_run(lift_off):
-    """Steps of a contact that turns from one direction to the other: durations and inputs."""
+    """Steps under a slip that turns from one direction to the other: durations and inputs."""
     rows = []
     for i in range(300):
         phase = 2 * math.pi * i / 150
@@ -43,7 +43,7 @@ def make_run(lift_off):
 
 
 def by_library(mesh_length, rows):
-    """What the library answers to each step."""
+    """The library's result of each step."""
     text = "".join(" ".join(value.hex() for value in row) + "\n" for row in rows)
     lines = subprocess.run([reference, mesh_length], input=text, capture_output=True, text=True, check=True).stdout
     result = []
@@ -82,7 +82,7 @@ def test_equals_the_library_over_rejected_steps():
 
 
 def test_steady_rolling_under_both_creepages():
-    # delta = 0.5 at 30 degrees and full sliding: CONTACT's forces; 40 elements are good to 1.5e-3 of mu N
+    # CONTACT's forces at delta = 0.5, 30 degrees, and at full sliding; 40 elements are accurate to 1.5e-3 of mu N
     for delta, angle, along, across in ((0.5, 30, 0.6575, 0.2868), (0.25, 45, 0.3128, 0.2296),
                                         (1.1, 45, 0.7645, 0.6371)):
         creepage = delta * sliding
@@ -93,7 +93,7 @@ def test_steady_rolling_under_both_creepages():
         forces = [-instance.get(name) / (mu * 20 * N) for name in ("longitudinal_force", "lateral_force")]
         print(f"    delta = {delta}, {angle} degrees: {forces[0]:.4f}, {forces[1]:.4f}, expected {along}, {across}")
         assert abs(forces[0] - along) < 1.5e-3 and abs(forces[1] - across) < 1.5e-3
-        # steady rolling stays what it is, and turns into heat all that the creepage does
+        # steady rolling is a fixed point, and all the work of the creepage becomes heat
         before = np.array(forces)
         for i in range(20):
             assert instance.step(i * 0.3 * a / V, 0.3 * a / V) == ok
@@ -116,7 +116,7 @@ def test_half_length_follows_the_load():
 
 
 def test_load_by_its_rate():
-    # a load that grows evenly by its rate, and the same told step by step
+    # a load that grows linearly, given by its rate or step by step
     duration, growth = 0.2 * a / V, 0.02
     told = Instance(fmu).start(longitudinal_slip_velocity=0.5 * sliding * V)
     by_rate = Instance(fmu).start(longitudinal_slip_velocity=0.5 * sliding * V)
@@ -153,7 +153,7 @@ def test_what_a_step_refuses():
         assert names[instance.get("status") - 1] == status
         assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
         assert outcome(instance) == before
-        # it goes on from there as if nothing had been asked
+        # the next step is as if nothing had been asked
         instance.set(**kept)
         assert instance.step(5 * duration, duration) == ok
         other = Instance(fmu).start(**parameters, longitudinal_slip_velocity=0.5 * sliding * V)
@@ -173,7 +173,7 @@ def test_what_is_not_a_number():
             instance.set(**{name: value})
             assert instance.step(0.0, 1e-5) == error
             assert "needs finite numbers" in instance.messages[-1]
-            assert status_of(lambda: instance.set(**{name: 1.0})) == error  # only a saved state or a reset helps
+            assert status_of(lambda: instance.set(**{name: 1.0})) == error  # until a state is restored or a reset
             instance.calls.setFMUstate(state)
             assert outcome(instance) == before and instance.step(0.0, 1e-5) == ok
             instance.calls.freeFMUstate(state)
@@ -190,14 +190,14 @@ def test_lift_off_and_re_contact():
     instance.set(normal_load=N)
     for i in range(2, 200):
         assert instance.step(i * duration, duration) == ok
-    # steady rolling again; 20 of the 40 elements that cover 1.41 a are too few for more
+    # steady rolling again; the accuracy is that of the few loaded elements of the 40 that cover 1.41 a
     close_to(-instance.get("longitudinal_force") / (mu * N), 0.75, 2e-2, "force")
     instance.close()
 
 
 def test_oblique_loading_without_rolling():
-    # a tangential force k times the normal one from nothing on, k < mu: all sticks, and p = k p_n. Each increment of the
-    # load makes a traction k/(pi sqrt(a^2 - x^2)) more, whose displacement is even; the shift is their integral.
+    # a tangential force k times the normal one from zero load, k < mu: everything sticks, and p = k p_n. Each increment
+    # of the load adds a traction k/(pi sqrt(a^2 - x^2)), whose displacement is uniform; the shift is their integral.
     k = 0.2
 
     def shift(load):

@@ -1,5 +1,6 @@
-/* walk LIBRARY DESCRIPTION: calls an FMU in every way that takes memory, for the address sanitizer to see that all of
-   it is given back: two instances, saved and serialised states, refusals, errors, a reset, both interfaces. */
+/* walk LIBRARY DESCRIPTION: calls an FMU in every way that allocates memory, so that the address sanitizer can check
+   that all of it is freed: two instances, saved and serialised states, rejected calls, errors, a reset, both
+   interfaces. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-// What the tests of friction in two directions share: a scene in the units a = G = 1 under Hertz's pressure, and ways to
-// look at it.
+// Shared by the tests of friction in two directions: a scene in the units a = G = 1 under Hertz's pressure, and its
+// solutions.
 #pragma once
 
 #include <cmath>
@@ -32,7 +32,7 @@ struct Scene {
           scheme(scheme_),
           friction{1, peak * mean_hertz_pressure(mesh)} {}
 
-    /// Creepage by its ratio to the one at which all of a Carter contact slips along, and its angle in degrees.
+    /// Creepage by its ratio to that of full sliding in Carter's problem, and its angle in degrees.
     Creepage<double> creepage(double ratio, double degrees) const {
         const double size = 2 * (1 - nu) * peak * ratio, angle = degrees * std::numbers::pi / 180;
         return {size * std::cos(angle), size * std::sin(angle)};
@@ -52,7 +52,7 @@ struct Scene {
     CoulombFriction<double> friction;
 };
 
-/// The solution from rest, in a workspace that has seen nothing.
+/// The solution from rest, in a new workspace.
 inline Step from_scratch(const SteadyCombinedModel<double>& model, const Creepage<double>& creepage, State& state) {
     const State rest = model.at_rest();
     state = rest;
@@ -64,7 +64,7 @@ inline Step from_scratch(const SteadyCombinedModel<double>& model, const Creepag
     return from_scratch(model, creepage, state);
 }
 
-/// Force against the creepage over mu N, and across.
+/// Negative forces over mu N.
 struct Ratios {
     double longitudinal, lateral;
 };

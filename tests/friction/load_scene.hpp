@@ -1,4 +1,4 @@
-// What the tests of friction under a load that varies share: Hertz's contact with a_0 = G = 1 and mu p_0 = `peak` under
+// Shared by the tests of friction under a varying load: Hertz's contact with a_0 = G = 1 and mu p_0 = `peak` under
 // the load `full_force`, on a mesh that breathes or on a fixed one.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace friction_tests {
 
 constexpr double load_nu = 0.28;
 
-/// Creepage [-] by its ratio to the one at which all of the contact slips under the load `full_force`.
+/// Creepage [-] by its ratio to that of full sliding under the load `full_force`.
 inline double load_creepage(double ratio) { return 2 * (1 - load_nu) * peak * ratio; }
 
 /// Cylinders of E = 1 with a = 1 and p_0 = `peak` under the load `full_force`; mu = 1.
@@ -25,7 +25,7 @@ inline HertzLine<double> unit_line() {
 }
 
 struct LoadScene {
-    Contact<double> contact;  // of the half-length that the mesh has been made for
+    Contact<double> contact;  // with the half-length that the mesh is made for
     Mesh<double> mesh;
     PlaneKernel<double> kernel;
     HertzLoad<double> hertz;

@@ -1,6 +1,6 @@
-// States written to a file by one process go on in another, to the last bit.
-//     restart save FILE      rolls on, writes the states half-way to FILE, and the results at the end
-//     restart resume FILE    goes on from there, and compares
+// States that one process writes to a file continue bit for bit in another.
+//     restart save FILE      rolls, and writes the states half-way and the final results to FILE
+//     restart resume FILE    continues from those states, and compares the results
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +25,7 @@ using namespace friction_tests;
 
 constexpr int steps = 60;
 
-// Numbers as 64 bits each, decimal.
+// The 64 bits of a number, as a decimal integer.
 void write(std::ostream& file, double x) { file << std::bit_cast<std::uint64_t>(x) << '\n'; }
 double read(std::istream& file) {
     std::uint64_t bits = 0;
@@ -33,7 +33,7 @@ double read(std::istream& file) {
     return std::bit_cast<double>(bits);
 }
 
-// A state with friction, in one direction or in both.
+// A state with friction, in one direction or in two.
 template <class State>
 void write_state(std::ostream& file, const State& state) {
     file << state.system << '\n';
@@ -46,7 +46,7 @@ void write_state(std::ostream& file, const State& state) {
         write(file, state.unchanged_distance);
     }
 }
-// Into a state of as many elements, of which nothing is left.
+// Overwrites a state of the same number of elements.
 template <class State>
 void read_state(std::istream& file, State& state) {
     file >> state.system;
@@ -64,8 +64,8 @@ void read_state(std::istream& file, State& state) {
     }
 }
 
-// Friction under a load that varies, on a mesh that breathes or on a fixed one, in one direction and in both. Some steps
-// take no load: those go on under the one that the state knows.
+// Friction under a varying load, on a breathing or a fixed mesh, in one direction and in two. Some steps take no load
+// and keep that of the state.
 struct LoadedRide {
     LoadedRide(const Mesh<double>& mesh, bool breathes, Integrator integrator)
         : hertz(breathes ? HertzLoad<double>::breathing(line(), mesh)
@@ -159,7 +159,7 @@ struct Ride {
           workspaces{models[0].workspace(), models[1].workspace()},
           sticking(adhesion.at_rest()) {}
 
-    // Steps first ... last - 1; the force of the last in full adhesion and with friction.
+    // Steps first ... last - 1, in full adhesion and with friction.
     void roll(int first, int last) {
         TransientState<double> sticking_next = sticking;
         for (int k = first; k < last; ++k) {

@@ -1,4 +1,4 @@
-// rollbem/friction/combined_transient.hpp: under a load that varies
+// rollbem/friction/combined_transient.hpp: steps under a varying load
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,13 +16,13 @@ using namespace combined_tests;
 
 constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
 
-// Hertz's pressure under which the contact has the half-length a, in units of that of the scene, on a mesh that
-// follows. The rates are by the pressures' own factor.
+// Hertz's pressure at the half-length a, in units of the scene's, on a breathing mesh. The rates are derivatives by the
+// factor of the pressures.
 NormalLoad<double> breathing(const Scene& scene, double a) {
     return {a * scene.friction.normal_pressure, a, scene.friction.normal_pressure};
 }
 
-// Hertz's pressure of half-length a on a uniform mesh of half-length 1, at least roughly: at the elements' centres.
+// Hertz's pressure of half-length a on a uniform mesh of half-length 1, approximated at the elements' centres.
 NormalLoad<double> fixed(const Scene& scene, double a) {
     NormalLoad<double> load{ArrayX<double>::Zero(scene.mesh.size()), 1, ArrayX<double>::Zero(scene.mesh.size())};
     for (Eigen::Index i = 0; i < scene.mesh.size(); ++i) {
@@ -36,7 +36,7 @@ NormalLoad<double> fixed(const Scene& scene, double a) {
 
 double half_length(double q) { return std::sqrt(1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)); }
 
-TEST_CASE("One direction under a load that varies is what its own model does", "[friction]") {
+TEST_CASE("Motion in one direction under a varying load agrees with the model of that direction", "[friction]") {
     for (const bool breathes : {true, false}) {
         const Scene scene(breathes ? cosine_mesh<double>(30) : uniform_mesh<double>(30));
         for (const Integrator integrator : integrators) {
@@ -75,7 +75,7 @@ TEST_CASE("One direction under a load that varies is what its own model does", "
     }
 }
 
-TEST_CASE("Without Poisson's ratio a motion under a load that varies may be turned", "[friction]") {
+TEST_CASE("With Poisson's ratio zero, rotating the creepage under a varying load rotates the force", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), 0);
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -101,7 +101,7 @@ TEST_CASE("Without Poisson's ratio a motion under a load that varies may be turn
     }
 }
 
-TEST_CASE("Tangents by the load, the half-length and the creepages are derivatives", "[friction]") {
+TEST_CASE("The tangents by load, half-length and creepages are derivatives of both forces", "[friction]") {
     for (const bool breathes : {true, false}) {
         const Scene scene(breathes ? cosine_mesh<double>(20) : uniform_mesh<double>(24));
         for (const Integrator integrator : integrators) {
@@ -114,7 +114,7 @@ TEST_CASE("Tangents by the load, the half-length and the creepages are derivativ
                 const Creepage<double> creepage = scene.creepage(0.7, 8.0 * k);
                 const auto step = model.advance(now, 0.3, creepage, load, next, workspace);
                 REQUIRE(step.status == StepStatus::ok);
-                // fewer elements change zones within the shorter difference
+                // the shorter the difference, the fewer elements change zones within it
                 const auto difference = [&](const NormalLoad<double>& by, double e, const Creepage<double>& turn) {
                     TangentialForce<double> sides[2];
                     for (const int side : {0, 1}) {
@@ -150,7 +150,7 @@ TEST_CASE("Tangents by the load, the half-length and the creepages are derivativ
     }
 }
 
-TEST_CASE("A load that stays changes nothing", "[friction]") {
+TEST_CASE("A constant load gives the same steps in two directions as no load", "[friction]") {
     const Scene scene(cosine_mesh<double>(16));
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -171,7 +171,7 @@ TEST_CASE("A load that stays changes nothing", "[friction]") {
     }
 }
 
-TEST_CASE("Under a load that varies, a checkpoint and a fresh workspace go on to the last bit", "[friction]") {
+TEST_CASE("A checkpoint and a new workspace continue bit for bit under a varying load", "[friction]") {
     for (const bool breathes : {true, false}) {
         const Scene scene(breathes ? cosine_mesh<double>(18) : uniform_mesh<double>(18));
         for (const Integrator integrator : integrators) {
@@ -182,7 +182,7 @@ TEST_CASE("Under a load that varies, a checkpoint and a fresh workspace go on to
                 const double a = half_length(0.3 * k), dq = k % 4 == 0 ? 0.3 : 0.4;
                 const NormalLoad<double> load = breathes ? breathing(scene, a) : fixed(scene, 0.7 * a);
                 const Creepage<double> creepage = scene.creepage(0.7, 8.0 * k);
-                // plain data: all of a state is in its fields
+                // a state is plain data, completely described by its fields
                 State checkpoint;
                 checkpoint.traction = now.traction;
                 checkpoint.zones = now.zones;
@@ -205,7 +205,7 @@ TEST_CASE("Under a load that varies, a checkpoint and a fresh workspace go on to
                 if (breathes) {
                     REQUIRE(step.tangent_by_half_length.longitudinal == again.tangent_by_half_length.longitudinal);
                 }
-                // a trial that is rejected
+                // a trial step that is rejected
                 model.advance(now, 2 * dq, scene.creepage(2, -50.0 * k), copy, used);
                 std::swap(now, next);
             }
@@ -213,15 +213,15 @@ TEST_CASE("Under a load that varies, a checkpoint and a fresh workspace go on to
     }
 }
 
-TEST_CASE("Newton's method on creepages and load at once converges quadratically", "[friction]") {
-    // The load per width P is an unknown: a(P) ~ sqrt(P), pressures ~ a. Both forces at the end of a step are given.
+TEST_CASE("Newton's method for creepage and load together converges quadratically", "[friction]") {
+    // The load per width P is an unknown: a ~ sqrt(P), pressures ~ a. Both forces at the end of a step are prescribed.
     const Scene scene(cosine_mesh<double>(24));
     const CombinedFrictionModel<double> model = scene.transient();
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     model.steady(model.at_rest(), scene.creepage(0.6, 30), now, workspace);
     const auto run = [&](double P, double lateral) {
-        // the load by which the rates are is a itself
+        // the rates are derivatives by a
         const double a = std::sqrt(P);
         const Creepage<double> creepage{scene.creepage(0.6, 30).longitudinal, lateral};
         return model.advance(now, 0.3, creepage, breathing(scene, a), next, workspace);
@@ -255,7 +255,7 @@ TEST_CASE("Newton's method on creepages and load at once converges quadratically
     CHECK(P == Approx(goal_P).epsilon(1e-10));
 }
 
-TEST_CASE("Slow variation of the load tends to steady rolling under each load", "[friction]") {
+TEST_CASE("A slowly varying load leads to steady rolling under each load", "[friction]") {
     const Scene scene(cosine_mesh<double>(16), 0.28, half, 10);
     const CombinedFrictionModel<double> model = scene.transient();
     Workspace workspace = model.workspace();
@@ -284,7 +284,7 @@ TEST_CASE("Slow variation of the load tends to steady rolling under each load", 
     CHECK(before < 0.01);
 }
 
-TEST_CASE("Heat by slip and by elastic energy agree while the load varies", "[friction]") {
+TEST_CASE("The heat by slip and by the elastic energy agree under a varying load", "[friction]") {
     double before = 1;
     for (const Eigen::Index n : {20, 40, 80}) {
         const Scene scene(cosine_mesh<double>(n));
@@ -318,7 +318,7 @@ TEST_CASE("Heat by slip and by elastic energy agree while the load varies", "[fr
     CHECK(before < 1e-3);
 }
 
-TEST_CASE("Lift-off and touch-down are ordinary steps", "[friction]") {
+TEST_CASE("Lift-off and touch-down in two directions are ordinary steps", "[friction]") {
     const Scene scene(uniform_mesh<double>(30));
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -349,7 +349,7 @@ TEST_CASE("Lift-off and touch-down are ordinary steps", "[friction]") {
     }
 }
 
-TEST_CASE("Loads that cannot be are named by the status, for two directions", "[friction]") {
+TEST_CASE("Invalid loads are reported by the status in two directions", "[friction]") {
     const Scene scene(cosine_mesh<double>(8));
     const CombinedFrictionModel<double> model = scene.transient();
     const auto strip = [&](bool lateral) {
@@ -389,7 +389,7 @@ TEST_CASE("Loads that cannot be are named by the status, for two directions", "[
     load.pressure_rate.resize(3);
     CHECK(status(model, load, 0.2) == StepStatus::invalid_load);
 
-    // a state of another half-length, handed to systems that know one only
+    // a state of another half-length, given to systems with a single one
     State now = stiff.at_rest(), next = now;
     now.half_length = 1.1;
     CHECK(stiff.advance(now, 0.2, scene.creepage(0.5, 30), next, workspace).status == StepStatus::needs_fixed_mesh);

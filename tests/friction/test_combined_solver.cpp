@@ -48,7 +48,7 @@ struct Problem {
             const double norm = p.row(i).norm(), slip = s.row(i).norm();
             worst = std::max(worst, norm - bound[i]);
             if (bound[i] == 0) continue;
-            // below the bound nothing may slip; at it slip is against the traction
+            // below the bound there is no slip; at the bound slip opposes the traction
             const double inside = std::min(1 - norm / bound[i], slip);
             const double across = std::abs(p(i, 0) * s(i, 1) - p(i, 1) * s(i, 0)) / bound[i];
             worst = std::max({worst, inside, across, p.row(i).dot(s.row(i)) / bound[i]});
@@ -80,7 +80,7 @@ Problem random_problem(std::mt19937& generator, Eigen::Index n, Kind kind) {
     return problem;
 }
 
-TEST_CASE("Newton's method solves definite problems, and says of all others how far it came", "[friction]") {
+TEST_CASE("Newton's method solves definite problems, and reports the residual of all others", "[friction]") {
     std::mt19937 generator(11);
     int unsolved = 0, several = 0, tangents = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -106,7 +106,7 @@ TEST_CASE("Newton's method solves definite problems, and says of all others how 
         }
         several += outcome.rounds > 60 ? 1 : 0;
         if (!outcome.tangent_exists) continue;
-        // a solution a little further is where the tangent points to
+        // the tangent predicts the solution of a nearby problem
         const double e = 1e-7;
         ElementVectors<double> change = ElementVectors<double>::Zero(n, 2), response = change;
         change.col(trial % 2).setOnes();
@@ -125,7 +125,7 @@ TEST_CASE("Newton's method solves definite problems, and says of all others how 
     CHECK(tangents > 900);
 }
 
-TEST_CASE("A definite problem has one solution, and a plain projected iteration finds it", "[friction]") {
+TEST_CASE("The solution of a definite problem is that of a plain projected iteration", "[friction]") {
     std::mt19937 generator(5);
     for (int trial = 0; trial < 200; ++trial) {
         const Eigen::Index n = 1 + trial % 9;
@@ -133,7 +133,7 @@ TEST_CASE("A definite problem has one solution, and a plain projected iteration 
         Solver<double> solver(n);
         problem.put_into(solver);
         REQUIRE(problem.solve_from_rest(solver).status == StepStatus::ok);
-        // Korpelevich's extragradient
+        // Korpelevich's extragradient method
         ElementVectors<double> p = ElementVectors<double>::Zero(n, 2);
         const double step = 0.5 / std::max(problem.x.norm(), problem.y.norm());
         const auto moved = [&](const ElementVectors<double>& at) {
@@ -157,7 +157,7 @@ TEST_CASE("A definite problem has one solution, and a plain projected iteration 
     }
 }
 
-TEST_CASE("A combined solver that has solved other problems gives what a fresh one gives", "[friction]") {
+TEST_CASE("A used combined solver gives the same results as a new one", "[friction]") {
     std::mt19937 generator(1);
     const auto integer = [&](int count) { return static_cast<double>(generator() % static_cast<unsigned>(count)); };
     int singular = 0;
@@ -191,8 +191,8 @@ TEST_CASE("A combined solver that has solved other problems gives what a fresh o
     CHECK(singular > 10);
 }
 
-TEST_CASE("A leading element without influence on itself", "[friction]") {
-    // central differences about the element's own centre: the diagonal vanishes, and one that sticks alone is singular
+TEST_CASE("A leading element without influence on its own slip is solved", "[friction]") {
+    // central differences about the element's own centre: its diagonal vanishes, so sticking alone it is singular
     Problem problem{MatrixX<double>{{1, 0.5}, {-0.5, 0}}, MatrixX<double>{{1.2, 0.6}, {-0.6, 0}},
                     ElementVectors<double>(2, 2), VectorX<double>{{1, 3}}};
     problem.constant << 0.9, 0.7, 0.45, 0.36;
@@ -226,7 +226,7 @@ void check_scalar(Scalar tolerance) {
     }
 }
 
-TEST_CASE("Combined friction in float and long double", "[friction]") {
+TEST_CASE("The combined solver gives the same solutions in float and in long double", "[friction]") {
     check_scalar<float>(2e-4F);
     check_scalar<long double>(1e-12L);
 }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace combined_tests;
 
-TEST_CASE("Forces under both creepages are those that two programs agree on", "[friction]") {
+TEST_CASE("Steady forces under both creepages agree with two other programs", "[friction]") {
     const SteadyCombinedModel<double> model = Scene(cosine_mesh<double>(160)).steady();
     struct Point {
         double ratio, degrees, longitudinal, lateral;
@@ -61,7 +61,7 @@ TEST_CASE("Forces under both creepages are those that two programs agree on", "[
     }
 }
 
-TEST_CASE("Without Poisson's ratio the solution is that of one direction, along the creepage", "[friction]") {
+TEST_CASE("With Poisson's ratio zero, the solution is that of one direction, along the creepage", "[friction]") {
     const Scene scene(cosine_mesh<double>(60), 0);
     const SteadyCombinedModel<double> model = scene.steady();
     const SteadyFrictionModel<double> one(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.friction);
@@ -86,7 +86,7 @@ TEST_CASE("Without Poisson's ratio the solution is that of one direction, along 
                   Approx(expected.slip_work_per_width).epsilon(1e-9).margin(1e-12 * peak * peak));
             CHECK(step.stick_count == expected.stick_count);
             CHECK(-force / full_force == Approx(ratio < 1 ? carter_force_ratio(ratio) : 1).epsilon(3e-3));
-            // along the creepage the force follows Carter's curve, across it turns with the creepage
+            // changes along the creepage follow Carter's curve, changes across it rotate the force
             const CreepageTangent<double>& tangent = step.tangent_per_width;
             const double across = force / (2 * peak * ratio), own = expected.tangent_per_width;
             CHECK(tangent.by_longitudinal.longitudinal ==
@@ -113,7 +113,7 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
     CHECK(across.c22 < 0.99 * along.c11);
 }
 
-TEST_CASE("Creepage in one direction is what the models of one direction solve", "[friction]") {
+TEST_CASE("Steady rolling with creepage in one direction agrees with the model of that direction", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
     const SteadyCombinedModel<double> model = scene.steady();
     const SteadyFrictionModel<double> along(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
@@ -141,7 +141,7 @@ TEST_CASE("Creepage in one direction is what the models of one direction solve",
     }
 }
 
-TEST_CASE("Kernels and creepages that change places change places in the force", "[friction]") {
+TEST_CASE("Exchanging kernels and creepages exchanges the forces", "[friction]") {
     const Scene scene(cosine_mesh<double>(24));
     const SteadyCombinedModel<double> model = scene.steady();
     const SteadyCombinedModel<double> swapped(scene.contact, scene.mesh, scene.scheme, scene.lateral,
@@ -151,7 +151,7 @@ TEST_CASE("Kernels and creepages that change places change places in the force",
             const Creepage<double> creepage = scene.creepage(ratio, degrees);
             const Step one = from_scratch(model, creepage);
             const Step other = from_scratch(swapped, {creepage.lateral, creepage.longitudinal});
-            // one direction turned round
+            // one direction reversed
             const Step mirrored = from_scratch(model, {creepage.longitudinal, -creepage.lateral});
             CAPTURE(ratio, degrees);
             CHECK(std::abs(one.force_per_width.longitudinal - other.force_per_width.lateral) < 1e-12 * full_force);
@@ -165,7 +165,7 @@ TEST_CASE("Kernels and creepages that change places change places in the force",
     }
 }
 
-TEST_CASE("All slips at large creepage, and the force turns against it", "[friction]") {
+TEST_CASE("The whole contact slips at large creepage, and the force tends to oppose it", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
     const SteadyCombinedModel<double> model = scene.steady();
     for (const double degrees : {20.0, 45.0, 70.0}) {
@@ -185,7 +185,7 @@ TEST_CASE("All slips at large creepage, and the force turns against it", "[frict
     }
 }
 
-TEST_CASE("The tangent is the derivative of the force by both creepages", "[friction]") {
+TEST_CASE("The steady tangent is the derivative of the force by both creepages", "[friction]") {
     const Scene scene(cosine_mesh<double>(30));
     const SteadyCombinedModel<double> model = scene.steady();
     Workspace workspace = model.workspace();
@@ -211,9 +211,9 @@ TEST_CASE("The tangent is the derivative of the force by both creepages", "[fric
     }
 }
 
-TEST_CASE("Schemes that make the search hard are solved, too", "[friction]") {
+TEST_CASE("Schemes for which the search is difficult are solved", "[friction]") {
     // With alpha = 0 at the leading edge that element has no influence on its own slip, and near full sliding plain
-    // steps cycle.
+    // Newton steps cycle.
     int hard = 0;
     for (const double alpha_T : {0.5, 0.63, 1.0}) {
         for (const bool cosine : {true, false}) {
@@ -236,7 +236,7 @@ TEST_CASE("Schemes that make the search hard are solved, too", "[friction]") {
     CHECK(hard > 5);
 }
 
-TEST_CASE("Slip work is what the rigid bodies lose, to second order", "[friction]") {
+TEST_CASE("Slip work equals the power lost by the rigid bodies to second order", "[friction]") {
     double before = 1;
     for (const Eigen::Index n : {20, 40, 80}) {
         const Scene scene(cosine_mesh<double>(n));
@@ -252,7 +252,7 @@ TEST_CASE("Slip work is what the rigid bodies lose, to second order", "[friction
     }
 }
 
-TEST_CASE("Few elements, no friction, no pressure", "[friction]") {
+TEST_CASE("Few elements, no friction and elements without pressure are solved", "[friction]") {
     for (const Eigen::Index n : {1, 2, 3}) {
         const Scene scene(uniform_mesh<double>(n));
         const SteadyCombinedModel<double> model = scene.steady();
@@ -284,7 +284,7 @@ TEST_CASE("Few elements, no friction, no pressure", "[friction]") {
     CHECK(step.stick_count > 0);
 }
 
-TEST_CASE("Input out of place is refused, or named by the status", "[friction]") {
+TEST_CASE("Invalid input to steady rolling in two directions is rejected or reported by the status", "[friction]") {
     const Scene scene(cosine_mesh<double>(8));
     const SteadyCombinedModel<double> model = scene.steady();
     const MatrixX<double> G_prime = assemble_G_prime(scene.mesh, scene.scheme, scene.longitudinal);

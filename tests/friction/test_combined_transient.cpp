@@ -1,4 +1,4 @@
-// rollbem/friction/combined_transient.hpp: under the load of the state
+// rollbem/friction/combined_transient.hpp: steps under the load of the state
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,7 +19,7 @@ using namespace combined_tests;
 
 constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
 
-TEST_CASE("Rolling at constant creepages tends to the steady solution of the same mesh", "[friction]") {
+TEST_CASE("Rolling at constant creepages tends to the steady solution on the same mesh", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), 0.28, half, 10);
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -44,7 +44,7 @@ TEST_CASE("Rolling at constant creepages tends to the steady solution of the sam
     }
 }
 
-TEST_CASE("Motion in one direction is what the model of one direction does", "[friction]") {
+TEST_CASE("Motion in one direction agrees with the model of that direction", "[friction]") {
     const Scene scene(cosine_mesh<double>(30), 0.28, half, 20);
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -90,7 +90,7 @@ TEST_CASE("Motion in one direction is what the model of one direction does", "[f
     }
 }
 
-TEST_CASE("Without Poisson's ratio a motion may be turned", "[friction]") {
+TEST_CASE("With Poisson's ratio zero, rotating the creepage rotates the force", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), 0);
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -115,7 +115,7 @@ TEST_CASE("Without Poisson's ratio a motion may be turned", "[friction]") {
     }
 }
 
-TEST_CASE("The tangents of a step are derivatives by the creepages at its end, or by the shifts", "[friction]") {
+TEST_CASE("The tangents of a step are derivatives by the final creepages or by the shifts", "[friction]") {
     const Scene scene(cosine_mesh<double>(20));
     for (const Integrator integrator : integrators) {
         const CombinedFrictionModel<double> model = scene.transient(integrator);
@@ -158,7 +158,7 @@ TEST_CASE("The tangents of a step are derivatives by the creepages at its end, o
     }
 }
 
-// Order of the largest error of force and work over a turn of the creepage, against ever shorter steps.
+// Error of the tractions at q = 2 under a creepage that grows and turns: the sum over the elements, over mu p0.
 double error_at_end(const Scene& scene, Integrator integrator, int steps, const State& reference) {
     const CombinedFrictionModel<double> model = scene.transient(integrator);
     Workspace workspace = model.workspace();
@@ -172,7 +172,7 @@ double error_at_end(const Scene& scene, Integrator integrator, int steps, const 
     return reference.traction.size() == 0 ? 0 : (now.traction - reference.traction).cwiseAbs().sum() / peak;
 }
 
-TEST_CASE("sdirk2 is of second order in the distance of a step, implicit Euler of first", "[friction]") {
+TEST_CASE("Steps in two directions converge at second order with sdirk2, first with implicit Euler", "[friction]") {
     const Scene scene(cosine_mesh<double>(10), 0.28, half, 10);
     const CombinedFrictionModel<double> model = scene.transient();
     Workspace workspace = model.workspace();
@@ -191,7 +191,7 @@ TEST_CASE("sdirk2 is of second order in the distance of a step, implicit Euler o
     CAPTURE(first, first_finer, second, second_finer);
     CHECK(first / first_finer > 6);
     CHECK(first / first_finer < 11);
-    CHECK(second / second_finer > 25);  // irregular: elements begin to slip within steps
+    CHECK(second / second_finer > 25);  // irregular, because elements begin to slip within steps
     CHECK(second < first / 5);
 }
 
@@ -216,7 +216,7 @@ bool same_bits(const Step& one, const Step& other) {
            one.stick_count == other.stick_count && one.status == other.status;
 }
 
-TEST_CASE("A workspace with a past gives what a fresh one gives, for two directions", "[friction]") {
+TEST_CASE("A used workspace gives the same results as a new one in two directions", "[friction]") {
     std::mt19937 generator(3);
     const auto integer = [&](int count) { return static_cast<int>(generator() % static_cast<unsigned>(count)); };
     const auto uniform = [&](double limit) { return std::uniform_real_distribution<double>(-limit, limit)(generator); };
@@ -254,7 +254,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives, for two directi
                 REQUIRE(found.status == StepStatus::ok);
                 mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
                 hard += found.rounds > 16 ? 1 : 0;
-                if (integer(3) != 0) std::swap(now[who], next[who]);  // or the trial is rejected
+                if (integer(3) != 0) std::swap(now[who], next[who]);  // otherwise the trial is rejected
             }
         }
     }
@@ -262,7 +262,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives, for two directi
     CHECK(mixed > 100);
 }
 
-TEST_CASE("Two directions: input out of place is refused, or named by the status", "[friction]") {
+TEST_CASE("Invalid input to a step in two directions is rejected or reported by the status", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), 0.28, half, 10);
     const ElementSystem<double> along = scene.along(), across = scene.across();
     const auto build = [&](const ElementSystem<double>& x, const ElementSystem<double>& y,

@@ -16,15 +16,15 @@ namespace {
 
 using namespace friction_tests;
 
-// Of the tractions -mu p0 sqrt(1 - x^2/a^2), a = half_length, with G = 1. By Chebyshev polynomials: T_0 and T_2 alone,
-// and the plane kernel is diagonal in them.
+// Energy of the tractions -mu p0 sqrt(1 - x^2/a^2), a = half_length, with G = 1: a sum of the Chebyshev polynomials T_0
+// and T_2, in which the plane kernel is diagonal.
 double sliding_energy(double half_length, double half_width) {
     const double c1 = 1 - nu, c2 = nu;
     const double mean = 2 * (c1 * std::log(4 * half_width / half_length) + c2), second = c1;
     return std::numbers::pi / 8 * (mean + second / 2) * peak * peak * half_length * half_length;
 }
 
-TEST_CASE("elastic energy of full sliding against the exact one", "[friction]") {
+TEST_CASE("The elastic energy of full sliding converges to the exact one", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n), half, 1, 50);
@@ -42,7 +42,7 @@ TEST_CASE("elastic energy of full sliding against the exact one", "[friction]") 
     CHECK(support::observed_order(sizes, errors) > 1.8);
 }
 
-TEST_CASE("elastic energy of a contact that has grown, and in SI", "[friction]") {
+TEST_CASE("The elastic energy follows the half-length, and scales in SI units", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(160);
     const Scene scene(mesh, half, 1, 50);
     const FrictionModel<double> model = scene.transient();
@@ -54,7 +54,7 @@ TEST_CASE("elastic energy of a contact that has grown, and in SI", "[friction]")
         CHECK(std::abs(model.elastic_energy_per_width(state) / sliding_energy(half_length, 50) - 1) < 1e-4);
     }
 
-    // a joule is a newton times a metre
+    // SI units
     const double a = 6e-3, G = 8e10;
     const Contact<double> contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
     const FrictionModel<double> in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
@@ -65,7 +65,7 @@ TEST_CASE("elastic energy of a contact that has grown, and in SI", "[friction]")
           Approx(G * a * a * model.elastic_energy_per_width(state)).epsilon(1e-12));
     CHECK(in_si.elastic_energy(loaded) == Approx(100 * a * in_si.elastic_energy_per_width(loaded)).epsilon(1e-12));
 
-    // a strip knows one length only
+    // a strip has a single half-length
     const auto strip = rolling_system(mesh, half, StripKernel<double>::longitudinal(scene.contact));
     const FrictionModel<double> rigid(scene.contact, strip, unchecked, scene.friction);
     CHECK(std::isnan(rigid.elastic_energy(state)));
@@ -73,8 +73,8 @@ TEST_CASE("elastic energy of a contact that has grown, and in SI", "[friction]")
     CHECK(rigid.elastic_energy(state) > 0);
 }
 
-// Over a creepage that rises, falls and turns round, from rest: what the rigid bodies lose, the heat
-// by slip times traction, and the elastic energy at the end.
+// From rest, over a creepage that rises, falls and changes sign: the work lost by the rigid bodies, the heat by slip
+// times traction, and the final elastic energy.
 struct Balance {
     double spent = 0, heat = 0, elastic = 0;
 
@@ -104,7 +104,7 @@ Balance roll(const Mesh<double>& mesh, const Scheme& scheme, Integrator integrat
     return balance;
 }
 
-TEST_CASE("slip times traction balances to second order", "[friction]") {
+TEST_CASE("Slip times traction balances the energy to second order", "[friction]") {
     std::vector<double> sizes, gaps;
     for (const Eigen::Index n : {10, 20, 40, 80}) {
         sizes.push_back(static_cast<double>(n));
@@ -116,8 +116,8 @@ TEST_CASE("slip times traction balances to second order", "[friction]") {
     CHECK(support::observed_order(sizes, gaps) < 2.3);
 }
 
-TEST_CASE("Galerkin's method loses no energy but what slips", "[friction]") {
-    // in space on any mesh, and in time as the integrator does
+TEST_CASE("Galerkin's method loses no energy except by slip", "[friction]") {
+    // exactly in space on any mesh; in time at the order of the integrator
     for (const Mesh<double>& mesh : {cosine_mesh<double>(20), uniform_mesh<double>(15), geometric_mesh(12, 5.0)}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             std::vector<double> sizes, gaps;
@@ -132,8 +132,8 @@ TEST_CASE("Galerkin's method loses no energy but what slips", "[friction]") {
     }
 }
 
-// Creepage of half of full sliding, in steady rolling at first, under a load whose contact is half as long again and
-// back, a = sqrt(1 + 0.5 sin(2 pi q/8)), mu p0 = a: over one period.
+// Over one period of the load, from steady rolling, at half the creepage of full sliding:
+// a = sqrt(1 + 0.5 sin(2 pi q/8)), mu p0 = a.
 Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
     const Contact<double> contact = Contact<double>::dimensionless(1000, 0.28);
     const double covered = breathing ? 1 : 1.25;  // half-length of the mesh
@@ -142,7 +142,7 @@ Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
     const Mesh<double> mesh = breathing ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
     const ElementSystem<double> system =
         rolling_system(mesh, half, PlaneKernel<double>::longitudinal(breathing ? contact : meshed));
-    // of G = 1; a load of 1 per width gives a = 1 and a peak of 2/pi
+    // G = 1; a load of 1 per width gives a = 1 and a peak pressure of 2/pi
     const ElasticBody<double> body{2 * 1.28, 0.28};
     const HertzLine<double> line(
         {.load_per_width = 1, .combined_radius = std::numbers::pi / (4 * 0.72), .body_1 = body, .body_2 = body});
@@ -173,13 +173,13 @@ Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
     return balance;
 }
 
-TEST_CASE("balance under a load that varies, on a mesh that breathes with it", "[friction]") {
-    // -int xi F dq, slip work and gain of elastic energy of an independent discretisation (n = 160)
+TEST_CASE("The energy balance under a varying load closes at second order on a breathing mesh", "[friction]") {
+    // -int xi F dq, slip work and gain of elastic energy by an independent discretisation (n = 160)
     const Balance fine = roll_under_a_wave(160, 0.05, true);
     CHECK(std::abs(fine.spent - 6.2501) < 3e-4);
     CHECK(std::abs(fine.heat - 7.5715) < 3e-4);
     CHECK(std::abs(fine.elastic + 1.3209) < 3e-4);
-    // the residual over the work
+    // the residual relative to the work
     const std::vector<double> expected{6.5e-3, 1.6e-3, 4.0e-4};
     std::vector<double> sizes, gaps;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -192,7 +192,7 @@ TEST_CASE("balance under a load that varies, on a mesh that breathes with it", "
     CHECK(std::abs(support::observed_order(sizes, gaps) - 2) < 0.1);
 }
 
-TEST_CASE("balance under a load that varies, on a mesh that stays", "[friction]") {
+TEST_CASE("The energy balance under a varying load closes on a fixed mesh", "[friction]") {
     for (const Eigen::Index n : {50, 100, 200}) {
         const Balance balance = roll_under_a_wave(n, 0.05, false);
         CAPTURE(n, balance.spent, balance.heat, balance.elastic, balance.gap());
@@ -201,7 +201,7 @@ TEST_CASE("balance under a load that varies, on a mesh that stays", "[friction]"
     }
 }
 
-TEST_CASE("about the centres: no force in full adhesion, the right one with slip", "[friction]") {
+TEST_CASE("Galerkin about the centres has no force in full adhesion and the right one with slip", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
         const Scene scene(uniform_mesh<double>(n), half, 1, 50);

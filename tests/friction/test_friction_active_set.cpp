@@ -12,14 +12,14 @@ namespace {
 
 using namespace rollbem;
 
-TEST_CASE("any matrix has a solution, and it is found", "[friction]") {
+TEST_CASE("A solution is found whatever the matrix", "[friction]") {
     std::mt19937 generator(7);
     std::normal_distribution<double> normal;
     int fallbacks = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const Eigen::Index n = 1 + trial % 12;
         detail::ActiveSet<double> solver(n);
-        // every third matrix is of rank one, every third is definite, the others are anything
+        // a third of the matrices is of rank one, a third definite, a third arbitrary
         const VectorX<double> left = VectorX<double>::NullaryExpr(n, [&] { return normal(generator); });
         const VectorX<double> right = VectorX<double>::NullaryExpr(n, [&] { return normal(generator); });
         const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return normal(generator); });

@@ -1,5 +1,5 @@
-// rollbem/friction/state.hpp, workspace.hpp; adhesion/transient.hpp: results depend on the state and the arguments, to
-// the last bit, and on nothing that was computed before. A state is plain data.
+// rollbem/friction/state.hpp, workspace.hpp; adhesion/transient.hpp: results depend, bit for bit, only on the state and
+// the arguments, not on earlier computations. A state is plain data.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +25,7 @@ using Workspace = FrictionWorkspace<double>;
 using Motion = RigidMotion<double>;
 using Catch::Matchers::ContainsSubstring;
 
-// Equal to the last bit, NaN and the sign of zero included.
+// Bitwise equality, including NaN and the sign of zero.
 bool same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
 bool same(const VectorX<double>& x, const VectorX<double>& y) {
     bool equal = x.size() == y.size();
@@ -52,10 +52,10 @@ public:
     }
 
 private:
-    std::mt19937 generator_;  // its numbers are the same everywhere
+    std::mt19937 generator_;  // the same numbers on every platform
 };
 
-// One step or solution of any kind.
+// A step or a steady solution.
 struct Task {
     int kind;  // 0 to 2: a step, 3: a rigid shift, 4: a steady solution
     double dq, start, end;
@@ -79,14 +79,14 @@ struct Task {
 
 constexpr Collocation schemes[] = {half, {.alpha_L = 0, .alpha_T = 0.5}, {.alpha_L = 0, .alpha_T = 0.63}};
 
-TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") {
+TEST_CASE("A used workspace gives the same results as a new one", "[friction]") {
     Random random(1);
     int fallbacks = 0, mixed = 0;
     for (const Eigen::Index n : {3, 4, 7, 12, 20, 29, 40}) {
         for (const Collocation& scheme : schemes) {
             const Scene scene(cosine_mesh<double>(n), scheme, 1, 10);
             const FrictionModel<double> model = scene.transient();
-            // the same system in Euler's hands, another load, another contact, and another scheme
+            // the same system with implicit Euler, another friction coefficient, and another contact and mesh
             const Scene slippery(scene.mesh, scheme, 0.2, 10), other(uniform_mesh<double>(n), half, 1, 4);
             const std::vector<FrictionModel<double>> models{model, scene.transient(Integrator::implicit_euler),
                                                             slippery.transient(), other.transient()};
@@ -99,7 +99,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") 
             for (int k = 0; k < 120; ++k) {
                 const std::size_t who = static_cast<std::size_t>(random.integer(3) == 0 ? random.integer(4) : k / 60);
                 Task task = Task::any(random);
-                // a step of Euler's method as long as a stage of sdirk2 has the same matrix
+                // a step of implicit Euler as long as a stage of sdirk2 has the same matrix
                 if (who == 1 && random.integer(2) == 0) task.dq *= 1 - std::numbers::sqrt2 / 2;
                 State expected = now[who];
                 Workspace fresh = models[who].workspace();
@@ -111,7 +111,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") 
                 REQUIRE(same(used.slip(), fresh.slip()));
                 fallbacks += found.pivots > 0 ? 1 : 0;
                 mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
-                if (random.integer(3) != 0) std::swap(now[who], next[who]);  // or the trial is rejected
+                if (random.integer(3) != 0) std::swap(now[who], next[who]);  // otherwise the trial is rejected
                 if (random.integer(10) == 0) {
                     Workspace clean = steady.workspace();
                     State curve_alone = curve;
@@ -130,7 +130,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") 
     CHECK(mixed > 500);
 }
 
-TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothing", "[friction]") {
+TEST_CASE("Rejected steps, checkpoints and contacts in turn do not change results", "[friction]") {
     for (const Collocation& scheme : schemes) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<double> model = Scene(cosine_mesh<double>(18), scheme, 1, 10).transient(integrator);
@@ -142,7 +142,7 @@ TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothi
                     const std::size_t who = static_cast<std::size_t>(k % 3);
                     const Task task = Task::any(random);
                     if (disturbed) {
-                        // trials of other lengths, all refused or thrown away; a state saved, and its copy used
+                        // discarded trials of other lengths, a rejected step, and a state restored from its copy
                         for (int trial = noise.integer(4); trial > 0; --trial) {
                             Task::any(noise).run(model, now[who], next[who], workspaces[who]);
                         }
@@ -151,7 +151,7 @@ TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothi
                         now[who] = model.at_rest();
                         now[who] = checkpoint;
                     }
-                    // contact 0 alone, or all of them with one workspace each
+                    // contact 0 alone, or all three, each with its own workspace
                     if (disturbed || who == 0) task.run(model, now[who], next[who], workspaces[who]);
                     if (disturbed || who == 0) std::swap(now[who], next[who]);
                 }
@@ -257,7 +257,7 @@ TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "
     }
 }
 
-TEST_CASE("Zones of a state that are no zones cost rounds, not the solution", "[friction]") {
+TEST_CASE("Invalid zones in a state do not change the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(30), half, 1, 100);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel<double> model = scene.transient(integrator);
@@ -284,7 +284,7 @@ TEST_CASE("Zones of a state that are no zones cost rounds, not the solution", "[
     }
 }
 
-TEST_CASE("A state of another system is refused, and nothing is written", "[friction]") {
+TEST_CASE("A state of another system is rejected, and nothing is written", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), half, 1, 10);
     const FrictionModel<double> model = scene.transient();
     const SteadyFrictionModel<double> steady = scene.steady();
@@ -305,7 +305,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
         CHECK(steady.solve(other->steady().at_rest(), 1e-3, next, workspace).status == StepStatus::wrong_state);
         CHECK(untouched());
     }
-    // the same system in other units, too
+    // the same system in other units
     const Contact<double> stiffer(
         {.half_length = 1, .half_width = 10, .shear_modulus = 2, .poisson_ratio = scene.contact.poisson_ratio()});
     const FrictionModel<double> in_other_units(stiffer, scene.system(), unchecked, scene.friction);
@@ -317,7 +317,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
         CHECK(model.advance(from, 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
     }
     CHECK(untouched());
-    // a workspace of another size; that of another model of as many elements will do
+    // a workspace of another size is rejected; one of another model with as many elements is accepted
     const State rest = model.at_rest();
     Workspace small(7), borrowed = Scene(uniform_mesh<double>(8)).transient().workspace();
     CHECK(model.advance(rest, 0.1, 1e-3, next, small).status == StepStatus::wrong_state);
@@ -328,7 +328,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
     const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 10).transient();
     CHECK(slippery.advance(kept, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
 
-    // full adhesion alike
+    // the same in full adhesion
     const TransientModel<double> adhesion(scene.contact, scene.system(), unchecked);
     const TransientModel<double> other_adhesion(other_mesh.contact, other_mesh.system(), unchecked);
     TransientState<double> to = adhesion.steady(1e-3);
@@ -340,7 +340,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
     CHECK(to.system == adhesion.fingerprint());
 }
 
-TEST_CASE("Fingerprints tell systems apart, not laws of friction", "[friction]") {
+TEST_CASE("Fingerprints distinguish systems but not friction laws", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), half, 1, 10);
     const ElementSystem<double> system = scene.system();
     CHECK(system.fingerprint() == scene.system().fingerprint());
@@ -357,8 +357,8 @@ TEST_CASE("Fingerprints tell systems apart, not laws of friction", "[friction]")
     CHECK(scene.transient().fingerprint() != Scene(scene.mesh, half, 1, 11).transient().fingerprint());
 }
 
-TEST_CASE("Friction in time asks of its system what full adhesion asks", "[friction]") {
-    // an element's traction is bounded: a system whose unknowns are none does not compile
+TEST_CASE("Friction in time requires of its system what full adhesion requires", "[friction]") {
+    // friction bounds the tractions of elements: a system with other unknowns does not compile
     using Law = const CoulombFriction<double>&;
     static_assert(
         std::is_constructible_v<FrictionModel<double>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
@@ -392,12 +392,12 @@ TEST_CASE("Friction in time asks of its system what full adhesion asks", "[frict
     bad.status = Status::ill_conditioned;
     refused(scene.contact, system, bad, "status of the verdict = ill_conditioned must be ok");
     refused(scene.contact, system, StabilityVerdict{}, "n of the verdict = 0");
-    // a scheme that does not converge, whatever its eigenvalues are said to be
+    // a scheme that does not converge, whatever the verdict on its eigenvalues
     const Scene divergent(cosine_mesh<double>(12), {.alpha_L = -0.2, .alpha_T = -0.2}, 1, 10);
     refused(scene.contact, divergent.system(), good, "share of steady traction that assists the creepage");
     CHECK_NOTHROW(divergent.transient());
 
-    // b/a of the kernel is the contact's
+    // b/a of the kernel must be that of the contact
     for (const double change : {1e-11, -1e-11, 0.5}) {
         const auto other = Contact<double>::dimensionless(10 * (1 + change), nu);
         refused(other, system, good, "b/a of the kernel over that of the contact");
@@ -409,7 +409,7 @@ TEST_CASE("Friction in time asks of its system what full adhesion asks", "[frict
         FrictionModel<double>(Contact<double>::dimensionless(10 * (1 + 5e-13), nu), system, unchecked, scene.friction));
     const auto infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), nu);
     refused(infinite, system, good, "half_width = inf must be finite");
-    // ready matrices tell no b/a; those that have changed places are noticed
+    // user-supplied matrices have no b/a; interchanged ones are detected
     const ElementSystem<double> ready(system.G(), system.G_prime(), system.weights());
     CHECK_NOTHROW(FrictionModel<double>(Contact<double>::dimensionless(20, nu), ready, good, scene.friction));
     CHECK_THROWS_WITH(ElementSystem<double>(system.G_prime(), system.G(), system.weights()),

@@ -1,5 +1,5 @@
-// rollbem/friction/transient.hpp, state.hpp, normal/load.hpp: what a step under a load of its own must do, whatever its
-// accuracy.
+// rollbem/friction/transient.hpp, state.hpp, normal/load.hpp: properties of a step under a varying load, independent of
+// its accuracy.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -27,7 +27,7 @@ using Load = NormalLoad<double>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Equal to the last bit, NaN and the sign of zero included.
+// Bitwise equality, including NaN and the sign of zero.
 bool same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
 template <class Derived>
 bool same(const Eigen::DenseBase<Derived>& x, const Eigen::DenseBase<Derived>& y) {
@@ -44,14 +44,14 @@ bool same(const FrictionStep<double>& x, const FrictionStep<double>& y) {
            same(x.slip_work_per_width, y.slip_work_per_width) && x.rounds == y.rounds && x.status == y.status;
 }
 
-TEST_CASE("Names of the statuses of a load", "[friction][load]") {
+TEST_CASE("The statuses of a load have names", "[friction][load]") {
     CHECK(name(StepStatus::invalid_load) == std::string("invalid_load"));
     CHECK(name(StepStatus::needs_fixed_mesh) == std::string("needs_fixed_mesh"));
     CHECK(name(StepStatus::wrong_state) == std::string("wrong_state"));
     CHECK(name(StepStatus::not_finite) == std::string("not_finite"));
 }
 
-TEST_CASE("A constant load is no load at all, to the last bit", "[friction][load]") {
+TEST_CASE("A constant load gives bit for bit the same steps as no load", "[friction][load]") {
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const bool strip : {false, true}) {
             const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(21));
@@ -79,9 +79,9 @@ TEST_CASE("A constant load is no load at all, to the last bit", "[friction][load
     }
 }
 
-TEST_CASE("The half-length that a mesh was made for is a matter of units", "[friction][load]") {
-    // the same ride on meshes that were made for other half-lengths of the same contact, and of steps without a load
-    // afterwards against a model made for the last one
+TEST_CASE("The half-length that a mesh is made for does not change the physics", "[friction][load]") {
+    // the same history on meshes made for other half-lengths of the same contact; then steps without a load against a
+    // model made for the last half-length
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(24), 100);
         const FrictionModel<double> model = scene.model(integrator);
@@ -143,7 +143,7 @@ TEST_CASE("The half-length that a mesh was made for is a matter of units", "[fri
     }
 }
 
-TEST_CASE("Contact may come and go", "[friction][load]") {
+TEST_CASE("Contact may be lost and regained", "[friction][load]") {
     for (const bool strip : {false, true}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             for (const Eigen::Index n : {1, 3, 30}) {
@@ -178,7 +178,7 @@ TEST_CASE("Contact may come and go", "[friction][load]") {
             }
         }
     }
-    // a mesh of three elements that breathes
+    // a breathing mesh of three elements
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(3));
     const FrictionModel<double> model = scene.model();
     State now = model.at_rest(), next = now;
@@ -191,7 +191,7 @@ TEST_CASE("Contact may come and go", "[friction][load]") {
     }
 }
 
-TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "[friction][load]") {
+TEST_CASE("A half-length that the mesh cannot follow is reported as needs_fixed_mesh", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12));
     const FrictionModel<double> model = scene.model(), strip = scene.strip_model();
     Workspace workspace = model.workspace();
@@ -220,7 +220,7 @@ TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "
     CHECK(status(model, now, 0, 1) == StepStatus::ok);
     CHECK(status(strip, now, 0.1, 1) == StepStatus::ok);
 
-    // a state that lives on another half-length, and steps that keep it
+    // a state at another half-length, and steps that keep it
     State longer = now;
     longer.half_length = 1.1;
     CHECK(status(model, longer, 0.1, 1.1) == StepStatus::ok);
@@ -238,7 +238,7 @@ TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "
     State point = steady.at_rest();
     CHECK(steady.solve(longer, 1e-4, point, workspace).status == StepStatus::needs_fixed_mesh);
 
-    // systems that know one half-length: Galerkin, ready matrices, displacement and slope at different points
+    // systems with a single half-length: user-supplied matrices, and Galerkin's method
     const ElementSystem<double> system = scene.system();
     const FrictionModel<double> ready(
         scene.contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked, scene.law());
@@ -251,7 +251,7 @@ TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "
     CHECK(status(galerkin, now, 0.1, 1) == StepStatus::ok);
 }
 
-TEST_CASE("A load that is none is refused", "[friction][load]") {
+TEST_CASE("Invalid loads are rejected", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
     const FrictionModel<double> model = scene.model();
     Workspace workspace = model.workspace();
@@ -300,19 +300,19 @@ TEST_CASE("A load that is none is refused", "[friction][load]") {
     refused(load);
     refused(Load{});
     load = good;
-    load.pressure_rate.resize(0);  // asks for no tangent by the load
+    load.pressure_rate.resize(0);  // no tangent by the load is requested
     const Step step = model.advance(now, 0.1, 1e-4, load, next, workspace);
     CHECK(step.status == StepStatus::ok);
     CHECK(std::isnan(step.tangent_by_load));
     CHECK(std::isfinite(step.tangent_by_half_length));
-    // no pressure is a load, and so is the zero of the other sign
+    // zero pressure is a valid load, also with a negative zero
     load.normal_pressure.setConstant(-0.0);
     CHECK(model.advance(now, 0.1, 1e-4, load, next, workspace).status == StepStatus::ok);
     CHECK(next.traction.isZero(0));
 }
 
-TEST_CASE("A state belongs to the model of its first load", "[friction][load]") {
-    // a model of another pressure would go on under the pressure of the state: it says so instead
+TEST_CASE("A state belongs to the model with the pressure of its first load", "[friction][load]") {
+    // a model of another pressure would continue under that of the state: the status reports it
     LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
     const FrictionModel<double> model = scene.model();
     CoulombFriction<double> law = scene.law();
@@ -322,11 +322,11 @@ TEST_CASE("A state belongs to the model of its first load", "[friction][load]") 
     Workspace workspace = model.workspace();
     CHECK(pressed.advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
     CHECK(pressed.shift(model.at_rest(), 1e-4, next, workspace).status == StepStatus::wrong_state);
-    // as does one of the contact that a larger load makes
+    // likewise a model of the contact under a larger load
     const LoadScene larger = LoadScene::breathing(scene.mesh, 1100, 1.1);
     CHECK(larger.model().advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
     CHECK(larger.model().steady(model.at_rest(), 1e-4, next, workspace).status == StepStatus::wrong_state);
-    // the force of a state is that on its own half-length
+    // the force of a state refers to its own half-length
     REQUIRE(model.steady(model.at_rest(), 1e-4, scene.hertz.at(1.21 * full_force), next, workspace).status ==
             StepStatus::ok);
     CHECK(next.half_length == Approx(1.1).epsilon(1e-14));
@@ -336,7 +336,7 @@ TEST_CASE("A state belongs to the model of its first load", "[friction][load]") 
     CHECK(scene.model().advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::ok);
 }
 
-TEST_CASE("A step under a load depends on the state and the arguments alone", "[friction][load]") {
+TEST_CASE("A step under a varying load depends only on the state and the arguments", "[friction][load]") {
     std::mt19937 random(7);
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(random()) / 4294967296.0;

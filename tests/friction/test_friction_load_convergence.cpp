@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp under a load that varies: against a second discretisation, closed forms and itself.
+// rollbem/friction/transient.hpp under a varying load: against a second discretisation, closed forms and finer steps.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace friction_tests;
 
-// -F/(mu N_0) at the ends of `steps` steps over the way Q, from steady rolling at half the creepage of full sliding.
+// -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
     const FrictionModel<double> model = scene.model(integrator);
     FrictionWorkspace<double> workspace = model.workspace();
@@ -37,19 +37,19 @@ std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q,
     return forces;
 }
 
-// Largest difference of two series, the second one `factor` times as fine.
+// Largest difference of two series, the second `factor` times as fine.
 double largest_difference(const std::vector<double>& one, const std::vector<double>& fine, std::size_t factor) {
     double largest = 0;
     for (std::size_t k = 0; k < one.size(); ++k) largest = std::max(largest, std::abs(one[k] - fine[k * factor]));
     return largest;
 }
 
-// Two independent discretisations agree on these: b/a_0 = 1000, A = 0.5, L = 8, q = 0, 0.4, ... 8, dq -> 0.
+// Values on which two independent discretisations agree: b/a_0 = 1000, A = 0.5, L = 8, q = 0, 0.4, ... 8, dq -> 0.
 const std::vector<double> agreed = {0.7500, 0.7618, 0.7737, 0.7851, 0.7963, 0.8066, 0.8151,
                                     0.8207, 0.8228, 0.8199, 0.8101, 0.7897, 0.7061, 0.5955,
                                     0.5245, 0.4980, 0.4937, 0.5000, 0.5129, 0.5299, 0.5494};
 
-TEST_CASE("A breathing mesh is of second order in the number of elements", "[friction][load]") {
+TEST_CASE("Forces on a breathing mesh converge at second order in the number of elements", "[friction][load]") {
     std::vector<double> sizes, changes;
     std::vector<std::vector<double>> series;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
@@ -70,7 +70,7 @@ TEST_CASE("A breathing mesh is of second order in the number of elements", "[fri
     CHECK(order < 2.3);
 }
 
-TEST_CASE("A fixed mesh tends to the same limit at first order", "[friction][load]") {
+TEST_CASE("Forces on a fixed mesh converge to the same limit at first order", "[friction][load]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {50, 100, 200, 400}) {
         const std::vector<double> forces =
@@ -88,8 +88,8 @@ TEST_CASE("A fixed mesh tends to the same limit at first order", "[friction][loa
     CHECK(order < 1.1);
 }
 
-TEST_CASE("Orders in the distance rolled under a load that varies", "[friction][load]") {
-    // steps are 0.2 / 2^k; from the smallest contact, where it stands still for a moment
+TEST_CASE("Steps under a varying load converge in dq at the order of their integrator", "[friction][load]") {
+    // steps of 0.2 / 2^k, from the smallest contact, where the half-length is momentarily constant
     struct Case {
         double mu;
         Integrator integrator;
@@ -118,7 +118,7 @@ TEST_CASE("Orders in the distance rolled under a load that varies", "[friction][
     }
 }
 
-TEST_CASE("A load that varies slowly leaves Carter's solution at every moment", "[friction][load]") {
+TEST_CASE("Under a slowly varying load, the force follows Carter's solution", "[friction][load]") {
     std::vector<double> lengths, differences;
     for (const double L : {8.0, 40.0, 200.0, 1000.0}) {
         const SineLoad sine{.L = L};
@@ -141,9 +141,9 @@ TEST_CASE("A load that varies slowly leaves Carter's solution at every moment", 
     CHECK(differences[3] < 0.009);
 }
 
-TEST_CASE("Oblique loading without rolling sticks everywhere", "[friction][load]") {
-    // p = k p_n from nothing, and the shift that belongs to it: of Hertz's pressure times k at the centre, up to a
-    // constant, W = -k p_0 a ((1-nu) (ln(4b/a) + 1/2) + nu)/G
+TEST_CASE("Oblique loading without rolling gives stick everywhere", "[friction][load]") {
+    // p = k p_n from zero load, and the corresponding shift, minus the displacement at the centre under k times Hertz's
+    // pressure: W = -k p_0 a ((1-nu) (ln(4b/a) + 1/2) + nu)/G
     constexpr double k = 0.6, b = 1000;
     const auto shift = [](double a) {
         return a == 0 ? 0 : -k * peak * a * a * ((1 - load_nu) * (std::log(4 * b / a) + 0.5) + load_nu);

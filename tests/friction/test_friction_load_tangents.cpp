@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp: tangents of a step under a load of its own, and a Newton iteration that lives on them.
+// rollbem/friction/transient.hpp: tangents of a step under a varying load, and a Newton iteration that relies on them.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,7 +18,7 @@ using State = FrictionState<double>;
 using Step = LoadedFrictionStep<double>;
 using Motion = RigidMotion<double>;
 
-TEST_CASE("Tangents at the end of a step against central differences", "[friction][load]") {
+TEST_CASE("The tangents of a step under a varying load agree with central differences", "[friction][load]") {
     struct Case {
         bool breathing, strip;
     };
@@ -67,7 +67,7 @@ TEST_CASE("Tangents at the end of a step against central differences", "[frictio
                         };
                         constexpr double h = 1e-6;
                         const double difference = (force(h) - force(-h)) / (2 * h);
-                        if (!unchanged) continue;  // a kink lies between
+                        if (!unchanged) continue;  // there is a kink in between
                         worst[what] = std::max(worst[what], std::abs(tangents[what] * sizes[what] - difference));
                         if (step.stick_count > 0 && step.stick_count < loaded) ++mixed[what];
                     }
@@ -84,8 +84,8 @@ TEST_CASE("Tangents at the end of a step against central differences", "[frictio
     }
 }
 
-// A block on the wheel's surface is pulled along and pressed on by a lever, so that the load depends on the friction
-// force and the speed on both: m (v - v_0)/dt = pull + F(v/V, N), N = N_0(t) - c F. Each step solves for v and N.
+// A wheel is pulled along and pressed on by a lever, so that the load depends on the friction force, and the speed on
+// both: m (v - v_0)/dt = pull + F(v/V, N), N = N_0(t) - c F. Each step solves for v and N.
 TEST_CASE("An implicit integrator with the load as an unknown converges quadratically", "[friction][load]") {
     constexpr double lever = 0.3, inertia = 4;  // m V/dt in units of full_force / creepage of full sliding
     for (const bool breathing : {true, false}) {
@@ -104,7 +104,7 @@ TEST_CASE("An implicit integrator with the load as an unknown converges quadrati
                 const double before = xi;
                 const double pull = full_force * (0.5 + 0.2 * std::sin(0.4 * k));
                 const double pressed = full_force * (0.9 + 0.1 * std::sin(0.35 * k));
-                N = 1.2 * pressed;  // far off, as after a jolt
+                N = 1.2 * pressed;  // a poor initial guess
                 std::vector<double> residuals;
                 for (int iteration = 0; iteration < 12; ++iteration) {
                     REQUIRE(scene.hertz.set(N, load) == StepStatus::ok);
@@ -127,7 +127,7 @@ TEST_CASE("An implicit integrator with the load as an unknown converges quadrati
                 CAPTURE(k, breathing, name(integrator), residuals);
                 CHECK(residuals.size() <= 6);
                 CHECK(residuals.back() < 1e-13);
-                // every residual but those at rounding is of the size of the square of the one before
+                // every residual above round-off is of the order of the square of the one before
                 for (std::size_t i = 1; i < residuals.size(); ++i) {
                     if (residuals[i - 1] < 0.3 && residuals[i - 1] > 1e-6) {
                         CHECK(residuals[i] < 5 * residuals[i - 1] * residuals[i - 1]);

@@ -1,4 +1,4 @@
-// rollbem/friction/steady.hpp: against closed forms, limits and itself.
+// rollbem/friction/steady.hpp: against closed forms, limits and symmetries.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,8 +17,8 @@ namespace {
 
 using namespace friction_tests;
 
-TEST_CASE("steady force against Carter", "[friction]") {
-    // errors that a mesh not fitted to the border is known to reach, at a creepage ratio of 0.5
+TEST_CASE("The steady force converges to Carter's", "[friction]") {
+    // known errors of a mesh that is not fitted to the border, at a creepage ratio of 0.5
     struct Case {
         bool cosine;
         Collocation scheme;
@@ -50,7 +50,7 @@ TEST_CASE("steady force against Carter", "[friction]") {
     }
 }
 
-TEST_CASE("tractions, border and work of steady rolling against Carter", "[friction]") {
+TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solution", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n));
@@ -71,7 +71,7 @@ TEST_CASE("tractions, border and work of steady rolling against Carter", "[frict
         }
         CAPTURE(n, largest);
         CHECK(largest < 3.0 / static_cast<double>(n));
-        // in steady rolling all the work goes into slip: another road to the force
+        // in steady rolling all the work is dissipated by slip, an independent check of the force
         sizes.push_back(static_cast<double>(n));
         errors.push_back(point.slip_work_per_width / (-point.force_per_width * creepage(0.4)) - 1);
         CHECK(point.slip_work_per_width > 0);
@@ -81,7 +81,7 @@ TEST_CASE("tractions, border and work of steady rolling against Carter", "[frict
     CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.1);
 }
 
-TEST_CASE("the fallback takes over where the zones cycle", "[friction]") {
+TEST_CASE("The fallback finds the solution where the zones cycle", "[friction]") {
     int fallbacks = 0;
     for (const double alpha_T : {0.5, 0.63}) {
         for (const Eigen::Index n : {20, 40, 80}) {
@@ -98,7 +98,7 @@ TEST_CASE("the fallback takes over where the zones cycle", "[friction]") {
     CHECK(fallbacks >= 4);
 }
 
-TEST_CASE("mirrored creepage mirrors the solution", "[friction]") {
+TEST_CASE("Reversing the creepage reverses the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
     const SteadyFrictionModel<double> model = scene.steady();
     for (const double ratio : {0.1, 0.5, 0.9, 1.2}) {
@@ -110,7 +110,7 @@ TEST_CASE("mirrored creepage mirrors the solution", "[friction]") {
     }
 }
 
-TEST_CASE("a creep curve: warm starts, tangent and concavity", "[friction]") {
+TEST_CASE("A creep curve is concave, has the right tangents and does not depend on warm starts", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
     const SteadyFrictionModel<double> model = scene.steady();
     FrictionState<double> now = model.at_rest(), next = now;
@@ -123,7 +123,7 @@ TEST_CASE("a creep curve: warm starts, tangent and concavity", "[friction]") {
         CAPTURE(k);
         CHECK(point.force_per_width == Approx(from_scratch(model, xi).force_per_width).epsilon(1e-12));
         const double slope = (point.force_per_width - force_before) / creepage(0.01);
-        CHECK(slope <= 1e-9);  // the force grows against the creepage, and ever less
+        CHECK(slope <= 1e-9);  // the force opposes the creepage and grows ever more slowly
         CHECK(-slope <= slope_before + 1e-9);
         force_before = point.force_per_width;
         slope_before = -slope;

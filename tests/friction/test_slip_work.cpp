@@ -1,4 +1,4 @@
-// rollbem/friction/detail/slip_work.hpp, and the slip work of friction problems by it.
+// rollbem/friction/detail/slip_work.hpp, and the slip work of friction problems.
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace friction_tests;
 
-TEST_CASE("a slip linear in x is met exactly at the centres", "[friction]") {
+TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[friction]") {
     const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
     const auto check = [&](const Mesh<double>& mesh, const auto& scheme) {
         const ArrayX<double> points = detail::equation_points(mesh, scheme);
@@ -53,7 +53,7 @@ TEST_CASE("a slip linear in x is met exactly at the centres", "[friction]") {
     }
 }
 
-TEST_CASE("half an element ahead: the mean of the slips at both edges", "[friction]") {
+TEST_CASE("With points at the leading edges, the slip at a centre is the mean of both edges", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(6);
     const detail::SlipWork<double> slip_work(mesh.widths(), detail::equation_points(mesh, half));
     const VectorX<double> slip = VectorX<double>{{5, 3, 2, 0, 7, 1}};
@@ -64,7 +64,7 @@ TEST_CASE("half an element ahead: the mean of the slips at both edges", "[fricti
     CHECK(std::abs(slip_work.at_centre(0, slip) - (edge + slip[0]) / 2) < 1e-13);
 }
 
-TEST_CASE("without points, with one, and where points coincide, the slip is taken as it is", "[friction]") {
+TEST_CASE("The slip is taken as it is without points, with a single one, or where points coincide", "[friction]") {
     const VectorX<double> slip = VectorX<double>{{5, 3, 2}};
     const ArrayX<double> widths = ArrayX<double>::Constant(3, 2.0 / 3);
     const detail::SlipWork<double> bare(widths, std::nullopt), flat(widths, ArrayX<double>::Zero(3));
@@ -74,7 +74,7 @@ TEST_CASE("without points, with one, and where points coincide, the slip is take
     }
     const detail::SlipWork<double> one(ArrayX<double>::Constant(1, 2), ArrayX<double>::Constant(1, 1));
     CHECK(one.at_centre(0, VectorX<double>::Constant(1, 4)) == 4);
-    // Galerkin's equations are means over the elements themselves: no neighbour has a part in them
+    // Galerkin's equations are means over the elements themselves and do not involve neighbours
     const Mesh<double> mesh = uniform_mesh<double>(8);
     const detail::SlipWork<double> galerkin(mesh.widths(), detail::equation_points(mesh, Galerkin{0, 0}));
     for (Eigen::Index i = 0; i < 8; ++i) {
@@ -82,7 +82,7 @@ TEST_CASE("without points, with one, and where points coincide, the slip is take
     }
 }
 
-TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
+TEST_CASE("The slip work of steady rolling converges at second order", "[friction]") {
     struct Expected {
         double ratio;
         std::vector<double> errors;  // against -F xi of the same mesh, n = 20, 40, 80, 160
@@ -104,7 +104,7 @@ TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
                   0.05 * expected.errors[k]);
             CHECK(workspace.slip_work().minCoeff() >= 0);
             CHECK(std::abs(workspace.slip_work().sum() / point.slip_work_per_width - 1) < 1e-14);
-            // no heat where it sticks, but in the element that the border lies in
+            // no heat in the stick zone, except in the element that contains the border
             for (Eigen::Index i = 1; i < scene.mesh.size(); ++i) {
                 const bool sticks = workspace.slip()[i - 1] == 0 && workspace.slip()[i] == 0;
                 CHECK((workspace.slip_work()[i] == 0) == sticks);
@@ -118,8 +118,8 @@ TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
     }
 }
 
-TEST_CASE("in full sliding the work is exact on any mesh", "[friction]") {
-    // what slips with the creepage beyond that of full sliding adds (xi - xi_full) mu N, whatever the mesh
+TEST_CASE("The slip work of full sliding is exact on any mesh", "[friction]") {
+    // creepage beyond that of full sliding adds (xi - xi_full) mu N, whatever the mesh
     for (const Eigen::Index n : {3, 10, 40}) {
         const Scene scene(cosine_mesh<double>(n));
         const double more = from_scratch(scene.steady(), creepage(3)).slip_work_per_width;
@@ -128,7 +128,7 @@ TEST_CASE("in full sliding the work is exact on any mesh", "[friction]") {
     }
 }
 
-TEST_CASE("no element gains energy where the slip turns round", "[friction]") {
+TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel<double> model = scene.transient(integrator);

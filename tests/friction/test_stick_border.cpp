@@ -25,7 +25,7 @@ using namespace friction_tests;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
 
-/// peak sqrt(1 - x^2) shape(x), with means by an eight-point rule in each element.
+/// The pressure peak sqrt(1 - x^2) shape(x), with means over elements by an eight-point rule.
 struct Shaped {
     std::function<double(double)> shape;
 
@@ -60,7 +60,7 @@ double plain_force(const Contact<double>& contact, const auto& kernel, const Mes
     return from_scratch(model, xi).force_per_width;
 }
 
-TEST_CASE("Carter by the exact border", "[friction]") {
+TEST_CASE("The exact border gives Carter's solution", "[friction]") {
     const Plane plane;
     for (int percent = 1; percent <= 99; ++percent) {
         for (const double ratio : {percent / 100.0, -percent / 100.0}) {
@@ -89,15 +89,15 @@ TEST_CASE("Carter by the exact border", "[friction]") {
                     x < solution.border ? creepage(1) * (1 - std::abs(ratio)) * std::sqrt(std::max(t * t - 1, 0.0)) : 0;
                 worst_slip = std::max(worst_slip, std::abs(solution.slip(x) - std::copysign(slip, ratio)) / peak);
             }
-            CHECK(worst_traction < 1e-7);  // at the border, where the slope is infinite
+            CHECK(worst_traction < 1e-7);  // worst at the border, where the slope is infinite
             CHECK(worst_slip < 1e-7);
         }
     }
 }
 
-TEST_CASE("the ends of the creep curve", "[friction]") {
+TEST_CASE("The exact border covers both ends of the creep curve", "[friction]") {
     const Plane plane;
-    // full sliding, from xi = 2 c1 sum g_k on
+    // full sliding, xi >= 2 c1 sum g_k
     for (const double ratio : {1.0 + 1e-12, 1.1, -1.1, 1e6}) {
         const auto sliding = plane.solve(hertz, ratio);
         CAPTURE(ratio);
@@ -106,7 +106,7 @@ TEST_CASE("the ends of the creep curve", "[friction]") {
         CHECK(sliding.border == 1);
         CHECK(sliding.tangent_per_width == 0);
         CHECK(sliding.traction(0.3) == Approx(-std::copysign(peak * std::sqrt(0.91), ratio)).epsilon(1e-14));
-        // the slope that Hertz's tractions cause is linear
+        // Hertz's tractions cause a displacement with linear slope
         CHECK(sliding.slip(0.3) ==
               Approx(std::copysign(creepage(std::abs(ratio)) - creepage(0.3), ratio)).epsilon(1e-11));
     }
@@ -140,7 +140,7 @@ TEST_CASE("the ends of the creep curve", "[friction]") {
         CHECK(std::isnan(unknown.force_per_width));
         CHECK(std::isnan(unknown.traction(0)));
     }
-    // without friction there is nothing to stick with
+    // without friction nothing sticks
     const auto slippery = solve_stick_border(plane.contact, plane.kernel, 0.0, hertz, creepage(0.5));
     CHECK(slippery.exact);
     CHECK(slippery.force_per_width == 0);
@@ -153,7 +153,7 @@ TEST_CASE("the ends of the creep curve", "[friction]") {
     CHECK_THROWS_AS(solve_stick_border(plane.contact, plane.kernel, -0.1, hertz, 0.1), std::invalid_argument);
 }
 
-TEST_CASE("the exact border under another pressure", "[friction]") {
+TEST_CASE("The exact border holds under other smooth pressures", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(1e4, 0.28);
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
     const Shaped pressure{[](double x) { return 1 + 0.15 * 2 * x - 0.1 * (4 * x * x - 1); }};
@@ -177,12 +177,12 @@ TEST_CASE("the exact border under another pressure", "[friction]") {
             (solve(expected.ratio + step).force_per_width - solve(expected.ratio - step).force_per_width) /
             (4 * (1 - 0.28) * peak * step);
         CHECK(solution.tangent_per_width == Approx(difference).epsilon(1e-7));
-        // the cosine mesh tends to it
+        // the cosine mesh converges to it
         const double elements =
             plain_force(contact, kernel, cosine_mesh<double>(640), pressure, 2 * (1 - 0.28) * peak * expected.ratio);
         CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-5);
     }
-    // the same in SI units and with mu apart from the pressure
+    // in SI units, with mu separate from the pressure
     const Contact<double> steel({.half_length = 5e-3, .half_width = 0.1, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const PlaneKernel<double> steel_kernel = PlaneKernel<double>::longitudinal(steel);
     const HertzPressure<double> real{8e8};
@@ -204,7 +204,7 @@ Mesh<double> mesh_about(double border, Eigen::Index n) {
     return mesh_from_edges(edges);
 }
 
-TEST_CASE("the exact border on a strip", "[friction]") {
+TEST_CASE("The exact border on a strip agrees with fitted meshes", "[friction]") {
     for (const double aspect : {0.3, 1.0, 10.0}) {
         const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
@@ -222,7 +222,7 @@ TEST_CASE("the exact border on a strip", "[friction]") {
             for (const Eigen::Index n : {40, 80, 160}) {
                 const Mesh<double> mesh = mesh_about(solution.border, n);
                 forces.push_back(plain_force(contact, kernel, mesh, hertz, creepage(ratio)));
-                // G' of the tractions at the centres, with the slip of each element at its leading edge
+                // G' times the tractions at the centres, compared with the slip at the leading edges
                 const MatrixX<double> G_prime = assemble_G_prime(mesh, half, kernel);
                 VectorX<double> traction(2 * n);
                 for (Eigen::Index i = 0; i < 2 * n; ++i) traction[i] = solution.traction(mesh.centres()[i]);
@@ -267,7 +267,7 @@ TEST_CASE("the exact border on a strip", "[friction]") {
     }
 }
 
-TEST_CASE("the exact border on narrow strips", "[friction]") {
+TEST_CASE("The exact border on narrow strips agrees with fitted meshes", "[friction]") {
     for (const double aspect : {0.02, 0.05, 0.1}) {
         const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
@@ -285,14 +285,14 @@ TEST_CASE("the exact border on narrow strips", "[friction]") {
         CAPTURE(solution.force_per_width, on_coarse, on_fine);
         CHECK(on_fine + (on_fine - on_coarse) / 3 == Approx(solution.force_per_width).epsilon(2e-4));
     }
-    // narrower ones are not resolved
+    // narrower strips are not resolved
     const Contact<double> contact = Contact<double>::dimensionless(0.015, nu);
     const auto kernel = StripKernel<double>::longitudinal(contact);
     CHECK_FALSE(solve_stick_border(contact, kernel, 1.0, hertz, 0).exact);
     CHECK(solve_stick_border(contact, kernel, 1.0, hertz, 0).elements);
 }
 
-/// A kernel of a user's, of a contact that yields less where it is loaded over more than `distance`.
+/// A user's kernel, of a contact that yields less where the load extends over more than `distance`.
 struct OwnKernel {
     using Scalar = double;
     double constant = 2, strength = 0.4, rest = 0.3, distance = 0.5;
@@ -334,7 +334,7 @@ concept HasBorder = requires(const Contact<double>& contact, const Kernel& kerne
 };
 static_assert(HasBorder<OwnKernel> && SmoothSplitKernel<NoSlope> && !HasBorder<NoSlope>);
 
-TEST_CASE("the exact border of a kernel of one's own", "[friction]") {
+TEST_CASE("The exact border of a user's kernel agrees with fitted meshes", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(1, nu);
     const OwnKernel kernel;
     const auto solve = [&](double xi) { return solve_stick_border(contact, kernel, 1.0, hertz, xi); };
@@ -356,7 +356,7 @@ TEST_CASE("the exact border of a kernel of one's own", "[friction]") {
     }
 }
 
-/// Points of a shape at -cos of equal angles, with zeros at both ends.
+/// A table of the pressure at -cos of equidistant angles, zero at both ends.
 PressureTable<double> table_of(const Shaped& pressure, int count) {
     ArrayX<double> x(count + 1), value(count + 1);
     for (int i = 0; i <= count; ++i) {
@@ -366,7 +366,7 @@ PressureTable<double> table_of(const Shaped& pressure, int count) {
     return {x, value};
 }
 
-TEST_CASE("the exact border under a table", "[friction]") {
+TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integrals", "[friction]") {
     const Plane plane;
     const Shaped shape{[](double x) { return 1 + 0.3 * x; }};
     const PressureTable<double> table = table_of(shape, 200);
@@ -378,8 +378,8 @@ TEST_CASE("the exact border under a table", "[friction]") {
         CHECK(solution.coefficients > 32);
         CHECK(solution.coefficients <= 4096);
         CHECK(solution.force_error < 1e-6 * full_force);
-        // creepage = (2 c1/pi) int p_n / sqrt((c-s)(1-s)) ds over the slip zone and the force alike, segment by segment
-        // with s = c - v^2
+        // creepage = (2 c1/pi) int p_n / sqrt((c-s)(1-s)) ds over the slip zone, and a similar integral for the force,
+        // segment by segment with s = c - v^2
         const double c = solution.border;
         double xi = 0, force = 0;
         for (int i = 0; i < 200; ++i) {
@@ -400,7 +400,7 @@ TEST_CASE("the exact border under a table", "[friction]") {
         CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-4);
         CHECK(-solution.traction(-0.9) == Approx(ratio > 0.06 ? table(-0.9) : 0.0));
     }
-    // on a strip, whose unknowns do not follow the kinks
+    // on a strip, where the unknowns are not adapted to the kinks
     const Contact<double> contact = Contact<double>::dimensionless(1, nu);
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     const auto strip = solve_stick_border(contact, kernel, 1.0, table, creepage(0.3));
@@ -411,11 +411,11 @@ TEST_CASE("the exact border under a table", "[friction]") {
     CHECK(strip.force_per_width == Approx(smooth.force_per_width).epsilon(1e-4));
 }
 
-TEST_CASE("a table that falls to zero in a line leaves slip at the leading edge", "[friction]") {
+TEST_CASE("A table that falls linearly to zero leaves slip at the leading edge", "[friction]") {
     const Plane plane;
     const Shaped shape{[](double) { return 1.0; }};
     const auto with = [&](int count, double ratio) { return plane.solve(table_of(shape, count), ratio, 160); };
-    // too little of it to count where the last piece is short
+    // negligible slip where the last piece is short
     for (const auto& [count, ratio] : {std::pair(40, 0.6), std::pair(100, 0.9)}) {
         const auto solution = with(count, ratio);
         CAPTURE(count, ratio, solution.force_error / full_force);
@@ -437,8 +437,8 @@ TEST_CASE("a table that falls to zero in a line leaves slip at the leading edge"
     }
 }
 
-TEST_CASE("the exact border under a uniform pressure", "[friction]") {
-    // (1+c)/2 = tanh^2(pi xi/(4 c1 mu p_n)), -F = mu N tanh: in elementary functions, and never full sliding
+TEST_CASE("The exact border under a uniform pressure has its closed form", "[friction]") {
+    // (1+c)/2 = tanh^2(pi xi/(4 c1 mu p_n)), -F = mu N tanh(...), and there is never full sliding
     const Plane plane;
     const PressureTable<double> uniform(Eigen::Array2d(-1, 1), Eigen::Array2d(peak, peak));
     for (const double ratio : {0.05, 0.3, -0.7, 1.0, 2.0}) {
@@ -453,7 +453,7 @@ TEST_CASE("the exact border under a uniform pressure", "[friction]") {
     }
 }
 
-TEST_CASE("what has no single border goes to elements", "[friction]") {
+TEST_CASE("A contact without a single border is solved by elements", "[friction]") {
     const Plane plane;
     const auto by_elements = [&](const auto& pressure, double ratio) {
         const auto solution = plane.solve(pressure, ratio);
@@ -481,12 +481,12 @@ TEST_CASE("what has no single border goes to elements", "[friction]") {
         return PressureTable<double>(Eigen::Map<ArrayX<double>>(x.data(), Eigen::Index(x.size())),
                                      peak * Eigen::Map<ArrayX<double>>(p.data(), Eigen::Index(p.size())));
     };
-    // two humps slip apart from each other
+    // two humps with a slip zone each
     by_elements(Shaped{[](double x) { return 0.02 + x * x; }}, 0.1);
-    // |p| above a bound that falls to zero as a line at the leading edge: stick ends before it
+    // |p| would exceed a bound that falls linearly to zero at the leading edge: stick ends before it
     by_elements(table({-1, 0.3, 1}, {0, 1, 0}), 0.5);
     by_elements(table({-1, 0.1, 0.8, 1}, {0, 1, 0, 0}), 0.3);
-    // too much pressure at the trailing edge, so that slip turns against the traction
+    // so much pressure at the trailing edge that slip would assist the traction
     by_elements(Shaped{[](double x) { return 1 - x; }}, 0.5);
     // a jump, in slip and in stick
     by_elements(table({-1, -0.6, -0.6, 1}, {1, 1, 0.5, 0.5}), 0.4);
@@ -494,7 +494,7 @@ TEST_CASE("what has no single border goes to elements", "[friction]") {
     by_elements(table({-1, -0.2, -0.2, 0.2, 0.2, 1}, {2, 2, 0, 0, 2, 2}), 0.3);
 }
 
-TEST_CASE("an exact border is never another number than that of elements", "[friction]") {
+TEST_CASE("The force by the exact border always agrees with that by elements", "[friction]") {
     std::mt19937 engine(20);
     const auto random = [&] { return 2 * static_cast<double>(engine()) / 4294967295.0 - 1; };
     int exact = 0, by_elements = 0;
@@ -542,7 +542,7 @@ void check_scalar(Scalar tolerance) {
     CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 10 * tolerance);
 }
 
-TEST_CASE("the exact border in other scalars", "[friction]") {
+TEST_CASE("The exact border can be found in float and long double", "[friction]") {
     check_scalar<float>(2e-6F);
     check_scalar<long double>(1e-18L);
 }

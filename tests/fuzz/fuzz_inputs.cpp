@@ -1,6 +1,6 @@
-// apps/support, apps/friction: whatever is typed or stands in a file is either taken or refused by std::invalid_argument
-// in one line. The first byte of an input says what it is: c command line (a word a line), t configuration file, e edges,
-// h history, p pressure, f command line of a load that varies, l and b its table on a mesh that stays or breathes.
+// apps/support, apps/friction: any command line or file is either accepted or rejected by std::invalid_argument in one
+// line. The first byte of an input gives its kind: c command line (one word per line), t configuration file, e edges,
+// h history, p pressure, f command line of a varying load, l and b its table on a fixed or a breathing mesh.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +27,7 @@
 
 namespace {
 
-/// A file with given content, by a name that can be opened.
+/// A file with the given content, under a name that can be opened.
 class MemoryFile {
 public:
     explicit MemoryFile(std::string_view content) : descriptor_(memfd_create("input", 0)) {
@@ -52,7 +52,7 @@ void require(bool holds, const char* what) {
     std::abort();
 }
 
-/// Reads the words as a study would. Only refusals by std::invalid_argument get out.
+/// Reads the words as a study would. Only std::invalid_argument escapes.
 void take(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
     options.add_input("history", "a file");
@@ -105,7 +105,7 @@ void take_friction(const std::vector<std::string>& words) {
         const double ratio = history->at(q);
         require(std::isfinite(ratio) && ratio >= 0, "a load presses");
         const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::StepStatus::ok;
-        // a load that underflows has no length
+        // an underflowing load has no contact length
         require(possible || (history->breathing && ratio < 1e-290), "the mesh covers every load");
         const double end = std::min(until, q + std::max(steps.dq, until / 50)), next = history->next_stop(q, end);
         require(next > q && next <= end, "steps go on");
@@ -136,7 +136,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         switch (input[0]) {
             case 'c':
             case 'f':
-                // no files but those of the other kinds, and not a hundred thousand elements a thousand times
+                // no files other than those of the other kinds, and no huge numbers of elements
                 if (content.find('/') != std::string_view::npos || content.find("0000") != std::string_view::npos)
                     break;
                 (input[0] == 'c' ? take : take_friction)(lines_of(content));

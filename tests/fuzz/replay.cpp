@@ -1,4 +1,4 @@
-// Runs the fuzz target on the files given: the corpus as a test, without a fuzzer.
+// Runs the fuzz target on the given files: the corpus as a test, without a fuzzer.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

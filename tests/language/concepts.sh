@@ -1,5 +1,5 @@
 #!/bin/sh
-# concepts.sh COMPILER INCLUDE_DIR...: a wrong scheme and a wrong kernel, each told so in at most 50 lines.
+# concepts.sh COMPILER INCLUDE_DIR...: invalid schemes and kernels are diagnosed in at most 50 lines each.
 set -eu
 compiler=$1
 shift
@@ -11,8 +11,8 @@ for include in "$@"; do
     includes="$includes -isystem $include"
 done
 
-# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of ARGUMENTS do not compile, because of CONCEPT. Where it is
-# -, they do, by their full names too.
+# try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of ARGUMENTS do not compile, because of CONCEPT. With - as
+# CONCEPT they compile, also by their qualified names.
 try() {
     for call in solve_steady rolling_system; do
         qualified=
@@ -43,7 +43,7 @@ struct WrongKernel {
 };
 void function(const Mesh<double>& mesh) { (void)$call($3); $qualified }
 END
-        # shellcheck disable=SC2086 # one word an option
+        # shellcheck disable=SC2086 # one word per option
         if "$compiler" -std=c++20 -fsyntax-only $includes "$folder/unit.cpp" > "$folder/said" 2>&1; then
             [ "$2" = - ] && continue
             echo "$call of $1 compiles"

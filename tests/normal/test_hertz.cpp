@@ -28,7 +28,7 @@ long double exact_mean(const Mesh<long double>& mesh, Eigen::Index i) {
     return sum * half / mesh.widths()[i];
 }
 
-TEST_CASE("Hertz's line contact", "[hertz]") {
+TEST_CASE("Hertz's line contact has the exact half-length, pressures and elastic constants", "[hertz]") {
     const HertzLine<double> hertz({.load_per_width = 1e6,
                                    .combined_radius = 0.46,
                                    .body_1 = {.young_modulus = 2.1e11, .poisson_ratio = 0.28},
@@ -38,12 +38,12 @@ TEST_CASE("Hertz's line contact", "[hertz]") {
     CHECK_THROWS_WITH(
         HertzLine<double>({.load_per_width = 1, .combined_radius = 1, .body_1 = {1, 0}, .body_2 = {1, 0.7}}),
         "HertzLine: poisson_ratio = 0.7 must lie in [0, 0.5]");
-    // equal bodies: E* = G/(1-nu), and p0 = E* a/(2R) by the curvature of the pressed surfaces
+    // equal bodies: E* = G/(1-nu), and p0 = E* a/(2R) from the curvature of the surfaces
     const Contact<double> contact = hertz.contact(0.01);
     CHECK(contact.shear_modulus() == Approx(2.1e11 / 2.56).epsilon(1e-14));
     CHECK(contact.poisson_ratio() == Approx(0.28).epsilon(1e-14));
     CHECK(contact.half_length() == hertz.half_length());
-    // a soft body on a hard one: half the compliance, and Poisson's ratio of the soft one
+    // a soft body on a hard one: half the compliance of the soft one, and its Poisson's ratio
     const HertzLine<double> soft({.load_per_width = 1e3,
                                   .combined_radius = 0.1,
                                   .body_1 = {.young_modulus = 1e6, .poisson_ratio = 0.4},
@@ -58,14 +58,14 @@ TEST_CASE("Hertz's line contact", "[hertz]") {
         CHECK(hertz.half_length() * (mesh.widths() * mean).sum() == Approx(1e6).epsilon(1e-13));
         CHECK(mean.maxCoeff() <= hertz.peak_pressure());
     }
-    // the first element of a fine mesh: mean of sqrt(2 t) (1 - t/4 ...) over its width w
+    // the first element of a fine mesh: the mean of sqrt(2 t) (1 - t/4 ...) over its width w
     const Mesh<double> fine = cosine_mesh<double>(100000);
     const double w = fine.widths()[0];
     CHECK(mean_hertz_pressure(fine)[0] == Approx(2.0 / 3 * std::sqrt(2 * w) * (1 - 0.15 * w)).epsilon(1e-14));
 }
 
-TEST_CASE("Hertz's mean pressure of every element to rounding", "[hertz]") {
-    // the angle an element takes up goes from all of the half-circle to little: with and without the series
+TEST_CASE("Hertz's mean pressures over elements are accurate to round-off", "[hertz]") {
+    // the angle that an element spans ranges from the whole half-circle to little: with and without the series
     double largest = 0;
     for (Eigen::Index n = 1; n < 200; ++n) {
         const ArrayX<double> cosine = mean_hertz_pressure(cosine_mesh<double>(n));
@@ -82,7 +82,7 @@ TEST_CASE("Hertz's mean pressure of every element to rounding", "[hertz]") {
     CHECK(largest < 3e-15);
 }
 
-TEST_CASE("Hertz's contact of bodies at both ends of Poisson's ratio", "[hertz]") {
+TEST_CASE("Hertz's contact combines bodies with extreme Poisson's ratios", "[hertz]") {
     const ElasticBody<double> rubber{1e6, 0.5}, cork{1e6, 0};
     const HertzLine<double> hertz({.load_per_width = 1e3, .combined_radius = 0.1, .body_1 = rubber, .body_2 = cork});
     // 1/E* = (0.75 + 1)/E
@@ -90,7 +90,7 @@ TEST_CASE("Hertz's contact of bodies at both ends of Poisson's ratio", "[hertz]"
     CHECK(hertz.contact(1).poisson_ratio() == Approx(0.5 * 1.5 / 2.5).epsilon(1e-14));
 }
 
-TEST_CASE("Hertz's pressure at every point", "[hertz]") {
+TEST_CASE("Hertz's pressure at a point follows the semi-ellipse", "[hertz]") {
     const ElasticBody<double> steel{2e11, 0.28};
     const HertzLine<double> hertz({.load_per_width = 1e6, .combined_radius = 0.5, .body_1 = steel, .body_2 = steel});
     const HertzPressure<double> pressure = hertz.pressure();

@@ -39,12 +39,12 @@ double exact_mean(const HertzLine<double>& hertz, double low, double high) {
     return hertz.peak_pressure() * a * sum * half / (high - low);
 }
 
-TEST_CASE("Hertz's load on a mesh that breathes", "[hertz][load]") {
+TEST_CASE("Hertz's load on a breathing mesh has exact pressures and rates", "[hertz][load]") {
     const Mesh<double> mesh = cosine_mesh<double>(17);
     const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
     CHECK(hertz.breathes());
     NormalLoad<double> load = hertz.at(1e6);
-    // the contact of the line itself, to the last bit
+    // bit for bit the contact of the line itself
     CHECK(load.half_length == line.half_length());
     CHECK((load.normal_pressure == line.mean_pressure(mesh)).all());
     for (const double P : {1e-3, 3e5, 1.5e6, 1e12}) {
@@ -61,7 +61,7 @@ TEST_CASE("Hertz's load on a mesh that breathes", "[hertz][load]") {
     }
 }
 
-TEST_CASE("Hertz's load on a mesh that stays", "[hertz][load]") {
+TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz][load]") {
     for (const bool uniform : {true, false}) {
         for (const Eigen::Index n : {1, 2, 12, 13, 200}) {
             const Mesh<double> mesh = uniform ? uniform_mesh<double>(n) : cosine_mesh<double>(n);
@@ -88,16 +88,16 @@ TEST_CASE("Hertz's load on a mesh that stays", "[hertz][load]") {
                         edges[i] * edges[i + 1] > 0) {
                         free = std::max(free, load.normal_pressure[i] / there.peak_pressure());
                     }
-                    if (n > 20) continue;  // an edge of the contact may pass one of an element between
+                    if (n > 20) continue;  // an edge of the contact may pass an edge of an element in between
                     const double rate = (more.normal_pressure[i] - less.normal_pressure[i]) / (2 * h);
                     worst_rate =
                         std::max(worst_rate, std::abs(load.pressure_rate[i] - rate) * P / there.peak_pressure());
                 }
                 CHECK(worst < 1e-13 * there.half_length() / (length * mesh.widths().minCoeff()) + 1e-13);
                 CHECK(worst_rate < 1e-5);
-                CHECK(free < 1e-20);  // what rounding leaves where the edges of contact and element are one
+                CHECK(free < 1e-20);  // round-off where an edge of the contact coincides with one of an element
             }
-            // nothing presses: the contact is about to begin in the middle
+            // no load: contact is about to begin in the middle
             REQUIRE(hertz.set(0, load) == StepStatus::ok);
             CHECK((load.normal_pressure == 0).all());
             CHECK((load.pressure_rate * mesh.widths()).sum() * length == Approx(1).epsilon(1e-13));
@@ -105,13 +105,13 @@ TEST_CASE("Hertz's load on a mesh that stays", "[hertz][load]") {
             if (uniform) CHECK((load.pressure_rate > 0).count() == (n % 2 == 0 ? 2 : 1));
         }
     }
-    // a mesh that the contact just covers
+    // a mesh as long as the contact
     const Mesh<double> mesh = cosine_mesh<double>(17);
     const NormalLoad<double> whole = HertzLoad<double>::fixed(line, mesh, line.half_length()).at(1e6);
     CHECK((whole.normal_pressure / line.mean_pressure(mesh) - 1).abs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE("A load that Hertz's contact cannot have", "[hertz][load]") {
+TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Mesh<double> mesh = uniform_mesh<double>(10);
     const HertzLoad<double> breathing = HertzLoad<double>::breathing(line, mesh);
@@ -120,7 +120,7 @@ TEST_CASE("A load that Hertz's contact cannot have", "[hertz][load]") {
     const auto refused = [&](const HertzLoad<double>& hertz, double P) {
         load.half_length = 1;
         CHECK(hertz.set(P, load) == StepStatus::invalid_load);
-        CHECK(load.check(10) == StepStatus::invalid_load);  // whoever goes on with it is told again
+        CHECK(load.check(10) == StepStatus::invalid_load);  // the load itself stays invalid
         CHECK_THROWS_AS(hertz.at(P), std::invalid_argument);
     };
     for (const double P : {-1.0, -1e-300, nan, infinity, -infinity}) {

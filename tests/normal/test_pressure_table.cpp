@@ -10,8 +10,8 @@ namespace {
 
 using namespace rollbem;
 
-TEST_CASE("a pressure given at points", "[pressure]") {
-    // means are exact for any mesh, however its edges and the points lie
+TEST_CASE("The means of a tabulated pressure are exact on any mesh", "[pressure]") {
+    // whatever the positions of edges and points
     const auto array = [](std::initializer_list<double> values) {
         return ArrayX<double>(Eigen::Map<const ArrayX<double>>(values.begin(), Eigen::Index(values.size())));
     };
@@ -29,7 +29,7 @@ TEST_CASE("a pressure given at points", "[pressure]") {
                   Approx((antiderivative(high) - antiderivative(low)) / (high - low)).epsilon(1e-11).margin(1e-14));
         }
     }
-    // a constant stays what it is to the last digit but one on the smallest elements
+    // a constant is accurate to round-off even on the smallest elements
     const Mesh<double> fine = cosine_mesh<double>(100000);
     const ArrayX<double> constant = PressureTable<double>(array({-1, 1}), array({0.7, 0.7}))(fine);
     CHECK((constant / 0.7 - 1).abs().maxCoeff() < 1e-15);
@@ -47,7 +47,7 @@ TEST_CASE("a pressure given at points", "[pressure]") {
                       "PressureTable: load = 0 must be positive and finite");
 }
 
-TEST_CASE("A pressure between its points and outside them", "[pressure]") {
+TEST_CASE("A tabulated pressure is linear between its points and zero outside them", "[pressure]") {
     const PressureTable<double> table(Eigen::Array4d(-0.9, -0.25, -0.25, 0.5), Eigen::Array4d(1, 3, 0.5, 0.5));
     CHECK(table(-1.0) == 0);
     CHECK(table(-0.9) == 1);

@@ -1,4 +1,4 @@
-// Two translation units that include everything link together, and share one copy of each function.
+// Two translation units that include everything can be linked, and share one copy of each function.
 #include <cstdio>
 
 #include <rollbem/rollbem.hpp>

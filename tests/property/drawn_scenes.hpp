@@ -1,5 +1,5 @@
-// What tests of scenes drawn at random share: how many, from which seed, the draws, and a solver for both directions
-// that shares nothing with the library's.
+// Shared by the tests of random scenes: their number and seed, the random draws, and a solver for two directions that
+// is independent of the library.
 #pragma once
 
 #include <algorithm>
@@ -33,9 +33,8 @@ private:
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Matrices = std::array<Eigen::MatrixXd, 2>;
 
-/// Tractions in circles of radius `bound` that the projected fixed point p = P(p - r s) leaves alone, s = M p + c:
-/// element by element from the leading edge on, as slip is decided by what lies ahead. Nothing where it does not get
-/// there.
+/// Tractions in circles of radius `bound` that are a fixed point of p = P(p - r s), s = M p + c, iterated element by
+/// element from the leading edge, because slip depends on the elements ahead. Nothing where it does not converge.
 inline std::optional<Vectors> projected_fixed_point(const Matrices& M, const Vectors& c, const Eigen::ArrayXd& bound) {
     Vectors p = Vectors::Zero(bound.size(), 2);
     for (int sweep = 0; sweep < 40000; ++sweep) {
@@ -54,7 +53,7 @@ inline std::optional<Vectors> projected_fixed_point(const Matrices& M, const Vec
     return std::nullopt;
 }
 
-/// How many scenes could be compared, and in how many of them some elements stick and others slip.
+/// The number of comparisons, and of those with both stick and slip.
 struct Tally {
     int compared = 0, mixed = 0;
 };

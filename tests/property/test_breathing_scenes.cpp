@@ -1,6 +1,6 @@
-// rollbem/friction/transient.hpp, combined_transient.hpp: rides on a mesh that breathes, drawn at random, against the
-// equations of a step set up here and a solver that shares nothing.
-// ROLLBEM_SCENES sets how many thirtieths (default 10000), ROLLBEM_SEED the seed of the generator.
+// rollbem/friction/transient.hpp, combined_transient.hpp: random histories on a breathing mesh, against independent
+// equations of a step and an independent solver.
+// The number of scenes is ROLLBEM_SCENES (default 10000) / 30; ROLLBEM_SEED is the seed of the generator.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ using namespace rollbem;
 using drawn_scenes::Draw, drawn_scenes::from_environment, drawn_scenes::Matrices, drawn_scenes::Tally,
     drawn_scenes::Vectors;
 
-// Both directions of the plane at a = a_0, lengths in a_0 and G = 1, and what half-lengths make of them.
+// Both directions of the plane kernel at a = a_0, lengths in a_0 and G = 1, and how they depend on the half-length.
 struct Surface {
     Matrices G, G_prime;
     std::array<double, 2> strength;  // of the logarithm
@@ -39,7 +39,7 @@ struct Surface {
         U << M(0, a) * p.col(0), M(1, a) * p.col(1);
         return U;
     }
-    // p at the end of a stage that takes `part` of a step dq, da: slip = xi part dq - part (dq + da zeta) G' p + M p - U
+    // p at the end of a stage of `part` of a step dq, da: slip = xi part dq - part (dq + da zeta) G' p + M p - U
     std::optional<Vectors> stage(double part, double dq, double da, double a, const Creepage<double>& creepage,
                                  const Vectors& U, const ArrayX<double>& bound) const {
         Matrices slip;
@@ -64,7 +64,7 @@ struct Surface {
     }
 };
 
-// A few steps under loads of every kind, each compared with the fixed point.
+// A few steps under random loads, each compared with the fixed point.
 void ride(Draw& draw, Tally& tally) {
     const double nu = draw.integer(4) == 0 ? 0 : draw.uniform(0, 0.5);
     const double a_0 = draw.decades(-4, 1), modulus = draw.decades(0, 11), mu = draw.uniform(0.01, 1);
@@ -77,7 +77,7 @@ void ride(Draw& draw, Tally& tally) {
     const Surface surface{{assemble_G(mesh, scheme, along), assemble_G(mesh, scheme, across)},
                           {assemble_G_prime(mesh, scheme, along), assemble_G_prime(mesh, scheme, across)},
                           {2 * (1 - nu) / std::numbers::pi, 2 / std::numbers::pi},
-                          mesh.edges_from_trailing().tail(n) - 1,  // leading edges, where alpha = 0.5 has its points
+                          mesh.edges_from_trailing().tail(n) - 1,  // leading edges, the points of alpha = 0.5
                           mesh.widths()};
     const bool both = draw.integer(2) == 0;
     const Integrator integrator = draw.integer(2) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler;
@@ -138,7 +138,7 @@ void ride(Draw& draw, Tally& tally) {
     }
 }
 
-TEST_CASE("Steps on a mesh that breathes are those of a projected fixed point", "[property]") {
+TEST_CASE("Steps on a breathing mesh agree with a projected fixed point", "[property]") {
     const std::uint64_t scenes = from_environment("ROLLBEM_SCENES", 10000) / 30 + 1;
     const std::uint64_t seed = from_environment("ROLLBEM_SEED", 1);
     Tally tally;

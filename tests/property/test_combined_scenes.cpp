@@ -1,5 +1,5 @@
-// rollbem/friction/combined.hpp: scenes drawn at random from the whole domain, against a solver that shares nothing.
-// ROLLBEM_SCENES sets how many thirtieths (default 10000), ROLLBEM_SEED the seed of the generator.
+// rollbem/friction/combined.hpp: random scenes from the whole domain, against an independent solver.
+// The number of scenes is ROLLBEM_SCENES (default 10000) / 30; ROLLBEM_SEED is the seed of the generator.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +25,7 @@ Mesh<double> draw_mesh(Draw& draw) {
     }
 }
 
-// A ride of a few steps and shifts under pressures and creepages of every kind, each compared with the fixed point.
+// A few steps and shifts under random pressures and creepages, each compared with the fixed point.
 template <class Kernel>
 void ride(Draw& draw, double aspect, Tally& tally) {
     const double a = draw.decades(-4, 1), G = draw.decades(0, 11), mu = draw.uniform(0.01, 1);
@@ -92,7 +92,7 @@ void ride(Draw& draw, double aspect, Tally& tally) {
     }
 }
 
-TEST_CASE("Stick and slip in two directions are those of a projected fixed point", "[property]") {
+TEST_CASE("Stick and slip in two directions agree with a projected fixed point", "[property]") {
     const std::uint64_t scenes = from_environment("ROLLBEM_SCENES", 10000) / 30 + 1;
     const std::uint64_t seed = from_environment("ROLLBEM_SEED", 1);
     Tally tally;

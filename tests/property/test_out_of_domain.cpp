@@ -1,4 +1,4 @@
-// rollbem/rollbem.hpp: every value outside the domain of a public argument is refused by name, in every scalar type.
+// rollbem/rollbem.hpp: every value outside the domain of a public argument is rejected by name, in every scalar type.
 #include <complex>
 #include <functional>
 #include <limits>
@@ -27,7 +27,7 @@ namespace {
 
 using namespace rollbem;
 
-/// Values that no argument takes, and those given.
+/// The given values, and those that no argument accepts.
 template <class Scalar>
 std::vector<Scalar> bad(std::vector<Scalar> values = {}) {
     using Limits = std::numeric_limits<Scalar>;
@@ -35,7 +35,7 @@ std::vector<Scalar> bad(std::vector<Scalar> values = {}) {
     return values;
 }
 
-/// Each value is refused in one line with the quantity, the value and what must hold.
+/// Each value is rejected by one line with the quantity, the value and the condition.
 template <class Scalar>
 void refuses(const std::string& quantity, const std::vector<Scalar>& values, const std::function<void(Scalar)>& call) {
     for (const Scalar value : values) {
@@ -50,7 +50,7 @@ void refuses(const std::string& quantity, const std::vector<Scalar>& values, con
     }
 }
 
-TEMPLATE_TEST_CASE("Contact", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Contacts reject every parameter out of its domain", "[domain]", float, double, long double) {
     using Scalar = TestType;
     using Parameters = typename Contact<Scalar>::Parameters;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity(), tiny = std::numeric_limits<Scalar>::denorm_min();
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE("Contact", "[domain]", float, double, long double) {
           }).find("half_width / half_length = 0 must be positive") != std::string::npos);
 }
 
-TEMPLATE_TEST_CASE("Meshes", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Meshes reject every parameter out of its domain", "[domain]", float, double, long double) {
     using Scalar = TestType;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const std::vector<Scalar> not_positive = bad<Scalar>({0, -1, infinity});
@@ -100,7 +100,7 @@ TEMPLATE_TEST_CASE("Meshes", "[domain]", float, double, long double) {
     CHECK(refusal([&] { edges({-1, infinity, 1}); }).find("must be larger") != std::string::npos);
     CHECK(refusal([&] { edges({-1}); }).find("number of edges = 1 must be at least 2") != std::string::npos);
     CHECK(refusal([&] { edges({}); }).find("number of edges = 0 must be at least 2") != std::string::npos);
-    // a ratio that leaves elements no width
+    // a ratio that leaves elements without width
     const Scalar huge = std::numeric_limits<Scalar>::max();
     const auto graded = [&] { geometric_mesh<Scalar>(3, huge); };
     const std::string message = refusal(graded);
@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE("Meshes", "[domain]", float, double, long double) {
     CHECK((message.empty() || message.find(" must ") != std::string::npos));
 }
 
-TEST_CASE("Schemes", "[domain]") {
+TEST_CASE("Schemes reject every parameter out of its domain", "[domain]") {
     const double infinity = std::numeric_limits<double>::infinity();
     const auto alphas = bad<double>({2.0000001, -2.0000001, infinity});
     const auto lambdas = bad<double>({-1e-300, 1.0000001, infinity});
@@ -125,7 +125,7 @@ TEST_CASE("Schemes", "[domain]") {
     refuses<Eigen::Index>("n", {1, 0}, [](Eigen::Index n) { check_scheme(KnotheBoundary{}, n); });
 }
 
-TEMPLATE_TEST_CASE("Kernels", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Kernels reject every parameter out of its domain", "[domain]", float, double, long double) {
     using Scalar = TestType;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const std::vector<Scalar> widths = bad<Scalar>({0, -1}), constants = bad<Scalar>({infinity});
@@ -139,7 +139,7 @@ TEMPLATE_TEST_CASE("Kernels", "[domain]", float, double, long double) {
                     [](Scalar b) { require_stable_model(PlaneKernel<Scalar>(b, 1, 0)); });
 }
 
-TEMPLATE_TEST_CASE("Closed forms", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Closed forms reject every argument out of its domain", "[domain]", float, double, long double) {
     using Scalar = TestType;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity(), quarter = Scalar(0.25);
     const std::vector<Scalar> ratios = bad<Scalar>({Scalar(-0.1), Scalar(0.6), infinity});
@@ -164,7 +164,8 @@ TEMPLATE_TEST_CASE("Closed forms", "[domain]", float, double, long double) {
     });
 }
 
-TEMPLATE_TEST_CASE("The polynomial approach", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("The polynomial approach rejects every argument out of its domain", "[domain]", float, double,
+                   long double) {
     using Scalar = TestType;
     using Complex = std::complex<Scalar>;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity(), nan = std::numeric_limits<Scalar>::quiet_NaN();
@@ -184,7 +185,8 @@ TEMPLATE_TEST_CASE("The polynomial approach", "[domain]", float, double, long do
     CHECK_THROWS_AS(default_polynomial_order(Complex(0, Scalar(2e8))), std::invalid_argument);
 }
 
-TEMPLATE_TEST_CASE("Hertz pressure", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Hertz's contact rejects every parameter out of its domain", "[domain]", float, double,
+                   long double) {
     using Scalar = TestType;
     using Parameters = typename HertzLine<Scalar>::Parameters;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
@@ -206,7 +208,7 @@ TEMPLATE_TEST_CASE("Hertz pressure", "[domain]", float, double, long double) {
                     with([](Parameters& p, Scalar x) { p.body_2.poisson_ratio = x; }));
 }
 
-TEST_CASE("Models", "[domain]") {
+TEST_CASE("Models reject every argument out of its domain", "[domain]") {
     const double infinity = std::numeric_limits<double>::infinity();
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);

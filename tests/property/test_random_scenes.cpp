@@ -1,5 +1,5 @@
-// rollbem/rollbem.hpp: properties that every scene has, on scenes drawn at random from the whole domain.
-// ROLLBEM_SCENES sets how many (default 10000), ROLLBEM_SEED the seed of the generator.
+// rollbem/rollbem.hpp: properties that every scene has, on random scenes from the whole domain.
+// ROLLBEM_SCENES is their number (default 10000), ROLLBEM_SEED the seed of the generator.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -31,13 +31,13 @@ using drawn_scenes::from_environment;
 
 using Scheme = std::variant<Collocation, Galerkin, KnotheBoundary>;
 
-/// A scene, and words to find it again by.
+/// A scene, with a description from which it can be reproduced.
 struct Scene {
     Mesh<double> mesh;
     Scheme scheme;
     double aspect, poisson_ratio;
     bool plane, lateral;
-    bool modest;      // no end element far larger than others, and alphas for which tractions converge
+    bool modest;      // no end element far larger than the others, and alphas for which tractions converge
     double rounding;  // of G', relative to its largest entry
     std::string words;
 
@@ -55,7 +55,7 @@ struct Kernel {
 };
 Kernel kernel_of(const Scene& scene) { return {scene.plane, scene.aspect, scene.c1(), scene.c2()}; }
 
-// what assemble() does, with types of schemes and kernels erased: one instance serves all tests
+// assemble() with the types of scheme and kernel erased: one instance serves all tests
 Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel, Quantity quantity) {
     const PlaneKernel<double> plane(kernel.half_width, kernel.c1, kernel.c2);
     const StripKernel<double> strip(kernel.half_width, kernel.c1, kernel.c2);
@@ -113,7 +113,7 @@ public:
             }
         }();
         words << ", n = " << n;
-        const bool ordinary = integer(0, 1) == 0;  // where schemes are meant to be used
+        const bool ordinary = integer(0, 1) == 0;  // the intended range of schemes
         double alpha_L = ordinary ? uniform(0, 0.7) : uniform(-2, 2);
         double alpha_T = ordinary ? uniform(0.3, 0.9) : uniform(-2, 2);
         if (integer(0, 3) == 0) alpha_L = alpha_T;
@@ -132,12 +132,12 @@ public:
         const int method = integer(0, 5);
         if (method == 0) scene.scheme = Galerkin{alpha_L, alpha_T, derivative, lambda, integer(0, 7)};
         if (method == 1) scene.scheme = KnotheBoundary{derivative};
-        scene.modest = scene.modest && method != 1;  // alpha = 1 in disguise: zigzags on graded meshes
-        // A small element seen from a wide one is a difference of what the wide one is the size of, divided by its own
-        // width; a finite difference averaged in closed form divides once more.
+        scene.modest = scene.modest && method != 1;  // in effect alpha = 1, which zigzags on graded meshes
+        // The entry of a small element seen from a wide one is a difference of terms of the size of the wide one,
+        // divided by the small width; a finite difference averaged in closed form divides once more.
         const double contrast = mesh.widths().maxCoeff() / mesh.widths().minCoeff();
         scene.rounding = 50 * eps * contrast;
-        if (derivative == Derivative::analytic) scene.rounding *= 20;  // points at 0.001 of a width from a singularity
+        if (derivative == Derivative::analytic) scene.rounding *= 20;  // points 0.001 of a width off a singularity
         const auto* galerkin = std::get_if<Galerkin>(&scene.scheme);
         if (galerkin != nullptr && galerkin->quadrature == exact_quadrature &&
             derivative == Derivative::finite_difference) {
@@ -159,7 +159,7 @@ private:
     std::mt19937_64 random_;
 };
 
-/// The scene seen from behind: edges swapped, alphas swapped with the other sign.
+/// The mirrored scene: edges interchanged, alphas interchanged with opposite sign.
 Mesh<double> mirrored(const Mesh<double>& mesh) {
     return Mesh<double>({.widths = mesh.widths().reverse(),
                          .edges_from_trailing = mesh.edges_from_leading().reverse(),
@@ -177,7 +177,7 @@ Scheme mirrored(Scheme scheme) {
     return scheme;
 }
 
-/// What each entry may round by: its own size, or that of the antiderivatives a near one is a difference of.
+/// Largest difference of two matrices, relative to the largest entry of the first.
 double difference(const Matrix& one, const Matrix& other) {
     return (one - other).cwiseAbs().maxCoeff() / one.cwiseAbs().maxCoeff();
 }
@@ -195,13 +195,13 @@ void for_each_scene(const Function& function) {
     }
 }
 
-TEST_CASE("Matrices are finite, and those of the mirrored scene", "[property]") {
+TEST_CASE("Matrices are finite, and mirrored scenes have mirrored matrices", "[property]") {
     for_each_scene([](Scenes&, const Scene& scene) {
         const Kernel kernel = kernel_of(scene);
         const auto [G, G_prime] = assemble_both(scene.mesh, scene.scheme, kernel);
         const bool finite = G.allFinite() && G_prime.allFinite();
         if (!finite) CHECK(finite);
-        // Knothe's boundary conditions tell leading and trailing edge apart
+        // Knothe's boundary conditions are not symmetric
         if (std::holds_alternative<KnotheBoundary>(scene.scheme)) return;
         const auto [G_back, G_prime_back] = assemble_both(mirrored(scene.mesh), mirrored(scene.scheme), kernel);
         const double of_G = difference(G, G_back.reverse()), of_G_prime = difference(G_prime, -G_prime_back.reverse());
@@ -211,7 +211,7 @@ TEST_CASE("Matrices are finite, and those of the mirrored scene", "[property]") 
     });
 }
 
-TEST_CASE("A steady solution is what its status says", "[property]") {
+TEST_CASE("A steady solution has the properties that its status promises", "[property]") {
     std::uint64_t good = 0, modest = 0;
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
         const Matrix G_prime = assemble_one(scene.mesh, scene.scheme, kernel_of(scene), Quantity::slope);
@@ -223,7 +223,7 @@ TEST_CASE("A steady solution is what its status says", "[property]") {
         }
         if (solution.status != Status::ok) return;
         ++good;
-        // the residual, taken anew
+        // the residual, computed independently
         const double n = static_cast<double>(widths.size());
         const double residual =
             (G_prime * solution.traction - VectorX<double>::Ones(widths.size())).cwiseAbs().maxCoeff() /
@@ -235,7 +235,7 @@ TEST_CASE("A steady solution is what its status says", "[property]") {
             const double ratio = solution.c11 / scene.carter();
             if (!(ratio > 0.75 && ratio < 1.35)) CHECK(ratio == Approx(1));
         }
-        // Poisson's ratio only scales the plane's G'
+        // Poisson's ratio only scales G' of the plane kernel
         const double tolerance = (1000 * eps + scene.rounding) / solution.rcond;
         if (scene.plane) {
             const double other = steady_of(scene, {true, 1, 1, scenes.uniform(0, 1)}).c11;
@@ -248,12 +248,12 @@ TEST_CASE("A steady solution is what its status says", "[property]") {
             if (!(wider <= solution.c11 * (1 + tolerance))) CHECK(wider <= solution.c11);
         }
     });
-    // the statuses let enough pass for all this to mean something
+    // enough solutions are ok for the checks to mean something
     CHECK(good > modest);
     CHECK(modest > 0);
 }
 
-TEST_CASE("Units scale out of a steady solution", "[property]") {
+TEST_CASE("A steady solution scales with its units", "[property]") {
     for_each_scene([](Scenes& scenes, const Scene& scene) {
         const double a = scenes.logarithmic(1e-6, 1e3), G = scenes.logarithmic(1e3, 1e12);
         const double creepage = scenes.logarithmic(1e-12, 1) * (scenes.integer(0, 1) == 0 ? 1 : -1);
@@ -273,7 +273,7 @@ TEST_CASE("Units scale out of a steady solution", "[property]") {
     });
 }
 
-TEST_CASE("Harmonic creepage: conjugate frequencies, and the steady limit", "[property]") {
+TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one", "[property]") {
     for_each_scene([](Scenes& scenes, const Scene& scene) {
         InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
         const RollingSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
@@ -298,7 +298,7 @@ TEST_CASE("Harmonic creepage: conjugate frequencies, and the steady limit", "[pr
     });
 }
 
-TEST_CASE("Steps of any length are finite or told, and long ones end in steady rolling", "[property]") {
+TEST_CASE("Steps of any length are finite or reported, and long ones end in steady rolling", "[property]") {
     for_each_scene([](Scenes& scenes, const Scene& scene) {
         using Model = TransientModel<double>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
@@ -315,8 +315,8 @@ TEST_CASE("Steps of any length are finite or told, and long ones end in steady r
         const bool consistent = (any.status == StepStatus::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
-        // far beyond every eigenvalue, growing or not, an L-stable step forgets where it came from; |G'^-1 G| bounds
-        // the length of the slowest mode, which grows with the condition of G'
+        // a step far longer than every mode forgets its initial state, even along growing modes, as it is L-stable;
+        // |G'^-1 G| bounds the length of the slowest mode, which grows with the condition number of G'
         const Model::Prepared step = model.prepare(std::max(1e9, 1e4 * longest));
         TransientStep<double> last;
         for (int k = 0; k < 4; ++k) {

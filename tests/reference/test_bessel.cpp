@@ -24,7 +24,7 @@ using Complex = std::complex<double>;
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
-TEST_CASE("complex I_n meet their power series", "[bessel]") {
+TEST_CASE("Complex I_n agree with their power series", "[bessel]") {
     for (const LongComplex s : {LongComplex(0, 0), LongComplex(1, 0), LongComplex(-0.5L, 3), LongComplex(4, -7),
                                 LongComplex(0, 9), LongComplex(-8, 0)}) {
         LongComplex i0 = 0;
@@ -44,10 +44,10 @@ TEST_CASE("complex I_n meet their power series", "[bessel]") {
     }
 }
 
-TEST_CASE("Hankel's expansions continue the trapezoidal rule", "[bessel]") {
+TEST_CASE("Hankel's expansions agree with the trapezoidal rule beyond their radius", "[bessel]") {
     for (int k = 0; k <= 6; ++k) {
         for (const long double radius : {asymptotic_radius, 60.0L, 200.0L}) {
-            const LongComplex s = k == 6 ? LongComplex(-radius, 0)  // polar would round to below the axis
+            const LongComplex s = k == 6 ? LongComplex(-radius, 0)  // polar would round to a point below the axis
                                          : std::polar(radius, std::numbers::pi_v<long double> * k / 6);
             const auto trapezoidal = reference::detail::trapezoidal_bessel(s);
             const auto hankel = reference::detail::hankel_bessel(s);
@@ -60,7 +60,7 @@ TEST_CASE("Hankel's expansions continue the trapezoidal rule", "[bessel]") {
     }
 }
 
-TEST_CASE("c11 by J0, J1 equals c11 at complex s", "[bessel]") {
+TEST_CASE("The c11 by J0 and J1 equals that at imaginary s", "[bessel]") {
     gsl_set_error_handler_off();
     double largest = 0;
     for (const double nu : {0.0, 0.25, 0.5}) {
@@ -78,7 +78,7 @@ TEST_CASE("c11 by J0, J1 equals c11 at complex s", "[bessel]") {
     CHECK(largest < 3e-15);
 }
 
-TEST_CASE("c11 in its limits and symmetries", "[bessel]") {
+TEST_CASE("The exact c11 has its limits and symmetries", "[bessel]") {
     gsl_set_error_handler_off();
     const double nu = 0.25;
     const double aspect = 1000;
@@ -96,7 +96,7 @@ TEST_CASE("c11 in its limits and symmetries", "[bessel]") {
     CHECK(relative_error(slope, steady_c11(nu) * (0.5 - plane_lambda(nu, aspect))) < 1e-7);
 }
 
-TEST_CASE("the exact traction carries c11 and satisfies zero slip", "[bessel]") {
+TEST_CASE("The exact traction gives c11 and satisfies zero slip", "[bessel]") {
     gsl_set_error_handler_off();
     const double nu = 0.28;
     const double aspect = 50;
@@ -117,8 +117,8 @@ TEST_CASE("the exact traction carries c11 and satisfies zero slip", "[bessel]") 
                 CHECK(relative_error(traction(x), carter_traction(x, nu)) < 1e-15);
             }
         }
-        // u' - s u = 1 with u by quadrature of the plane kernel, Eq. (20), by the trapezoidal rule after subtraction
-        // of the logarithm's Fourier series: ln|x - y| = -ln 2 - 2 sum T_n(x) T_n(y)/n, cut where p has no content
+        // u' - s u = 1, with u by quadrature of the plane kernel, Eq. (20): the trapezoidal rule, with the logarithm as
+        // the series ln|x - y| = -ln 2 - 2 sum T_n(x) T_n(y)/n, truncated where p has no components
         const auto displacement = [&](double x) {
             Complex u = 0;
             for (int k = 0; k < count; ++k) {
@@ -141,7 +141,7 @@ TEST_CASE("the exact traction carries c11 and satisfies zero slip", "[bessel]") 
     }
 }
 
-TEST_CASE("the first exact eigenvalues", "[bessel]") {
+TEST_CASE("The first exact eigenvalues have their known values", "[bessel]") {
     gsl_set_error_handler_off();
     const std::vector<Complex> values = reference::eigenvalues(3, 0.25, 100);
     REQUIRE(values.size() == 3);
@@ -150,8 +150,8 @@ TEST_CASE("the first exact eigenvalues", "[bessel]") {
     CHECK(std::abs(values[2] - Complex(-1.80867424789, 6.17549758306)) < 1e-11);
 }
 
-/// Number of zeros of D(s) = I0 + s Lambda (I0 + I1) with |s| < radius by the argument principle: the phase of
-/// D e^{-s}-like scaled values summed over small steps; scaling by a positive number leaves it alone.
+/// Number of zeros of D(s) = I0 + s Lambda (I0 + I1) with |s| < radius by the argument principle: the change of phase
+/// summed over small steps; the positive scaling of the Bessel functions does not affect it.
 int count_zeros(double radius, double lambda) {
     const int steps = static_cast<int>(12 * radius) + 200;
     long double phase = 0;
@@ -168,9 +168,9 @@ int count_zeros(double radius, double lambda) {
     return static_cast<int>(std::lround(phase / (2 * std::numbers::pi_v<long double>)));
 }
 
-TEST_CASE("no exact eigenvalue is missed or found twice", "[bessel]") {
+TEST_CASE("No exact eigenvalue is missed or found twice", "[bessel]") {
     gsl_set_error_handler_off();
-    // a second real eigenvalue comes in near Lambda = 1.6 and goes to minus infinity as Lambda -> 2
+    // a second real eigenvalue appears near Lambda = 1.6 and tends to minus infinity as Lambda -> 2
     for (const double lambda : {0.05, 1.5, 1.65, 1.8, 1.9, 1.98, 1.995, 2.0, 2.01, 2.5, 6.3, 700.0}) {
         const double aspect = std::exp(lambda) / 4;  // nu = 0
         const std::vector<Complex> values = reference::eigenvalues(60, 0, aspect);
@@ -194,9 +194,9 @@ TEST_CASE("no exact eigenvalue is missed or found twice", "[bessel]") {
     }
 }
 
-TEST_CASE("more exact eigenvalues begin with the fewer", "[bessel]") {
+TEST_CASE("A longer list of exact eigenvalues begins with the shorter one", "[bessel]") {
     gsl_set_error_handler_off();
-    // at Lambda = 1.999 a real eigenvalue lies among those that are enumerated by their imaginary parts
+    // at Lambda = 1.999 a real eigenvalue lies among those enumerated by imaginary part
     for (const double lambda : {1.98, 1.995, 1.999}) {
         const double aspect = std::exp(lambda) / 4;  // nu = 0
         const std::vector<Complex> few = reference::eigenvalues(60, 0, aspect);
@@ -209,7 +209,7 @@ TEST_CASE("more exact eigenvalues begin with the fewer", "[bessel]") {
     }
 }
 
-TEST_CASE("the references refuse bad input by name", "[bessel]") {
+TEST_CASE("The exact solutions reject invalid input", "[bessel]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK_THROWS_AS(reference::plane_c11({0, nan}, 0.25, 100), std::invalid_argument);

@@ -15,7 +15,7 @@ namespace {
 
 using namespace rollbem;
 
-TEST_CASE("quadrature of Eq. (20) meets the diagonal kernel of Chebyshev polynomials", "[fitted_polynomial]") {
+TEST_CASE("Quadrature of Eq. (20) agrees with the diagonal kernel of Chebyshev polynomials", "[fitted_polynomial]") {
     gsl_set_error_handler_off();
     const double nu = 0.25;
     const double aspect = 30;
@@ -29,7 +29,7 @@ TEST_CASE("quadrature of Eq. (20) meets the diagonal kernel of Chebyshev polynom
     }
 }
 
-TEST_CASE("the fitted B is the exact one", "[fitted_polynomial]") {
+TEST_CASE("The fitted B agrees with the exact one", "[fitted_polynomial]") {
     gsl_set_error_handler_off();
     for (const double nu : {0.0, 0.5}) {
         const Eigen::MatrixXd fitted = reference::fitted_displacement_matrix(8, nu, 100.0);
@@ -40,7 +40,7 @@ TEST_CASE("the fitted B is the exact one", "[fitted_polynomial]") {
     }
 }
 
-TEST_CASE("the paper's order 20 with a fitted B meets the Bessel functions", "[fitted_polynomial]") {
+TEST_CASE("The paper's order 20 with a fitted B agrees with the Bessel functions", "[fitted_polynomial]") {
     gsl_set_error_handler_off();
     const Eigen::MatrixXd fitted = reference::fitted_displacement_matrix(20, 0.25, 100.0);
     for (const double z : {0.1, 1.0, 2.0}) {
@@ -52,7 +52,7 @@ TEST_CASE("the paper's order 20 with a fitted B meets the Bessel functions", "[f
     }
 }
 
-TEST_CASE("the fit refuses bad input by name", "[fitted_polynomial]") {
+TEST_CASE("The fit rejects invalid input", "[fitted_polynomial]") {
     CHECK_THROWS_AS(reference::fitted_displacement_matrix(-1, 0.25, 100.0), std::invalid_argument);
     CHECK_THROWS_AS(reference::monomial_displacement(2, 1.0, 0.25, 100.0), std::invalid_argument);
     CHECK_THROWS_AS(reference::monomial_displacement(2, 0.0, 0.7, 100.0), std::invalid_argument);

@@ -20,7 +20,7 @@ using LongComplex = std::complex<long double>;
 
 constexpr double poisson_ratio = 0.25;
 
-TEST_CASE("de Hoog's method inverts known transforms", "[step_response]") {
+TEST_CASE("De Hoog's method inverts known transforms", "[step_response]") {
     for (const double q : {0.01, 1.0, 7.0}) {
         CAPTURE(q);
         CHECK(reference::invert_laplace([](LongComplex s) { return 1.0L / (s + 1.0L); }, q) ==
@@ -31,7 +31,7 @@ TEST_CASE("de Hoog's method inverts known transforms", "[step_response]") {
     }
 }
 
-TEST_CASE("the step response at known places", "[step_response]") {
+TEST_CASE("The step response has its known values", "[step_response]") {
     gsl_set_error_handler_off();
     const StepResponse response(poisson_ratio, 100);
     for (const auto& [q, force] : {std::pair{0.1, 0.03298237853325}, std::pair{1.0, 0.3171793811867},
@@ -45,7 +45,7 @@ TEST_CASE("the step response at known places", "[step_response]") {
     CHECK(response.step(1000) == Approx(steady_c11(poisson_ratio)).epsilon(1e-14));
 }
 
-TEST_CASE("series and de Hoog's method agree on step, ramp and sine", "[step_response]") {
+TEST_CASE("The series and de Hoog's method agree on step, ramp and sine", "[step_response]") {
     gsl_set_error_handler_off();
     for (const double aspect : {1.0, 10.0, 100.0, 1e6}) {
         const StepResponse response(poisson_ratio, aspect);
@@ -67,7 +67,7 @@ TEST_CASE("series and de Hoog's method agree on step, ramp and sine", "[step_res
     }
 }
 
-TEST_CASE("Taylor's and the modal series meet, and more modes change little", "[step_response]") {
+TEST_CASE("The Taylor series and the modal series agree where they meet", "[step_response]") {
     gsl_set_error_handler_off();
     for (const double aspect : {0.3, 1.32, 10.0, 100.0}) {
         const StepResponse response(poisson_ratio, aspect);
@@ -85,7 +85,7 @@ TEST_CASE("Taylor's and the modal series meet, and more modes change little", "[
     }
 }
 
-TEST_CASE("the ramp is the integral of the step, the sine ends in the harmonic response", "[step_response]") {
+TEST_CASE("The ramp is the integral of the step, and the sine tends to the harmonic response", "[step_response]") {
     gsl_set_error_handler_off();
     const StepResponse response(poisson_ratio, 100);
     for (const double q : {0.3, 1.2, 3.3, 12.0}) {
@@ -102,9 +102,9 @@ TEST_CASE("the ramp is the integral of the step, the sine ends in the harmonic r
     CHECK(std::abs(response.sine(omega, q) - harmonic.imag()) < 1e-12);
 }
 
-TEST_CASE("a fast sine from rest", "[step_response]") {
+TEST_CASE("A fast sine from rest agrees with Duhamel's integral", "[step_response]") {
     gsl_set_error_handler_off();
-    // Duhamel's integral of the step response; Taylor's series would cancel like e^{omega q}
+    // the Taylor series would lose digits to cancellation like e^{omega q}
     const StepResponse response(poisson_ratio, 100);
     const auto rule = rollbem::detail::gauss_legendre<double>(200);
     for (const double omega : {15.0, 30.0, 60.0, 100.0}) {
@@ -120,7 +120,7 @@ TEST_CASE("a fast sine from rest", "[step_response]") {
     }
 }
 
-TEST_CASE("piecewise linear histories", "[step_response]") {
+TEST_CASE("Piecewise linear histories are superpositions of steps and ramps", "[step_response]") {
     gsl_set_error_handler_off();
     const StepResponse response(poisson_ratio, 100);
     // a jump to 2, a ramp down to -1 between q = 1 and 3, a jump to 0.5 at 4
@@ -132,7 +132,7 @@ TEST_CASE("piecewise linear histories", "[step_response]") {
         CAPTURE(q);
         CHECK(std::abs(response.history(points, creepage, q) - expected) < 1e-14);
     }
-    // a sine by linear pieces tends to the sine response with the square of the piece
+    // the error of a sine by linear pieces is proportional to the square of their length
     const double omega = 2;
     const double end = 6;
     std::vector<double> errors;
@@ -150,7 +150,7 @@ TEST_CASE("piecewise linear histories", "[step_response]") {
     CHECK(errors[0] / errors[1] == Approx(4).epsilon(0.01));
 }
 
-TEST_CASE("force histories refuse bad input by name", "[step_response]") {
+TEST_CASE("Responses to histories reject invalid input", "[step_response]") {
     gsl_set_error_handler_off();
     CHECK_THROWS_WITH(StepResponse(poisson_ratio, 0.1), Catch::Matchers::ContainsSubstring("Lambda"));
     CHECK_THROWS_AS(StepResponse(poisson_ratio, 100, 0), std::invalid_argument);

@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("A contact keeps its parameters", "[contact]", float, double,
     CHECK(plane.aspect() == std::numeric_limits<Scalar>::infinity());
 }
 
-TEST_CASE("A contact refuses what cannot be, by name and value", "[contact]") {
+TEST_CASE("A contact rejects invalid parameters and gives name and value", "[contact]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const auto with = [](double a, double b, double G, double nu) {
         return Contact<double>({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});

@@ -39,7 +39,7 @@ StripKernel<double> strip(double aspect, double nu = 0.28) { return {aspect, 1 -
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
-// what other code found, to a factor of 0.6 either way
+// agreement with the result of other code within 40 %
 auto about(double found) { return Catch::Matchers::WithinRel(found, 0.4); }
 
 // largest relative error of c11(z), 0 <= z <= z_max, plane kernel
@@ -55,7 +55,7 @@ double plane_error(Eigen::Index m, double z_max) {
     return largest;
 }
 
-TEST_CASE("Steady rolling of the plane is exact from one state on", "[chebyshev]") {
+TEST_CASE("Steady rolling of the plane is exact with any number of states", "[chebyshev]") {
     for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
         for (const double aspect : {0.01, 1.0, 100.0, 1e12, infinity}) {
             for (const auto& [c1, c2, exact] :
@@ -80,7 +80,7 @@ TEST_CASE("Steady rolling of the plane is exact from one state on", "[chebyshev]
     }
 }
 
-TEST_CASE("The frequency response of the plane by states", "[chebyshev]") {
+TEST_CASE("The frequency response of the plane has the known errors", "[chebyshev]") {
     CHECK_THAT(plane_error(4, 1), about(1.0e-5));
     CHECK_THAT(plane_error(6, 1), about(1.1e-9));
     CHECK(plane_error(8, 1) < 6e-14);
@@ -95,7 +95,7 @@ TEST_CASE("The frequency response of the plane by states", "[chebyshev]") {
     CHECK(FrequencySweep<double>(rolling_system(Chebyshev{96}, plane)).reduced());
 }
 
-TEST_CASE("Over all frequencies the error falls with the square of the number of states", "[chebyshev]") {
+TEST_CASE("The largest error over all frequencies falls with the square of the number of states", "[chebyshev]") {
     const double steady = steady_c11(0.25);
     for (const auto& [m, found] :
          {std::pair<Eigen::Index, double>{6, 4.5e-4}, {8, 2.7e-4}, {12, 1.3e-4}, {24, 3.5e-5}, {96, 0.024 / 96 / 96}}) {
@@ -113,7 +113,7 @@ TEST_CASE("Over all frequencies the error falls with the square of the number of
     }
 }
 
-TEST_CASE("At a fixed frequency each state of the plane gains more than the last", "[chebyshev]") {
+TEST_CASE("At a fixed frequency each further state of the plane gains more than the one before", "[chebyshev]") {
     const Complex exact = reference::plane_c11({0, 5}, 0.25, 100);
     double before = 0, rate_before = 0;
     for (Eigen::Index m = 6; m <= 14; m += 2) {
@@ -146,9 +146,9 @@ double geometric_rate(Eigen::Index first, Eigen::Index last, const Error& error)
     return -(product - mean_m * mean_log / count) / (square - mean_m * mean_m / count);
 }
 
-// The integral of a kernel that is singular at x - y = +-ib is singular where y ends, at x = +-1 +-ib: the Bernstein
-// ellipse through there sets the rate of all Chebyshev series.
-TEST_CASE("Strips converge geometrically at the rate of their singularities, until rounding", "[chebyshev]") {
+// The integral over y of a kernel that is singular at x - y = +-ib is singular at the ends of y, x = +-1 +-ib: the
+// Bernstein ellipse through these points determines the rate of all Chebyshev series.
+TEST_CASE("Strips converge down to round-off at the geometric rate of their singularities", "[chebyshev]") {
     for (const auto& [aspect, first, last] :
          {std::tuple<double, Eigen::Index, Eigen::Index>{0.1, 24, 80}, {0.3, 12, 44}, {1.0, 6, 24}, {3.0, 3, 12}}) {
         const Complex corner(1, aspect);
@@ -176,7 +176,7 @@ TEST_CASE("Strips converge geometrically at the rate of their singularities, unt
     }
 }
 
-TEST_CASE("The mirror image of a frequency gives the conjugate", "[chebyshev]") {
+TEST_CASE("The response of states at -omega is the complex conjugate of that at omega", "[chebyshev]") {
     for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
         const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
         const FrequencySweep<double> narrow(rolling_system(Chebyshev{m}, strip(0.5)));
@@ -189,7 +189,7 @@ TEST_CASE("The mirror image of a frequency gives the conjugate", "[chebyshev]") 
 
 double nearest(const VectorX<Complex>& values, Complex exact) { return (values.array() - exact).abs().minCoeff(); }
 
-TEST_CASE("Eigenvalues of Chebyshev states", "[chebyshev]") {
+TEST_CASE("Eigenvalues of Chebyshev states converge to the exact ones and are stable", "[chebyshev]") {
     const std::vector<Complex> exact = reference::eigenvalues(3, 0.25, 100);
     const auto error = [&](Eigen::Index m, std::size_t k) {
         return nearest(solve_stability(rolling_system(Chebyshev{m}, plane)).eigenvalues(), exact[k]);
@@ -217,7 +217,7 @@ double condition(const MatrixX<double>& matrix) {
     return dense::largest_singular_value(matrix) * dense::largest_singular_value(dense::solve(matrix, identity));
 }
 
-TEST_CASE("The system of the plane in elementary numbers", "[chebyshev]") {
+TEST_CASE("The system of the plane has its elementary closed form", "[chebyshev]") {
     const double pi = std::numbers::pi;
     for (const Eigen::Index m : {1, 2, 12, 64}) {
         const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, plane);
@@ -243,7 +243,7 @@ TEST_CASE("The system of the plane in elementary numbers", "[chebyshev]") {
     }
 }
 
-TEST_CASE("What 320 elements give of a strip takes 8 to 12 states", "[chebyshev]") {
+TEST_CASE("A strip that takes 320 elements takes 8 to 28 states", "[chebyshev]") {
     const RollingSystem<double> elements =
         rolling_system(cosine_mesh(320), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, strip(10));
     for (const auto& [z, found] : {std::pair(0.0, 1.6e-6), {1.0, 1.4e-6}, {5.0, 1.5e-5}, {20.0, 2.2e-4}}) {
@@ -257,7 +257,7 @@ TEST_CASE("What 320 elements give of a strip takes 8 to 12 states", "[chebyshev]
     }
 }
 
-TEST_CASE("Time steps of Chebyshev states", "[chebyshev]") {
+TEST_CASE("Time steps of Chebyshev states have the known errors", "[chebyshev]") {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const auto step_error = [&](Eigen::Index m, double q) {
         const RollingSystem<double> system = rolling_system(Chebyshev{m}, plane);
@@ -281,7 +281,7 @@ TEST_CASE("Time steps of Chebyshev states", "[chebyshev]") {
     CHECK_THAT(step_error(24, 5), about(5e-10));
 }
 
-TEST_CASE("Strips by Chebyshev states against the reference", "[chebyshev]") {
+TEST_CASE("Strips by Chebyshev states have the known errors against the reference", "[chebyshev]") {
     struct Case {
         double aspect, z;
         Eigen::Index m;
@@ -316,7 +316,7 @@ TEST_CASE("Strips by Chebyshev states against the reference", "[chebyshev]") {
     }
 }
 
-TEST_CASE("The error estimate of steady rolling covers narrow strips", "[chebyshev]") {
+TEST_CASE("The error estimate of steady rolling bounds the error on narrow strips", "[chebyshev]") {
     const double exact = solve_steady(Chebyshev{400}, strip(0.02)).c11;
     CHECK(std::abs(exact / reference::strip_c11(0, 0.28, 0.02).c11.real() - 1) < 1e-11);
     for (const Eigen::Index m : {1, 2, 3, 5, 8, 12, 20, 40, 80, 160}) {
@@ -329,7 +329,7 @@ TEST_CASE("The error estimate of steady rolling covers narrow strips", "[chebysh
     }
 }
 
-TEST_CASE("Strips by Chebyshev states against elements, along and across", "[chebyshev]") {
+TEST_CASE("Strips by Chebyshev states agree with elements, longitudinally and laterally", "[chebyshev]") {
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
     for (const double aspect : {0.3, 1.0, 10.0}) {
         for (const bool lateral : {false, true}) {
@@ -346,7 +346,7 @@ TEST_CASE("Strips by Chebyshev states against elements, along and across", "[che
             CHECK(std::abs(solve_steady(Chebyshev{48}, kernel).c11 / steady.value - 1) < 3e-6);
             CHECK(relative_error(solve_harmonic(system, 1).c11, harmonic.value) < 3e-6);
         }
-        // tractions at the centres of elements, but for the first and the last
+        // tractions at the centres of elements away from the edges
         const Mesh<double> mesh = cosine_mesh(160);
         const UnitSteadySolution<double> elements = solve_steady(mesh, halves, strip(aspect));
         const ChebyshevSteadySolution<double> states = solve_steady(Chebyshev{48}, strip(aspect));
@@ -358,7 +358,7 @@ TEST_CASE("Strips by Chebyshev states against elements, along and across", "[che
     }
 }
 
-TEST_CASE("Steady rolling by states in SI units is that of elements", "[chebyshev]") {
+TEST_CASE("Steady rolling by states in SI units agrees with elements", "[chebyshev]") {
     const Contact<double> contact(
         {.half_length = 6e-3, .half_width = 9e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
@@ -380,7 +380,7 @@ TEST_CASE("Steady rolling by states in SI units is that of elements", "[chebyshe
         }
         CHECK(states.traction(1) == 0);
     }
-    // across, and of the plane
+    // lateral creepage, and the plane
     const auto lateral = StripKernel<double>::lateral(contact);
     const ChebyshevSteadySolutionSI<double> across = rollbem::solve_steady(contact, Chebyshev{24}, lateral, 1e-4);
     CHECK(across.c11 == rollbem::solve_steady(Chebyshev{24}, lateral).c11);
@@ -400,7 +400,7 @@ TEST_CASE("Steady rolling by states in SI units is that of elements", "[chebyshe
     CHECK(rollbem::solve_steady(endless, Chebyshev{4}, 1e-4).force_per_width ==
           Approx(wide.force_per_width).epsilon(1e-14));
     CHECK(solve_steady_lateral(endless, Chebyshev{4}, 1e-4).c22 == Approx(steady_c22()).epsilon(1e-14));
-    // too few states, and creepages that are no numbers
+    // too few states, and creepages that are not finite
     const Contact<double> narrow({.half_length = 6e-3, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = 0});
     CHECK(solve_steady(narrow, Chebyshev{3}, 1e-4).status == Status::not_converged);
     for (const double bad : {infinity, std::numeric_limits<double>::quiet_NaN(), 1e305}) {
@@ -410,7 +410,7 @@ TEST_CASE("Steady rolling by states in SI units is that of elements", "[chebyshe
     CHECK_THROWS_WITH(solve_steady(contact, Chebyshev{8}, strip(2), 1e-4), ContainsSubstring("b/a of the kernel"));
 }
 
-TEST_CASE("Tractions of harmonic creepage from their states", "[chebyshev]") {
+TEST_CASE("Tractions of harmonic creepage follow from the states", "[chebyshev]") {
     const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, plane);
     for (const double z : {0.0, 0.5, 5.0}) {
         const ChebyshevTraction<Complex> traction = system.traction(solve_harmonic(system, z).traction);
@@ -430,7 +430,7 @@ double quadrature_error(const Kernel& kernel, Eigen::Index m, Eigen::Index point
     return (detail::smooth_compliance(kernel, m, points) - fine).cwiseAbs().maxCoeff() / fine.cwiseAbs().maxCoeff();
 }
 
-TEST_CASE("As many points take the smooth part to rounding as the width asks for", "[chebyshev]") {
+TEST_CASE("The number of quadrature points is just enough for round-off in the smooth part", "[chebyshev]") {
     for (const double aspect : {0.05, 0.3, 1.0, 10.0, 1000.0}) {
         for (const Eigen::Index m : {1, 2, 12, 60}) {
             const Eigen::Index points = detail::smooth_quadrature_points(m, aspect);
@@ -443,7 +443,7 @@ TEST_CASE("As many points take the smooth part to rounding as the width asks for
     CHECK(detail::smooth_quadrature_points<double>(12, infinity) == 13);
 }
 
-TEST_CASE("The smooth split is the kernel", "[chebyshev]") {
+TEST_CASE("The smooth split equals the kernel", "[chebyshev]") {
     ArrayX<double> x(7);
     x << -2, -0.7, -1e-3, 1e-9, 0.4, 1, 2;
     const auto check = [&](const auto& kernel) {
@@ -455,13 +455,13 @@ TEST_CASE("The smooth split is the kernel", "[chebyshev]") {
     for (const double aspect : {0.1, 0.3, 1.0, 10.0, 1e4}) check(strip(aspect));
     check(StripKernel<double>(2, 1, -0.25));
     check(plane);
-    // wide: of the size of 1/b^2, with all its digits
+    // a wide strip: of the order of 1/b^2, accurate to round-off
     CHECK(strip(1e6).smooth_part(x)[5] == Approx(2 / std::numbers::pi * (0.72 / 4 - 0.28 / 2) * 1e-12).epsilon(1e-11));
     CHECK(strip(infinity).smooth_part(x).abs().maxCoeff() == 0);
     CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11 == Approx(steady_c11(0.28)).epsilon(4 * eps));
 }
 
-TEMPLATE_TEST_CASE("Chebyshev states in every scalar type", "[chebyshev]", float, double, long double) {
+TEMPLATE_TEST_CASE("Chebyshev states are accurate in every scalar type", "[chebyshev]", float, double, long double) {
     using Scalar = TestType;
     const Scalar rounding = std::numeric_limits<Scalar>::epsilon();
     const ChebyshevSystem<Scalar> system =
@@ -484,7 +484,8 @@ TEMPLATE_TEST_CASE("Chebyshev states in every scalar type", "[chebyshev]", float
     CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(Scalar(0.25))) - 1) < 100 * rounding);
 }
 
-TEMPLATE_TEST_CASE("Rounding and the number of states", "[chebyshev]", float, double, long double) {
+TEMPLATE_TEST_CASE("Round-off of steady states does not grow with their number", "[chebyshev]", float, double,
+                   long double) {
     using Scalar = TestType;
     const Scalar rounding = std::numeric_limits<Scalar>::epsilon(), nu = Scalar(0.25);
     const PlaneKernel<Scalar> kernel(100, 1 - nu, nu);
@@ -495,10 +496,10 @@ TEMPLATE_TEST_CASE("Rounding and the number of states", "[chebyshev]", float, do
         const UnitSteadySolution<Scalar> by_system = solve_steady(system);
         CAPTURE(m, steady.rcond, by_system.rcond);
         CHECK(steady.status == Status::ok);
-        CHECK(steady.rcond > Scalar(0.2));  // at any number of states
+        CHECK(steady.rcond > Scalar(0.2));  // for any number of states
         CHECK(std::abs(steady.c11 / steady_c11(nu) - 1) <= 4 * rounding);
         CHECK(std::abs(by_system.c11 / steady_c11(nu) - 1) <= 10 * rounding);
-        // 1/rcond of G' grows with the square of m / 2: in float it cannot be trusted from some 60 states on
+        // 1/rcond of G' grows with the square of m / 2: in float it cannot be trusted for more than about 60 states
         const bool trusted = m < 60 || rounding < Scalar(1e-10);
         CHECK(by_system.status == (trusted ? Status::ok : Status::ill_conditioned));
         CHECK(judge_stability(system).stable() == trusted);
@@ -513,7 +514,7 @@ TEMPLATE_TEST_CASE("Rounding and the number of states", "[chebyshev]", float, do
     }
 }
 
-TEST_CASE("Chebyshev states of contacts drawn at random", "[chebyshev]") {
+TEST_CASE("Chebyshev states of random contacts are stable and within their error estimate", "[chebyshev]") {
     std::mt19937_64 random(20181);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int scene = 0; scene < 200; ++scene) {
@@ -562,7 +563,7 @@ concept SteadyByStates = requires(const Kernel& kernel) {
 static_assert(TakesStates<StripKernel<double>> && SteadyByStates<PlaneKernel<float>>);
 static_assert(LineKernel<NoSplit> && !TakesStates<NoSplit> && !SteadyByStates<NoSplit>);
 
-TEST_CASE("What Chebyshev states refuse", "[chebyshev]") {
+TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "[chebyshev]") {
     const PlaneKernel<double> endless(infinity, 0.75, 0.25);
     CHECK_THROWS_WITH(rolling_system(Chebyshev{0}, plane), ContainsSubstring("states = 0 must be at least 1"));
     CHECK_THROWS_WITH(solve_steady(Chebyshev{-3}, plane), ContainsSubstring("states = -3 must be at least 1"));

@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
-TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomial]") {
+TEST_CASE("The Chebyshev basis agrees with the Bessel functions at real frequencies", "[polynomial]") {
     gsl_set_error_handler_off();
     double largest = 0;
     for (const double nu : {0.0, 0.25, 0.5}) {
@@ -42,7 +42,7 @@ TEST_CASE("Chebyshev meets the Bessel functions at real frequencies", "[polynomi
     CHECK(largest < 5e-15);
 }
 
-TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
+TEST_CASE("The default order is sufficient at high frequencies", "[polynomial]") {
     gsl_set_error_handler_off();
     for (const double z : {1e3, 3e3, 1e4, 3e4, 1e5}) {
         const EstimatedC11<double> solution = polynomial_c11(Complex(0, z), 0.25, 100.0);
@@ -53,8 +53,8 @@ TEST_CASE("The default order is enough at high frequencies", "[polynomial]") {
     }
 }
 
-TEST_CASE("Chebyshev passes over a pivot that is exactly zero", "[polynomial]") {
-    // the last but one pivot is 1 + s^2/(4 order (order - 1)), which rounds to zero at these orders
+TEST_CASE("The Chebyshev basis handles a pivot that is exactly zero", "[polynomial]") {
+    // the second to last pivot is 1 + s^2/(4 order (order - 1)), which rounds to zero at these orders
     for (const Eigen::Index order : {6, 13, 40}) {
         const double y = 2 * std::sqrt(static_cast<double>(order * (order - 1)));
         const Complex s(0, y);
@@ -68,7 +68,7 @@ TEST_CASE("Chebyshev passes over a pivot that is exactly zero", "[polynomial]") 
     }
 }
 
-TEST_CASE("Chebyshev's error estimate covers the error at every order and complex s", "[polynomial]") {
+TEST_CASE("The error estimate of the Chebyshev basis bounds the error at every order and complex s", "[polynomial]") {
     int count = 0;
     int violations = 0;
     double slackest = 0;
@@ -98,13 +98,13 @@ TEST_CASE("Chebyshev's error estimate covers the error at every order and comple
     CHECK(slackest < 1.5e-8);
 }
 
-TEST_CASE("Chebyshev refuses an order below the frequency", "[polynomial]") {
+TEST_CASE("The Chebyshev basis reports an order that is too low for the frequency", "[polynomial]") {
     const EstimatedC11<double> solution = polynomial_c11(Complex(0, 50), 0.25, 100.0, 20);
     CHECK(solution.status == Status::not_converged);
     CHECK(relative_error(solution.c11, reference::plane_c11({0, 50}, 0.25, 100.0)) > 1e-6);
 }
 
-TEST_CASE("Chebyshev coefficients solve the bordered system", "[polynomial]") {
+TEST_CASE("The Chebyshev coefficients solve the bordered system", "[polynomial]") {
     const double nu = 0.3;
     const double aspect = 20;
     for (const Complex s : {Complex(0, 0), Complex(0, 2), Complex(-3, 40), Complex(5, -1)}) {
@@ -125,7 +125,7 @@ TEST_CASE("Chebyshev coefficients solve the bordered system", "[polynomial]") {
     }
 }
 
-TEST_CASE("tractions and displacements of all routes agree", "[polynomial]") {
+TEST_CASE("Tractions and displacements of both bases agree with the exact ones", "[polynomial]") {
     gsl_set_error_handler_off();
     const double nu = 0.25;
     const double aspect = 100;
@@ -153,7 +153,7 @@ TEST_CASE("tractions and displacements of all routes agree", "[polynomial]") {
     }
 }
 
-TEST_CASE("the displacement satisfies zero slip", "[polynomial]") {
+TEST_CASE("The displacement satisfies zero slip", "[polynomial]") {
     const Complex s(-0.5, 4);
     const PolynomialSolution<double> solution = solve_chebyshev(s, 0.25, 50.0);
     const double h = 1e-3;
@@ -188,7 +188,7 @@ TEST_CASE("B in closed form equals the route through Chebyshev polynomials", "[p
     CHECK(difference.cwiseAbs().maxCoeff() < 1e-14L);
 }
 
-TEST_CASE("the corrected equations converge, the printed ones do not", "[polynomial]") {
+TEST_CASE("The corrected equations converge, the printed ones do not", "[polynomial]") {
     const double nu = 0.25;
     const double aspect = 100;
     const Complex s(0, 1);
@@ -213,7 +213,7 @@ TEST_CASE("the corrected equations converge, the printed ones do not", "[polynom
     }
 }
 
-TEST_CASE("monomials break down before their matrix looks singular, and say so", "[polynomial]") {
+TEST_CASE("Monomials break down before their matrix looks singular, and report it", "[polynomial]") {
     gsl_set_error_handler_off();
     const Complex s(0, 50);
     const Complex exact = reference::plane_c11({0, 50}, 0.25, 100.0);
@@ -233,7 +233,7 @@ TEST_CASE("monomials break down before their matrix looks singular, and say so",
     CHECK_THAT(std::string(advice(singular.status)), Catch::Matchers::ContainsSubstring("Chebyshev basis"));
 }
 
-TEST_CASE("the verdict on monomials is right wherever it says ok", "[polynomial]") {
+TEST_CASE("Monomial solutions with status ok are accurate", "[polynomial]") {
     int accepted = 0;
     for (const double z : {0.0, 0.1, 1.0, 5.0, 10.0, 20.0, 40.0}) {
         for (const Eigen::Index order : {1, 2, 5, 10, 20, 40, 60}) {
@@ -248,7 +248,7 @@ TEST_CASE("the verdict on monomials is right wherever it says ok", "[polynomial]
     CHECK(accepted >= 15);
 }
 
-TEST_CASE("the pencil's eigenvalues are the exact ones", "[polynomial]") {
+TEST_CASE("The eigenvalues of the Chebyshev pencil are the exact ones", "[polynomial]") {
     gsl_set_error_handler_off();
     for (const double aspect : {1.0, 1.2, 100.0}) {
         const Eigen::MatrixXd pencil = chebyshev_pencil(80, 0.25, aspect);
@@ -261,14 +261,14 @@ TEST_CASE("the pencil's eigenvalues are the exact ones", "[polynomial]") {
     }
 }
 
-TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", float, double, long double) {
+TEMPLATE_TEST_CASE("Both bases agree in every scalar type", "[polynomial]", float, double, long double) {
     using Scalar = TestType;
     using ScalarComplex = std::complex<Scalar>;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     const ScalarComplex s(0, 1);
     const auto chebyshev = solve_chebyshev(s, Scalar(0.25), Scalar(100));
     const auto monomial = solve_monomial<Scalar>(s, Scalar(0.25), Scalar(100), 20);
-    // independent of Bessel functions in Scalar: the two bases, and in long double the far longer series
+    // no Bessel functions in Scalar: the two bases against each other, and a much higher order
     const auto longer = polynomial_c11(s, Scalar(0.25), Scalar(100), 100);
     CHECK(chebyshev.status == Status::ok);
     CHECK(monomial.status == Status::ok);
@@ -280,19 +280,19 @@ TEMPLATE_TEST_CASE("polynomial solutions in every scalar type", "[polynomial]", 
     CHECK(pencil(1, 0) == Scalar(0.5));
 }
 
-TEST_CASE("polynomial and exact c11 are called alike", "[polynomial]") {
+TEST_CASE("Polynomial and exact c11 take the same arguments", "[polynomial]") {
     CHECK(relative_error(polynomial_c11({0, 1}, 0.25, 100).c11, reference::plane_c11({0, 1}, 0.25, 100)) < 1e-14);
     CHECK(relative_error(polynomial_c11(0, 0.25, 100).c11, reference::plane_c11(0, 0.25, 100)) < 1e-15);
     CHECK(relative_error(solve_monomial({0, 1}, 0.25, 100, 20).c11, reference::plane_c11({0, 1}, 0.25, 100)) < 2e-7);
     CHECK(solve_chebyshev({0, 1}, 0.25, 100).c11 == polynomial_c11({0, 1}, 0.25, 100).c11);
 }
 
-TEST_CASE("a polynomial solution that nobody filled is not ok", "[polynomial]") {
+TEST_CASE("A default-constructed polynomial solution is not ok", "[polynomial]") {
     CHECK(EstimatedC11<double>{}.status == Status::not_finite);
     CHECK(PolynomialSolution<double>{}.status == Status::not_finite);
 }
 
-TEST_CASE("polynomial solutions refuse bad input by name", "[polynomial]") {
+TEST_CASE("Polynomial solutions reject invalid input", "[polynomial]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const Complex s(0, 1);

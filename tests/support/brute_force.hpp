@@ -19,7 +19,7 @@ namespace brute_force {
 using Real = long double;
 using rollbem::Derivative;
 
-/// g, its derivative and its first two antiderivatives, plainly from their formulas.
+/// g, its derivative and its first two antiderivatives, directly from their formulas.
 struct Kernel {
     bool plane;
     Real b, c1, c2;
@@ -49,7 +49,7 @@ struct Kernel {
     }
 };
 
-/// A position by its distances from both edges; differences keep the digits of positions near an edge.
+/// A position by its distances from both edges of the contact; differences stay accurate near an edge.
 struct Place {
     Real from_trailing, from_leading;
 };
@@ -61,7 +61,7 @@ inline Real operator-(const Place& to, const Place& from) {
 /// Mean over `averages` intervals +-delta of the integral of g (slope: of g') over +-h, about distance d.
 inline Real entry(const Kernel& kernel, bool slope, int averages, Real d, Real h, Real delta) {
     if (std::abs(d) > 6 * (h + static_cast<Real>(averages) * delta)) {
-        // analytic and of one sign: eight-point rules, one within the other, lose nothing
+        // analytic and of one sign: nested eight-point rules are accurate to round-off
         static const rollbem::detail::QuadratureRule<Real> rule = rollbem::detail::gauss_legendre<Real>(8);
         const auto mean = [&](const auto& self, Real x, int level) -> Real {
             if (level < 0) return slope ? kernel.slope(x) : kernel.g(x);
@@ -86,8 +86,8 @@ inline Real entry(const Kernel& kernel, bool slope, int averages, Real d, Real h
 using Scheme = std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary>;
 using Mesh = rollbem::Mesh<Real>;
 
-/// A scheme as a list of samples: alpha and node of each, its weight, how often it is averaged, and whether it is
-/// a point that must keep clear of the elements' edges.
+/// A scheme as a list of samples: nodes and weights, how often they are averaged, and whether points must keep clear of
+/// the elements' edges.
 struct Rows {
     Real alpha_L, alpha_T;
     std::vector<std::pair<Real, Real>> samples{{0, 1}};  // node in half widths, weight
@@ -127,7 +127,7 @@ inline Place edge(const Mesh& mesh, Eigen::Index j) {
 }
 inline Place centre(const Mesh& mesh, Eigen::Index j) { return {mesh.from_trailing()[j], mesh.from_leading()[j]}; }
 
-/// Moves a point that is nearer to an edge than 0.001 of the width of the element it lies in to that distance.
+/// Moves a point that is closer to an edge than 0.001 of the width of its element to that distance.
 inline Real guarded(const Mesh& mesh, Eigen::Index own, Real offset) {
     const Eigen::Index n = mesh.size();
     const Place origin = centre(mesh, own);
@@ -160,7 +160,7 @@ inline std::vector<Real> row(const Kernel& kernel, const Mesh& mesh, const Rows&
                 weight * entry(kernel, slope, rows.averages, d, mesh.widths()[element] / 2, mesh.widths()[own] / 2);
         }
     }
-    if (scales != nullptr) {  // the size an entry has away from the point where the slope changes sign
+    if (scales != nullptr) {  // the typical size of an entry, away from where the slope changes sign
         scales->clear();
         for (std::size_t m = 0; m < result.size(); ++m) {
             const Eigen::Index element = static_cast<Eigen::Index>(m);
@@ -173,7 +173,7 @@ inline std::vector<Real> row(const Kernel& kernel, const Mesh& mesh, const Rows&
     return result;
 }
 
-/// Largest error of `matrix` entry by entry, relative to the entry's size, against brute force on `mesh`.
+/// Largest error of an entry of `matrix` against brute force on `mesh`, relative to the entry's size.
 template <class Scalar>
 Real largest_error(const rollbem::MatrixX<Scalar>& matrix, const Kernel& kernel, const Mesh& mesh, const Scheme& scheme,
                    bool slope) {

@@ -1,5 +1,5 @@
 // One include for Catch2 2.13 and 3: macros, templated tests, generators, Approx and matchers under the same names.
-// Write Approx, Catch::Matchers::WithinRel, WithinAbs, ContainsSubstring, ...; Contains differs between 2 and 3.
+// Use Approx, Catch::Matchers::WithinRel, WithinAbs, ContainsSubstring, ...; Contains differs between 2 and 3.
 #pragma once
 
 #if __has_include(<catch2/catch_test_macros.hpp>)

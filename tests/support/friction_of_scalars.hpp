@@ -1,5 +1,5 @@
 // A friction history in any scalar type. Compiled once in float and long double, in scalars_float.cpp and
-// scalars_long_double.cpp: nothing takes a test of friction longer to compile.
+// scalars_long_double.cpp, because it takes long to compile.
 #pragma once
 
 #include <utility>
@@ -35,7 +35,7 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
     // the law in braces
     const SteadyFrictionModel<Scalar> steady(contact, G_prime, widths,
                                              {friction.friction_coefficient, friction.normal_pressure});
-    now.system = steady.fingerprint();  // sought from the zones of rolling
+    now.system = steady.fingerprint();  // the search starts from the zones of rolling
     return {step.force_per_width, steady.solve(now, Scalar(sliding * 0.95), next, workspace).force_per_width};
 }
 

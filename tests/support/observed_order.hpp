@@ -1,4 +1,4 @@
-// The order of convergence that errors show.
+// The observed order of convergence.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace support {
 
-/// Least-squares slope of -ln|errors| against ln(counts): of elements, or of steps on a given way.
+/// Least-squares slope of -ln|errors| against ln(counts), the numbers of elements or of steps.
 inline double observed_order(const std::vector<double>& counts, const std::vector<double>& errors) {
     const double count = static_cast<double>(counts.size());
     double mean_x = 0, mean_y = 0, xx = 0, xy = 0;

@@ -1,4 +1,4 @@
-// What most tests include that is not of this project. Each test includes what it needs all the same.
+// Headers from outside this project that most tests include. Each test still includes what it needs.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// The library's large templates in float and long double, which the tests of several headers use: compiled once, in
-// scalars_float.cpp and scalars_long_double.cpp, to share what they have in common. ROLLBEM_SCALARS(extern, Scalar)
-// says that they are, ROLLBEM_SCALARS(, Scalar) makes them.
+// The library's large templates in float and long double, which tests of several headers use: compiled once, in
+// scalars_float.cpp and scalars_long_double.cpp. ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
+// ROLLBEM_SCALARS(, Scalar) defines them.
 #pragma once
 
 #include <rollbem/adhesion/frequency.hpp>
