@@ -36,6 +36,8 @@ public:
           unit_(n),
           response_(n) {}
 
+    static Vectors zero(Index n) { return Vector::Zero(n); }
+
     void begin(const Start& zones) { zones_ = zones; }
     /// Each solution starts from the one before.
     Outcome solve(const Vector& bound, Solver& solver) {
