@@ -27,7 +27,7 @@ public:
     using Outcome = typename Solver::Outcome;
     using Start = std::vector<Zone>;      ///< where a solution is sought from
     using Vectors = Vector;               ///< constants of the equations, tractions
-    static constexpr int parameters = 1;  ///< tangents that a first stage carries to the second
+    static constexpr int parameters = 3;  ///< tangents that a first stage carries to the second: see TangentBy
 
     explicit ActiveSetSlip(Index n)
         : zones_(static_cast<std::size_t>(n), Zone::stick),

@@ -153,8 +153,8 @@ public:
         tried_ = friction_change.cwiseProduct(passage.pressure);
         if (change.bound != nullptr) tried_ += *change.bound;
         solver.respond(change.constant, tried_, traction_change);
-        answered_ = constant_only;
         if (!constant_only) return;
+        answered_ = true;
         asked_ = change.constant;
         answer_ = traction_change;
         friction_answer_ = friction_change;
