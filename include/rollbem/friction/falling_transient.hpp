@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "../adhesion/integrator.hpp"
@@ -40,6 +41,7 @@ public:
     using Scalar = Scalar_;
     using State = FallingFrictionState<Scalar>;
     using Step = FrictionStep<Scalar>;
+    using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FallingFrictionWorkspace<Scalar>;
     static_assert(SlipLaw<Law, Scalar>);
 
@@ -101,15 +103,18 @@ public:
     /// by the creepage at this dq and duration.
     Step advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, State& to,
                  Workspace& workspace) const noexcept {
-        return roll<false>(from, dq, duration, motion, {from.normal_pressure, from.half_length}, to, workspace);
+        return roll<false>(from, dq, duration, motion, {from.normal_pressure, from.half_length}, nullptr, to,
+                           workspace);
     }
 
-    /// The same under a load that goes evenly from that of `from` to this one, whose pressure_rate nothing asks for.
-    Step advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion,
-                 const NormalLoad<Scalar>& load, State& to, Workspace& workspace) const noexcept {
+    /// The same under a load that goes evenly from that of `from` to this one, with the tangents of
+    /// FrictionModel::advance by it, at this dq and duration.
+    LoadedStep advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion,
+                       const NormalLoad<Scalar>& load, State& to, Workspace& workspace) const noexcept {
         const StepStatus possible = load.check(model_.system_.element_count());
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        return roll<true>(from, dq, duration, motion, {load.normal_pressure, load.half_length}, to, workspace);
+        if (possible != StepStatus::ok) return {Core::failed(possible)};
+        return roll<true>(from, dq, duration, motion, {load.normal_pressure, load.half_length}, &load.pressure_rate, to,
+                          workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling, in `duration` [s].
@@ -128,19 +133,23 @@ private:
                         "be 0 for a system that does not know the points of its equations");
     }
 
+    // One that is loaded anew comes with the tangents by the load.
     template <bool loaded>
-    Step roll(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, const Load& load,
-              State& to, Workspace& workspace) const noexcept {
+    auto roll(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, const Load& load,
+              const ArrayX<Scalar>* pressure_rate, State& to, Workspace& workspace) const noexcept {
         StepStatus possible = model_.check(from, dq, motion, load, to, workspace);
         if (possible == StepStatus::ok && !detail::fits_friction(from, to, size())) possible = StepStatus::wrong_state;
         if (possible == StepStatus::ok && !positive(duration)) possible = StepStatus::invalid_step;
-        if (possible != StepStatus::ok) return Core::failed(possible);
+        using Result = std::conditional_t<loaded, LoadedStep, Step>;
+        if (possible != StepStatus::ok) return Result{Core::failed(possible)};
         const Scalar unit = model_.core_.half_length();
         Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.system_.points() : nullptr,
                       from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, with_tangents_,
                       workspace.scratch_);
-        if constexpr (loaded) model_.core_.begin_tangents(ArrayX<Scalar>(), false, workspace);  // none by the load
-        const Step step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
+        if constexpr (loaded) {
+            model_.core_.begin_tangents(*pressure_rate, model_.system_.log_strength() && dq > 0, workspace);
+        }
+        const Result step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
         detail::hand_over(step, from, workspace.scratch_.friction, to);
         return step;
     }

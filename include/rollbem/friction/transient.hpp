@@ -177,7 +177,9 @@ private:
             }
             core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
             before = core_.solve_first(stages, from, ratio, system_, workspace);
-            if constexpr (loaded) core_.carry_tangents(system_, first, ratio, workspace);
+            if constexpr (loaded) {
+                if (before.tangent_exists) core_.carry_tangents(stages, system_, first, ratio, workspace);
+            }
             gain.first = motion.is_linear() ? gamma * travel : travel;
             core_.extrapolate_memory(system_, ratio, workspace);
         }
@@ -188,7 +190,7 @@ private:
         core_.impose(travel * motion.end(), system_, workspace);
         const Step step = core_.solve_last(stages, from, before, gain, load, unit, to, workspace);
         if constexpr (loaded) {
-            return core_.with_tangents(step, system_, last, load, workspace);
+            return core_.with_tangents(stages, step, system_, last, load, workspace);
         } else {
             return step;
         }

@@ -122,9 +122,9 @@ public:
         equations_.solve(right_, traction_change);
     }
 
-    /// The same where the bounds change too: elements that slip follow theirs.
-    void respond(const Vector& change, const Vector& bound_change, Vector& traction_change) {
-        traction_change = -sign_.cwiseProduct(bound_change);
+    /// The same where the bounds change by `share` of bound_change, too: elements that slip follow theirs.
+    void respond(const Vector& change, const Vector& bound_change, Vector& traction_change, Scalar share = 1) {
+        traction_change = -share * sign_.cwiseProduct(bound_change);
         right_ = -change;
         right_.noalias() -= equations_.matrix() * traction_change;
         equations_.solve(right_, correction_);

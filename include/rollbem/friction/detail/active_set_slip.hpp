@@ -27,7 +27,7 @@ public:
     using Outcome = typename Solver::Outcome;
     using Start = std::vector<Zone>;      ///< where a solution is sought from
     using Vectors = Vector;               ///< constants of the equations, tractions
-    static constexpr int parameters = 1;  ///< tangents that a first stage carries to the second
+    static constexpr int parameters = 3;  ///< tangents that a first stage carries to the second: see TangentBy
 
     explicit ActiveSetSlip(Index n)
         : zones_(static_cast<std::size_t>(n), Zone::stick),
@@ -35,6 +35,8 @@ public:
           slipping_(static_cast<std::size_t>(n)),
           unit_(n),
           response_(n) {}
+
+    static Vectors zero(Index n) { return Vector::Zero(n); }
 
     void begin(const Start& zones) { zones_ = zones; }
     /// Each solution starts from the one before.

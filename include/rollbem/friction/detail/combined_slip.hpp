@@ -37,6 +37,8 @@ public:
           coupling_(MatrixX<Scalar>::Zero(n, n)),
           slipping_(static_cast<std::size_t>(n)) {}
 
+    static Vectors zero(Index n) { return Vectors::Zero(n, 2); }
+
     void begin(const Start& start) {
         traction_ = start.traction;
         zones_ = start.zones;

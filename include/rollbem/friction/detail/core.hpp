@@ -37,6 +37,16 @@ struct ConstantStages {
                                               const std::vector<Zone>& zones) noexcept {
         return solver.solve(bound, zones);
     }
+    /// dp by a change dc of the stage solved last, and by `share` of one of its bounds.
+    void respond(ActiveSet<Scalar>& solver, const VectorX<Scalar>& change, Scalar, VectorX<Scalar>& traction_change,
+                 std::size_t, const VectorX<Scalar>* bound_change, Scalar share) noexcept {
+        solver.respond(change, *bound_change, traction_change, share);
+    }
+    void respond_to_half_length(ActiveSet<Scalar>& solver, const VectorX<Scalar>& change,
+                                VectorX<Scalar>& traction_change, std::size_t) noexcept {
+        solver.respond(change, traction_change);
+    }
+    void carry_response(std::size_t) noexcept {}
 };
 
 /// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
@@ -265,24 +275,27 @@ public:
         tangents.bound_change() = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
     }
     /// the first of two stages solved,
-    void carry_tangents(const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place, Scalar ratio,
-                        Workspace& workspace) const noexcept {
-        workspace.load_tangents_.carry(system, workspace.stage_, place, ratio, workspace.solver_);
+    template <class Stages>
+    void carry_tangents(Stages& stages, const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place,
+                        Scalar ratio, Workspace& workspace) const noexcept {
+        workspace.load_tangents_.carry(stages, system, workspace.stage_, place, ratio, workspace.solver_);
     }
     /// and the last.
-    LoadedStep with_tangents(const Step& step, const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place,
-                             const Load& load, Workspace& workspace) const noexcept {
+    template <class Stages>
+    LoadedStep with_tangents(Stages& stages, const Step& step, const RollingSystem<Scalar>& system,
+                             const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
         LoadedStep loaded{step};
         if (is_nan(step.tangent_per_width)) return loaded;  // nor are there any by the load
         LoadTangents<Scalar>& tangents = workspace.load_tangents_;
         ActiveSet<Scalar>& solver = workspace.solver_;
         if (tangents.by_load()) {
-            const Scalar change = widths_.dot(tangents.respond_to_load(place, solver));
+            const Scalar change = widths_.dot(tangents.respond_to_load(stages, place, solver));
             loaded.tangent_by_load_per_width = load.half_length * shear_modulus_ * change;
             loaded.tangent_by_load = width_ * loaded.tangent_by_load_per_width;
         }
         if (tangents.by_half_length()) {
-            const Scalar change = widths_.dot(tangents.respond_to_half_length(system, workspace.stage_, place, solver));
+            const Scalar change =
+                widths_.dot(tangents.respond_to_half_length(stages, system, workspace.stage_, place, solver));
             const Scalar force = widths_.dot(solver.traction());
             loaded.tangent_by_half_length_per_width =
                 shear_modulus_ * (force + load.half_length / half_length_ * change);

@@ -24,18 +24,21 @@ struct FallingScratch {
           before(friction),
           rise(friction),
           change(friction),
-          bound(friction) {
+          bound(friction),
+          path_change(friction),
+          before_change(friction) {
         carried_change.fill(friction);
-        before_change.fill(friction);
     }
 
     FallingSet<Slip> set;
     Vector friction;  // mu of the present stage
     Vector duration, before;
-    Vector rise;    // of mu in the first stage, along the particles' paths
-    Vector change;  // d mu by what the last tangent was taken by
-    Vector bound;   // its d bound while mu stays
-    std::array<Vector, Slip::parameters> carried_change, before_change;  // that of the first stage; of before
+    Vector rise;           // of mu in the first stage, along the particles' paths
+    Vector change;         // d mu by what the last tangent was taken by
+    Vector bound;          // its d bound while mu stays
+    Vector path_change;    // d before by the half-length, which moves the paths of the particles
+    Vector before_change;  // d before by what the tangent is taken by
+    std::array<Vector, Slip::parameters> carried_change;  // d rise by that, in the first stage
 };
 
 }  // namespace rollbem::detail

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -79,7 +80,10 @@ public:
           newton_slope_(n),
           newton_gain_(n),
           newton_kept_(n),
-          swaps_(static_cast<std::size_t>(n)) {}
+          swaps_(static_cast<std::size_t>(n)),
+          asked_(Slip::zero(n)),
+          answer_(asked_),
+          friction_answer_(n) {}
 
     Index size() const { return start_.size(); }
 
@@ -125,6 +129,12 @@ public:
                  Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
                  Vector& friction_change) {
         factorise(law, memory, passage, solver, friction);
+        const bool constant_only = change.before == nullptr && change.bound == nullptr;
+        if (constant_only && answered_ && change.constant == asked_) {
+            traction_change = answer_;
+            friction_change = friction_answer_;
+            return;
+        }
         if (change.bound == nullptr) {
             solver.respond(change.constant, traction_change);
         } else {
@@ -135,7 +145,7 @@ public:
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * passage.velocity_per_slip * response_[i] + kept_[i] * ahead;
             if (change.before != nullptr && passage.pressure[i] > 0) {
-                ahead += memory.kept(velocity_[i], passage.duration[i]) * (*change.before)[i];
+                ahead += memory.kept(rounded(velocity_[i]), passage.duration[i]) * (*change.before)[i];
             }
             friction_change[i] = ahead;
         }
@@ -143,6 +153,11 @@ public:
         tried_ = friction_change.cwiseProduct(passage.pressure);
         if (change.bound != nullptr) tried_ += *change.bound;
         solver.respond(change.constant, tried_, traction_change);
+        if (!constant_only) return;
+        answered_ = true;
+        asked_ = change.constant;
+        answer_ = traction_change;
+        friction_answer_ = friction_change;
     }
 
 private:
@@ -152,12 +167,18 @@ private:
     template <class Law>
     void evaluate(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const Solver& solver, const Vector& mu) {
-        Scalar ahead = law(Scalar(0));
+        const auto at_rest = static_cast<Scalar>(law(Scalar(0)));
+        Scalar ahead = at_rest;
         for (Index i = mu.size() - 1; i >= 0; --i) {
-            velocity_[i] = passage.velocity_per_slip * slip_.size(solver, i);
-            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
-            ahead = passage.pressure[i] > 0 ? passed(law, memory, passage.duration[i], before, velocity_[i])
-                                            : static_cast<Scalar>(law(Scalar(0)));
+            const Scalar v = passage.velocity_per_slip * slip_.size(solver, i);
+            velocity_[i] = v;
+            if (passage.pressure[i] > 0) {
+                const Scalar kept = memory.kept(v, passage.duration[i]);
+                const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
+                ahead = kept * before + (1 - kept) * (v == 0 ? at_rest : static_cast<Scalar>(law(v)));
+            } else {
+                ahead = at_rest;
+            }
             residual_[i] = ahead - mu[i];
         }
     }
@@ -227,35 +248,51 @@ private:
         spread(step_);
     }
 
+    // To 30 bits, more than the difference quotients are good for: while nothing changes but by rounding, the derivatives
+    // stay as they are, to the last bit, and all that is made of them.
+    static Scalar rounded(Scalar x) {
+        constexpr int digits = std::numeric_limits<Scalar>::digits;
+        if constexpr (digits <= 30) {
+            return x;
+        } else {
+            const Scalar high = x * static_cast<Scalar>((std::uint64_t(1) << (digits - 30)) + 1);
+            return high - (high - x);
+        }
+    }
+
     // The derivatives of the right-hand sides by slip and by the coefficient ahead, and from them Newton's matrix,
-    // unless it is the one there is.
+    // unless it is the one there is. Slip of elements that stick stays zero.
     template <class Law>
     void factorise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
         slip_.linearise(solver);
+        const bool steady = passage.before == nullptr;
         // differences as wide as the velocities at hand allow, for where an element hardly slips
-        const Scalar unit = memory.least_velocity + velocity_.maxCoeff() / 1000;
+        const Scalar unit = memory.least_velocity + rounded(velocity_.maxCoeff()) / 1000;
+        const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
         Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
         for (Index i = size() - 1; i >= 0; --i) {
-            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i], v = velocity_[i];
-            const Scalar nearby =
-                std::cbrt(std::numeric_limits<Scalar>::epsilon()) * (v + unit) + std::numeric_limits<Scalar>::min();
+            slope_[i] = kept_[i] = 0;
+            const Scalar before = rounded(steady ? ahead : (*passage.before)[i]);
+            if (steady) ahead = residual_[i] + mu[i];
+            const bool slips = slip_.sense(solver)[i] != 0;
+            if (!(passage.pressure[i] > 0) || !(slips || steady)) continue;
+            const Scalar v = rounded(velocity_[i]), duration = passage.duration[i];
+            if (steady) kept_[i] = memory.kept(v, duration);
+            if (!slips) continue;
+            const Scalar nearby = share * (v + unit) + std::numeric_limits<Scalar>::min();
             const Scalar low = std::max(v - nearby, Scalar(0)), high = v + nearby;
-            const Scalar duration = passage.duration[i];
-            const bool pressed = passage.pressure[i] > 0;
-            slope_[i] =
-                pressed ? (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
-                              (high - low)
-                        : Scalar(0);
-            kept_[i] = pressed && passage.before == nullptr ? memory.kept(v, duration) : Scalar(0);
-            ahead = residual_[i] + mu[i];
+            slope_[i] = (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
+                        (high - low);
         }
         step_ = passage.velocity_per_slip * slip_.sense(solver).cwiseProduct(slope_);
         right_ = -slip_.sense(solver).cwiseProduct(passage.pressure);
-        if (newton_revision_ == slip_.revision() && newton_slope_ == step_ && newton_gain_ == right_ &&
-            newton_kept_ == kept_) {
+        if (newton_revision_ == slip_.revision() && is_steady_ == steady && newton_slope_ == step_ &&
+            newton_gain_ == right_ && newton_kept_ == kept_) {
             return;
         }
+        answered_ = false;
+        is_steady_ = steady;
         newton_revision_ = slip_.revision();
         newton_slope_ = step_;
         newton_gain_ = right_;
@@ -264,6 +301,13 @@ private:
         const Index count = slip_.slipping_count();
         for (Index k = 0; k < count; ++k) {
             const Scalar gain = right_[slip_.slipping(k)];
+            if (!steady) {  // no element knows of the one ahead
+                for (Index l = 0; l < count; ++l) {
+                    const Index i = slip_.slipping(l);
+                    newton_(l, k) = (k == l ? 1 : 0) - step_[i] * gain * slip_by_traction(i, k);
+                }
+                continue;
+            }
             Scalar leading = 0;
             for (Index i = size() - 1; i >= 0; --i) {
                 leading = step_[i] * gain * slip_by_traction(i, k) + kept_[i] * leading;
@@ -281,7 +325,11 @@ private:
         const Index count = slip_.slipping_count();
         for (Index k = 0; k < count; ++k) response_[k] = change[slip_.slipping(k)];
         solve_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data(), response_.head(count));
-        change.noalias() += by_friction_.leftCols(count) * response_.head(count);
+        if (is_steady_) {
+            change.noalias() += by_friction_.leftCols(count) * response_.head(count);
+        } else {
+            for (Index k = 0; k < count; ++k) change[slip_.slipping(k)] = response_[k];
+        }
     }
 
     static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
@@ -294,7 +342,11 @@ private:
     Vector right_;
     Vector newton_slope_, newton_gain_, newton_kept_;  // what by_friction_ and newton_ were made of
     unsigned long newton_revision_ = never;
+    bool is_steady_ = false;
     std::vector<Index> swaps_;
+    typename Slip::Vectors asked_, answer_;  // the last change of constants that respond() was asked for
+    Vector friction_answer_;
+    bool answered_ = false;  // with newton_ as it is
 };
 
 }  // namespace rollbem::detail

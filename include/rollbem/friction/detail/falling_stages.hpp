@@ -38,6 +38,15 @@ public:
         return value + (right - x) / (right - left) * (values_[next_ - 1] - value);
     }
 
+    /// d value / dx there, 0 where the value is constant; at a point, that behind it. At places that rise, too.
+    Scalar slope(Scalar x) {
+        while (next_ < points_.size() && points_[next_] < x) ++next_;
+        const bool between = next_ < points_.size();
+        const Scalar right = between ? points_[next_] : Scalar(1), value = between ? values_[next_] : ahead_;
+        if (next_ == 0 || x >= right) return 0;
+        return (value - values_[next_ - 1]) / (right - points_[next_ - 1]);
+    }
+
 private:
     const ArrayX<Scalar>& points_;
     const Scalar* values_;
@@ -96,33 +105,21 @@ public:
         velocity_per_slip_ = unit_ / duration;
         scratch_.duration.setConstant(duration);
         second_ = place.progress > place.part;
+        place_ = place;
+        stage_half_length_ = stage.half_length;
         if (points_ == nullptr) return;
-        const auto origin = [&](Index i, Scalar rolled, Scalar half_length) {
-            return (stage.half_length * (*points_)[i] + rolled) / half_length;
-        };
-        AlongContact<Scalar> start(*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0))));
+        AlongContact<Scalar> start = at_start();
         if (!second_) {
-            for (Index i = 0; i < size(); ++i) {
-                scratch_.before[i] = start(origin(i, place.progress * dq_, half_length_));
-            }
+            for (Index i = 0; i < size(); ++i) scratch_.before[i] = start(origin(i));
             first_half_length_ = stage.half_length;
             return;
         }
         scratch_.rise = scratch_.friction - scratch_.before;
         AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
-        const auto between = [&](Index i) { return origin(i, (1 - place.part) * dq_, first_half_length_); };
         for (Index i = 0; i < size(); ++i) {
-            scratch_.before[i] =
-                start(origin(i, place.progress * dq_, half_length_)) + sdirk2_ratio<Scalar> * rise(between(i));
+            const Scalar before = start(origin(i)) + sdirk2_ratio<Scalar> * rise(between(i));
+            scratch_.before[i] = std::max(before, Scalar(0));  // it goes too far where much is forgotten in a step
         }
-        for (std::size_t k = 0; k < scratch_.before_change.size(); ++k) {
-            AlongContact<Scalar> rise_change(*points_, scratch_.carried_change[k].data(), Scalar(0));
-            for (Index i = 0; i < size(); ++i) {
-                const Scalar change = sdirk2_ratio<Scalar> * rise_change(between(i));
-                scratch_.before_change[k][i] = scratch_.before[i] < 0 ? Scalar(0) : change;
-            }
-        }
-        scratch_.before = scratch_.before.cwiseMax(Scalar(0));  // it goes too far where much is forgotten in a step
     }
 
     typename Slip::Outcome solve(Solver& solver, const Vector& pressure, const typename Slip::Start& from) noexcept {
@@ -141,24 +138,80 @@ public:
                  std::size_t parameter = 0, const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
         FallingChange<Slip> changes{change};
         if (second_ && points_ != nullptr) {
-            scratch_.rise = carried * scratch_.before_change[parameter];
-            changes.before = &scratch_.rise;
+            scratch_.before_change.setZero();
+            add_carried(carried, parameter);
+            changes.before = &scratch_.before_change;
         }
         if (pressure_change != nullptr) {
             scratch_.bound = share * scratch_.friction.cwiseProduct(*pressure_change);
             changes.bound = &scratch_.bound;
         }
-        scratch_.set.respond(law_, memory_, passage(*pressure_), solver, scratch_.friction, changes, traction_change,
-                             scratch_.change);
+        respond(solver, changes, traction_change);
+        moves_paths_ = false;
+    }
+
+    /// The same by the half-length at the end of the step, in a_0, which moves the paths of the particles.
+    void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
+                                std::size_t parameter) noexcept {
+        FallingChange<Slip> changes{change};
+        moves_paths_ = points_ != nullptr;
+        if (moves_paths_) {
+            find_path_change();
+            scratch_.before_change = scratch_.path_change;
+            if (second_) add_carried(1, parameter);
+            changes.before = &scratch_.before_change;
+        }
+        respond(solver, changes, traction_change);
     }
 
     /// After the first of two stages: the response of the second starts from its.
-    void carry_response(std::size_t parameter = 0) noexcept { scratch_.carried_change[parameter] = scratch_.change; }
+    void carry_response(std::size_t parameter = 0) noexcept {
+        scratch_.carried_change[parameter] = scratch_.change;
+        if (moves_paths_) scratch_.carried_change[parameter] -= scratch_.path_change;
+    }
 
 private:
     using Index = Eigen::Index;
 
     Index size() const { return start_.size(); }
+
+    AlongContact<Scalar> at_start() const { return {*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0)))}; }
+    // Where the particle that a stage ends with was at the start of the step, x/a there,
+    Scalar origin(Index i) const { return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) / half_length_; }
+    // and, in the second stage, at the end of the first.
+    Scalar between(Index i) const {
+        return (stage_half_length_ * (*points_)[i] + (1 - place_.part) * dq_) / first_half_length_;
+    }
+
+    // What the first stage hands on, to the coefficients that the second starts from.
+    void add_carried(Scalar carried, std::size_t parameter) {
+        AlongContact<Scalar> change(*points_, scratch_.carried_change[parameter].data(), Scalar(0));
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar added = carried * sdirk2_ratio<Scalar> * change(between(i));
+            if (scratch_.before[i] > 0) scratch_.before_change[i] += added;
+        }
+    }
+
+    // By the half-length at the end of the step, of which a stage has `progress` at its own.
+    void find_path_change() {
+        AlongContact<Scalar> start = at_start();
+        for (Index i = 0; i < size(); ++i) {
+            scratch_.path_change[i] = start.slope(origin(i)) * place_.progress * (*points_)[i] / half_length_;
+        }
+        if (!second_) return;
+        AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
+        for (Index i = 0; i < size(); ++i) {
+            const Scalar x = between(i),
+                         moved = (place_.progress * (*points_)[i] - place_.part * x) / first_half_length_;
+            scratch_.path_change[i] += sdirk2_ratio<Scalar> * rise.slope(x) * moved;
+            if (!(scratch_.before[i] > 0)) scratch_.path_change[i] = 0;
+        }
+    }
+
+    void respond(Solver& solver, const FallingChange<Slip>& changes, Vectors& traction_change) {
+        scratch_.set.respond(law_, memory_, passage(*pressure_), solver, scratch_.friction, changes, traction_change,
+                             scratch_.change);
+    }
 
     FrictionPassage<Scalar> passage(const Vector& pressure) const {
         return {pressure, scratch_.duration, steady_ ? nullptr : &scratch_.before, velocity_per_slip_};
@@ -170,7 +223,11 @@ private:
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     bool steady_ = false, second_ = false;
-    Scalar unit_ = 1, dq_ = 0, duration_ = 0, half_length_ = 1, first_half_length_ = 1;
+    bool moves_paths_ = false;  // what the last tangent was taken by
+    Scalar unit_ = 1, dq_ = 0, duration_ = 0;
+    Scalar half_length_ = 1, first_half_length_ = 1,
+           stage_half_length_ = 1;  // at the start; of the first; of this stage
+    StagePlace<Scalar> place_{1, 1};
     Scalar velocity_per_slip_ = 0;  // [m/s] by the solver's slip
     const Vector* pressure_ = nullptr;
     Scratch& scratch_;

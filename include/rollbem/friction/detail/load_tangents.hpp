@@ -4,6 +4,8 @@
 
 #include "../../detail/language.hpp"
 
+#include <cstddef>
+
 #include <Eigen/Core>
 
 #include "../../assembly/rolling_system.hpp"
@@ -18,6 +20,11 @@ template <class Scalar>
 struct StagePlace {
     Scalar part;      ///< of the step that the stage takes
     Scalar progress;  ///< part of the step that is done at its end
+};
+
+/// What tangents are taken by, as the numbers under which stages keep what the first hands on to the second.
+struct TangentBy {
+    static constexpr std::size_t creepage = 0, load = 1, half_length = 2;
 };
 
 /// Tractions of a stage by a change at the end of the step, while no element changes its zone: by bounds that change,
@@ -47,19 +54,22 @@ public:
     bool by_load() const { return by_load_; }
     bool by_half_length() const { return by_half_length_; }
 
-    /// d bound at the end of the step by the load, to be filled where by_load().
+    /// d bound at the end of the step by the load, at the coefficients that `stages` know, to be filled where by_load().
     Vector& bound_change() { return bound_change_; }
 
     /// The first of two stages, solved in `solver`; the second starts from U + ratio (U_1 - U).
-    void carry(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage, const StagePlace<Scalar>& place,
-               Scalar ratio, ActiveSet<Scalar>& solver) {
+    template <class Stages>
+    void carry(Stages& stages, const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage,
+               const StagePlace<Scalar>& place, Scalar ratio, ActiveSet<Scalar>& solver) {
         if (by_load_) {
-            respond_to_load(place, solver);
+            respond_to_load(stages, place, solver);
+            stages.carry_response(TangentBy::load);
             find_displacement(system, stage.half_length, response_, carried_by_load_);
             carried_by_load_ *= -ratio;
         }
         if (by_half_length_) {
-            respond_to_half_length(system, stage, place, solver);
+            respond_to_half_length(stages, system, stage, place, solver);
+            stages.carry_response(TangentBy::half_length);
             find_displacement(system, stage.half_length, response_, carried_by_length_);
             carried_by_length_ += place.progress * rate_;
             carried_by_length_ *= -ratio;
@@ -67,21 +77,23 @@ public:
     }
 
     /// dp of the last stage by the load,
-    const Vector& respond_to_load(const StagePlace<Scalar>& place, ActiveSet<Scalar>& solver) {
-        displacement_ = place.progress * bound_change_;
-        solver.respond(carried_by_load_, displacement_, response_);
+    template <class Stages>
+    const Vector& respond_to_load(Stages& stages, const StagePlace<Scalar>& place, ActiveSet<Scalar>& solver) {
+        stages.respond(solver, carried_by_load_, Scalar(1), response_, TangentBy::load, &bound_change_, place.progress);
         return response_;
     }
 
     /// and by the half-length in a_0: dM p = progress dU/da - part zeta G' p.
-    const Vector& respond_to_half_length(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage,
-                                         const StagePlace<Scalar>& place, ActiveSet<Scalar>& solver) {
+    template <class Stages>
+    const Vector& respond_to_half_length(Stages& stages, const RollingSystem<Scalar>& system,
+                                         const RollingStage<Scalar>& stage, const StagePlace<Scalar>& place,
+                                         ActiveSet<Scalar>& solver) {
         find_displacement(system, stage.half_length, solver.traction(), displacement_);
         find_displacement_rate(system, stage.half_length, solver.traction(), displacement_, rate_);
         change_.noalias() = system.G_prime() * solver.traction();
         change_.array() = place.progress * rate_.array() - place.part * *system.points() * change_.array();
         change_ += carried_by_length_;
-        solver.respond(change_, response_);
+        stages.respond_to_half_length(solver, change_, response_, TangentBy::half_length);
         return response_;
     }
 

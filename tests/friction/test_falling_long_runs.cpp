@@ -1,0 +1,101 @@
+// rollbem/friction/falling_transient.hpp: steps in which nothing changes any more, which cost less than others.
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include <rollbem/compiled/friction.hpp>
+
+#include "falling_scene.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace falling_tests;
+
+bool same(double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }
+bool same(const Step& x, const Step& y) {
+    return same(x.force, y.force) && same(x.tangent, y.tangent) && same(x.slip_work_per_width, y.slip_work_per_width) &&
+           same(x.complementarity_residual, y.complementarity_residual) && x.rounds == y.rounds && x.status == y.status;
+}
+bool same(const State& x, const State& y) {
+    return (x.traction.array() == y.traction.array()).all() && x.zones == y.zones &&
+           (x.friction_coefficient == y.friction_coefficient).all() && x.unchanged_steps == y.unchanged_steps &&
+           same(x.unchanged_distance, y.unchanged_distance);
+}
+
+TEST_CASE("Long runs give what a fresh workspace gives, laws that take turns in it included", "[friction]") {
+    constexpr Eigen::Index n = 16;
+    constexpr double dq = 0.2 * a;
+    struct Case {
+        double distance;
+        Integrator integrator;
+        int rounds;  // of a step in which nothing changes
+    };
+    for (const Case& c : {Case{0, Integrator::implicit_euler, 1}, Case{10e-6, Integrator::implicit_euler, 1},
+                          Case{10e-6, Integrator::sdirk2, 6}}) {
+        const Scene scene(cosine_mesh<double>(n), c.distance);
+        FallingFriction<Law> steep = scene.friction();
+        steep.law.half_velocity *= 0.9;
+        const FallingFrictionModel<Law> models[] = {scene.transient(c.integrator),
+                                                    {scene.contact, scene.system(), unchecked, steep, c.integrator}};
+        State now[] = {models[0].at_rest(), models[1].at_rest()}, next = now[0], alone = next;
+        auto used = models[0].workspace();
+        for (int k = 0; k < 1600; ++k) {
+            models[k % 2].advance(now[k % 2], dq, dq / speed, 1e-3, next, used);
+            std::swap(now[k % 2], next);
+        }
+        int cheap = 0, settled = 0;
+        for (int k = 0; k < 500; ++k) {
+            const int who = k < 200 ? 0 : k % 2;  // one for long, then in turns
+            const double creepage = k == 150 ? 4e-4 : 1e-3;
+            auto fresh = models[who].workspace();
+            const Step found = models[who].advance(now[who], dq, dq / speed, creepage, next, used);
+            const Step expected = models[who].advance(now[who], dq, dq / speed, creepage, alone, fresh);
+            CAPTURE(c.distance, name(c.integrator), k, who, now[who].unchanged_steps);
+            REQUIRE(found.status == StepStatus::ok);
+            REQUIRE(std::isfinite(found.tangent));
+            REQUIRE(same(found, expected));
+            REQUIRE(same(next, alone));
+            cheap += now[who].unchanged_steps > n / 2 ? 1 : 0;
+            settled += found.rounds == c.rounds ? 1 : 0;
+            std::swap(now[who], next);
+        }
+        CAPTURE(c.distance, name(c.integrator), cheap, settled);
+        CHECK(cheap > 300);
+        CHECK(settled > 250);
+    }
+}
+
+TEST_CASE("The tangent of a step that changes nothing is that of central differences", "[friction]") {
+    constexpr double dq = 0.2 * a;
+    for (const double distance : {0.0, 10e-6}) {
+        const Scene scene(cosine_mesh<double>(30), distance);
+        const FallingFrictionModel<Law> model = scene.transient(Integrator::implicit_euler);
+        auto workspace = model.workspace();
+        State now = model.at_rest(), next = now;
+        Step step;
+        for (int k = 0; k < 1000; ++k) {
+            step = model.advance(now, dq, dq / speed, 1e-3, next, workspace);
+            std::swap(now, next);
+        }
+        REQUIRE(now.unchanged_steps > 15);
+        REQUIRE(step.rounds == 1);
+        REQUIRE(step.stick_count < 25);
+        const auto difference = [&](double h) {
+            const double high = model.advance(now, dq, dq / speed, 1e-3 * (1 + h), next, workspace).force_per_width;
+            const double low = model.advance(now, dq, dq / speed, 1e-3 * (1 - h), next, workspace).force_per_width;
+            return (high - low) / (2e-3 * h);
+        };
+        // of second order in h
+        const double coarse = std::abs(difference(1e-2) / step.tangent_per_width - 1);
+        const double fine = std::abs(difference(5e-3) / step.tangent_per_width - 1);
+        const double finest = std::abs(difference(1e-5) / step.tangent_per_width - 1);
+        CAPTURE(distance, coarse, fine, finest);
+        CHECK(coarse < 1e-3);
+        CHECK(coarse > 1e-9);
+        CHECK(fine < 0.4 * coarse);
+        CHECK(finest < 3e-9);
+    }
+}
+
+}  // namespace
