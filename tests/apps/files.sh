@@ -5,8 +5,8 @@
 steady=$programs/steady_study
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 
-# a malformed configuration file: the message has its name, the line and the error
-# malformed LINE TEXT CONTENT: rejected at that line
+# a malformed configuration file: the message has its name, the line, and what is wrong
+# malformed LINE TEXT CONTENT: refused at that line
 malformed() {
     printf "$3" >"$scratch/malformed.toml"
     bad "--config = $scratch/malformed.toml: line $1 = " "$steady" --config "$scratch/malformed.toml" --output x.csv
@@ -47,7 +47,7 @@ malformed 1 'must name an option of steady_study' 'config = x\n'
 malformed 1 'must be true or false' 'quiet = yes\n'
 malformed 1 'must be true or false' 'quiet = [true, false]\n'
 
-# a configuration file; the command line wins
+# a configuration file; the command line takes precedence
 printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
 good 5 "$steady" --config c.toml
 good 3 "$steady" --config c.toml --n 30
@@ -57,7 +57,7 @@ check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 ==
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
 
-# the companion file repeats a run: the same rows, without its files, jobs and shard; the command line wins
+# the file beside the rows repeats a run: the same rows, without its outputs, jobs and shard
 printf '%s\n' -1 -0.2 0.5 1 >own
 "$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv || fail run.csv
 sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
@@ -102,15 +102,15 @@ bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scr
 "$steady" --n 10 --output - >/dev/full 2>err
 [ $? -eq 4 ] || fail "--output - to a full disk"
 
-# no file of a run is written twice, or both read and written
-# state: the contents of the folder `names`
+# no output of a run is also its input or another output
+# state: everything in the folder names
 state() {
     for file in names/*; do
         echo "$file $(readlink "$file")"
         [ -h "$file" ] || cat "$file"
     done
 }
-# taken TEXT ARG...: rejected, and no file has changed
+# taken TEXT ARG...: refused, and no file has changed
 taken() {
     text=$1
     shift

@@ -1,5 +1,5 @@
-# Shared by the scripts of this folder, which source it with the folder of programs as $1.
-# Works in a temporary folder, and counts failures.
+# What the scripts of this folder share; to be sourced by them with a folder of programs as $1.
+# Creates an empty folder to work in, which is removed at the end, and counts failures.
 set -u
 programs=$(cd "$1" && pwd) || exit 1
 scratch=$(mktemp -d) || exit 1
@@ -27,7 +27,7 @@ bad() {
     rm -rf work
 }
 
-# bad_pairs COLUMNS PROGRAM ARG...: invalid and missing files of pairs; the last argument lacks the name of the file.
+# bad_pairs COLUMNS PROGRAM ARG...: malformed files of pairs are refused; the last argument is the option for them.
 bad_pairs() {
     columns=$1
     shift
@@ -91,7 +91,7 @@ orders() {
     done
 }
 
-# interrupt SIGNAL FILE PROGRAM ARG...: sends the signal once FILE is being written; sets $code to the exit code.
+# interrupt SIGNAL FILE PROGRAM ARG...: sends the signal while FILE is being written; the exit code is left in $code.
 interrupt() {
     signal=$1
     file=$2
