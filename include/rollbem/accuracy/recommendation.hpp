@@ -89,9 +89,9 @@ struct MeasuredError {
     Eigen::Index least_n;
 };
 
-/// Measured against the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters) b/a
-/// >= 10. For steady rolling at a coarse tolerance, the Toeplitz assembly on the uniform mesh saves more than the finer
-/// mesh costs.
+/// Measured against the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters)
+/// b/a >= 10. For steady rolling at a coarse tolerance, the Toeplitz assembly on the uniform mesh saves more than the
+/// finer mesh costs.
 inline MeasuredError measured_error(double tolerance, Purpose::Adhesion purpose) {
     switch (purpose) {
         case Purpose::steady:
@@ -112,8 +112,9 @@ inline MeasuredError measured_error(double, Purpose::Friction) {
 ///
 ///     precision_study --schemes chebyshev-states --quantity c11_z5,step_force --aspect 10 --poisson 0
 ///
-/// (they are smaller for larger b/a and nu); up to four states, the larger errors at omega a/V below 5 and between q/a
-/// = 1, 2, ... count. In narrower strips the errors are up to 3 times as large, measured against 300 or more states.
+/// (they are smaller for larger b/a and nu); up to four states, the larger errors at omega a/V below 5 and between
+/// q/a = 1, 2, ... count. In narrower strips the errors are up to 3 times as large, measured against 300 or more
+/// states.
 ///
 /// The second is due to the smooth part of a strip's kernel, measured in steady rolling against 300 or more states for
 /// b/a from 0.01 to 1000 and nu from 0 to 0.5. It decreases like rho^-m with rho = b + sqrt(1 + b^2) because of the

@@ -22,7 +22,7 @@ struct Extrapolation {
     using Real = decltype(std::abs(Value()));
 
     Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
-    /// value - its counterpart from the two coarser values|: an upper estimate of the absolute error in value.
+    /// |value - its counterpart from the two coarser values|: an upper estimate of the absolute error in value.
     Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
     /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
     Real observed_order = std::numeric_limits<Real>::quiet_NaN();

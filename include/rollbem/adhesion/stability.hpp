@@ -70,7 +70,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     return std::sqrt(std::max(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
 }
 
-/// G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).
+/// |G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).
 template <class Scalar>
 Scalar two_norm_condition(const MatrixX<Scalar>& G) {
     const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(G).inverse();

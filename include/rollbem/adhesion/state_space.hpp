@@ -21,8 +21,8 @@
 namespace rollbem {
 
 /// d x/d(q/a) = A x + B xi, C x + D xi = -F_bar/(a G): the input is creepage, the output force per unit width; q = V t
-/// is the distance rolled, x are the unknowns of the system from which it was made. At rest x = 0. c11(s) = C (s I -
-/// A)^-1 B + D, s in V/a.
+/// is the distance rolled, x are the unknowns of the system from which it was made, x = 0 at rest.
+/// c11(s) = C (s I - A)^-1 B + D, s in V/a.
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n

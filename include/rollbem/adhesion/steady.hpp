@@ -177,7 +177,7 @@ UnitSteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Schem
 /// std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, class Scheme, class Kernel>
 UnitSteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    return detail::solve_steady_on(mesh, scheme, kernel);  // checks the concepts, for a short compiler's message
+    return detail::solve_steady_on(mesh, scheme, kernel);  // checks the concepts, for short messages of the compiler
 }
 
 namespace detail {

@@ -88,8 +88,8 @@ public:
     /// 2b F_bar of a state [N], at the half-length of the state, which must have size() unknowns.
     Scalar force(const State& state) const { return areas_.dot(state.traction) * (state.half_length / half_length_); }
 
-    /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; a step with dq =
-    /// 0 takes rigid shifts only.
+    /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; if dq
+    /// is 0, the step takes rigid shifts only.
     Prepared prepare(Scalar dq) const;
 
     /// One step of a prepared dq: one matrix-vector product, no allocation. `from` is never written. `to` must be

@@ -31,8 +31,8 @@ constexpr Scalar steady_c22() {
     return std::numbers::pi_v<Scalar> / 2;
 }
 
-/// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by F =
-/// -a b G C11 xi; an ellipse has the area pi a b where the rectangle has 4 a b, and chords that shorten towards its
+/// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by
+/// F = -a b G C11 xi; an ellipse has the area pi a b where the rectangle has 4 a b, and chords that shorten towards its
 /// tips, hence the factor pi/2 relative to steady_c11. Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar ellipse_limit_c11(Scalar poisson_ratio) {
@@ -116,8 +116,8 @@ Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar pois
     return -integral / (interval.width * 2 * (1 - poisson_ratio));
 }
 
-/// Exact mean of Carter's traction p/(G xi) over [x1, x2], both over a. Throws std::invalid_argument unless -1 <= x1 <
-/// x2 <= 1 and 0 <= poisson_ratio <= 0.5.
+/// Exact mean of Carter's traction p/(G xi) over [x1, x2], both over a. Throws std::invalid_argument unless
+/// -1 <= x1 < x2 <= 1 and 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar carter_mean_traction(Scalar x1_over_a, Scalar x2_over_a, Scalar poisson_ratio) {
     detail::require(detail::is_finite(x1_over_a) && x1_over_a >= Scalar(-1) && x1_over_a < x2_over_a,

@@ -91,9 +91,9 @@ typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors
     return bound == 0 ? Scalar(0) : 1 / bound / norm;
 }
 
-/// Estimate of 1 / (|A| |A^-1|) in the 1-norm from the factors of an LU decomposition with partial pivoting and norm =
-/// |A|. Eigen's own estimates |A^-1| from a few vectors, which two equal rows of A can escape; 1 / (last pivot) is an
-/// entry of A^-1 and reveals them. A pivot that vanishes before the last would leave NaN in the vectors, and an
+/// Estimate of 1 / (|A| |A^-1|) in the 1-norm from the factors of an LU decomposition with partial pivoting and
+/// norm = |A|. Eigen's own estimates |A^-1| from a few vectors, which two equal rows of A can escape; 1 / (last pivot)
+/// is an entry of A^-1 and reveals them. A pivot that vanishes before the last would leave NaN in the vectors, and an
 /// estimate of 1.
 template <class Factors>
 typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Factors::RealScalar norm) {

@@ -214,8 +214,8 @@ Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
         [=](Eigen::Index i) { return i == 0 || i == n - 1 ? epsilon * inner : inner; }));
 }
 
-/// D: modified Knothe mesh, the trailing element epsilon times as wide as any other. Throws std::invalid_argument if n
-/// < 2 or epsilon is not positive and finite.
+/// D: modified Knothe mesh, the trailing element epsilon times as wide as the others. Throws std::invalid_argument if
+/// n < 2 or epsilon is not positive and finite.
 template <class Scalar = double>
 Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("modified_knothe_mesh", Topology::modified_knothe, n);

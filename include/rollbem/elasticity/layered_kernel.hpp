@@ -30,8 +30,8 @@ concept DeltaKernel = LineKernel<Kernel> && requires(const Kernel& kernel) {
 };
 
 /// The surface of `Kernel` under a thin elastic layer: u gains L p(x), where L = h_3/G_3 is the compliance of a layer
-/// of thickness h_3 and shear modulus G_3. L = 0 is the kernel without a layer; L >> a/G is the brush model, p =
-/// -(xi/L) (a - x) in steady rolling, c11 = 2 a/(G L).
+/// of thickness h_3 and shear modulus G_3. L = 0 is the kernel without a layer; L >> a/G is the brush model,
+/// p = -(xi/L) (a - x) in steady rolling, c11 = 2 a/(G L).
 ///
 /// Tractions jump at the edges of elements, and so does u: G at an edge takes the mean of both sides. du/dx does not
 /// exist there, only differences of u do. Schemes that need du/dx are refused: Collocation and KnotheBoundary with

@@ -130,12 +130,13 @@ private:
     Scalar b_, c1_, c2_;
 };
 
-// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with (1+t^2)^{-1/2} = sum
-// beta_k t^{2k}, beta_k = -beta_{k-1} (2k-1)/(2k), the rest of g is (2/pi) sum_{k>=1} e_k t^{2k}, e_k = beta_k (c2 -
-// c1/(2k)). With rho = reach/b, the derivative of the truncation error after K terms is at most (2/pi) sum_{k>K} 2k
-// |e_k| rho^{2k} / |x| for |x| <= reach, whereas that of the logarithm is (2/pi) |c1| / |x|. As |beta_k| decreases, 2k
-// |e_k| <= (2k |c2| + |c1|) |beta_{K+1}| and the sum is below (2(K+1) |c2| + |c1|) |beta_{K+1}| rho^{2K+2} / (1 -
-// rho^2)^2. K is the smallest number of terms for which this is below half a rounding error of |c1|.
+// The wide strip: with t = x/b, asinh(b/|x|) = ln(2b/|x|) + ln((1 + sqrt(1+t^2))/2), and with
+// (1+t^2)^{-1/2} = sum beta_k t^{2k}, beta_k = -beta_{k-1} (2k-1)/(2k), the rest of g is
+// (2/pi) sum_{k>=1} e_k t^{2k}, e_k = beta_k (c2 - c1/(2k)). With rho = reach/b, the derivative of the truncation error
+// after K terms is at most (2/pi) sum_{k>K} 2k |e_k| rho^{2k} / |x| for |x| <= reach, whereas that of the logarithm is
+// (2/pi) |c1| / |x|. As |beta_k| decreases, 2k |e_k| <= (2k |c2| + |c1|) |beta_{K+1}| and the sum is below
+// (2(K+1) |c2| + |c1|) |beta_{K+1}| rho^{2K+2} / (1 - rho^2)^2. K is the smallest number of terms for which this is
+// below half a rounding error of |c1|.
 template <class Scalar_>
 std::optional<LogSplit<Scalar_>> StripKernel<Scalar_>::log_split(Scalar reach) const {
     const Scalar rho = reach / b_;

@@ -46,7 +46,7 @@ struct StickBorderSolution {
 
     static constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
 
-    bool exact = false;  ///< one border separates slip from stick; otherwise all results are by elements
+    bool exact = false;  ///< whether one border separates slip and stick; if not, all results are by elements
     /// x/a at which stick begins [-]: -1 without creepage, 1 for full sliding; NaN unless exact.
     Scalar border = none;
     /// F_bar on body 1 [N/m]. Like all that follows, NaN if the creepage is not finite.

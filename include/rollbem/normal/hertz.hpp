@@ -86,9 +86,10 @@ public:
     /// The pressure at every point, p0 sqrt(1 - x^2) with x in units of a.
     HertzPressure<Scalar> pressure() const { return {peak_pressure()}; }
 
-    /// The contact of half-width b [m] (infinite for steady problems) with the combined constants 1/G = (1/G_1 +
-    /// 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). If the bodies are elastically dissimilar, the pressure
-    /// itself causes slip, which the tangential theory neglects. Throws std::invalid_argument unless half_width > 0.
+    /// The contact of half-width b [m] (infinite for steady problems) with the combined constants
+    /// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker). If the bodies are elastically dissimilar,
+    /// the pressure itself causes slip, which the tangential theory neglects. Throws std::invalid_argument unless
+    /// half_width > 0.
     Contact<Scalar> contact(Scalar half_width) const {
         const ElasticBody<Scalar>& one = parameters_.body_1;
         const ElasticBody<Scalar>& two = parameters_.body_2;

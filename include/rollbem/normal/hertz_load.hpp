@@ -39,8 +39,8 @@ public:
     }
 
     /// The mesh covers -half_length ... half_length [m], with the contact in its middle. Elements at the edges of the
-    /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless 0 <
-    /// half_length < inf.
+    /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless
+    /// 0 < half_length < inf.
     static HertzLoad fixed(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh, Scalar half_length) {
         detail::require(detail::is_finite(half_length) && half_length > 0, "HertzLoad", "half_length", half_length,
                         "be positive and finite");

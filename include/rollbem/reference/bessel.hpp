@@ -208,8 +208,8 @@ inline std::vector<Complex> inner_eigenvalues(long double lambda) {
 }
 
 /// The real eigenvalue beyond the asymptotic radius, which exists for Lambda slightly below 2 (it tends to minus
-/// infinity as Lambda -> 2): -D(-R)/I0 = R Lambda (1 - I1/I0) - 1 decreases there from a positive value to Lambda/2 -
-/// 1.
+/// infinity as Lambda -> 2): -D(-R)/I0 = R Lambda (1 - I1/I0) - 1 decreases there from a positive value to
+/// Lambda/2 - 1.
 inline std::vector<Complex> outer_real_eigenvalue(long double lambda) {
     const auto scaled_d = [lambda](long double r) {
         const ScaledBessel bessel = scaled_bessel(Complex(-r, 0));
@@ -263,8 +263,8 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
 
 }  // namespace detail
 
-/// Exact creep coefficient of the plane model under creepage xi e^{s V t/a}; s = i omega a/V is the harmonic case, s =
-/// 0 the steady one; `aspect` is b/a. Exact to rounding: by GSL's J0 and J1 for harmonic creepage with |s| < 40,
+/// Exact creep coefficient of the plane model under creepage xi e^{s V t/a}; s = i omega a/V is the harmonic case,
+/// s = 0 the steady one; `aspect` is b/a. Exact to rounding: by GSL's J0 and J1 for harmonic creepage with |s| < 40,
 /// otherwise from the integrals of I_n by the trapezoidal rule or, for |s| >= 40, Hankel's expansions. The poles are
 /// the eigenvalues. Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and
 /// either Lambda > 0 or s = 0.

@@ -86,8 +86,8 @@ inline double monomial_displacement(int degree, double x_over_a, double poisson_
 
 /// B, (order+1) x (order+1) and lower triangular: each row is fitted to monomial_displacement at 2 (order + 1)
 /// Chebyshev points by least squares. The loss of digits grows with the condition of the monomials, about 2.4^order:
-/// useful up to order 20 or so. Throws std::invalid_argument unless order >= 0, 0 <= poisson_ratio <= 0.5 and 0 <
-/// aspect < inf; std::runtime_error if GSL fails.
+/// useful up to order 20 or so. Throws std::invalid_argument unless order >= 0, 0 <= poisson_ratio <= 0.5 and
+/// 0 < aspect < inf; std::runtime_error if GSL fails.
 inline Eigen::MatrixXd fitted_displacement_matrix(int order, double poisson_ratio, double aspect) {
     detail::require(order >= 0, "reference::fitted_displacement_matrix", "order", order, "be at least 0");
     const int count = 2 * (order + 1);

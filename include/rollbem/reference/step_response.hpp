@@ -21,9 +21,9 @@
 namespace rollbem::reference {
 
 /// Inverse Laplace transform at q > 0 by de Hoog, Knight and Stokes' accelerated Fourier series (SIAM J. Sci. Stat.
-/// Comput. 3, 1982). `transform` maps std::complex<long double> to the same type; all its singularities lie in Re s <=
-/// 0. Uses 2 terms + 1 evaluations on Re s = ln(1e14)/(4q). Throws std::invalid_argument unless 0 < q < inf and terms >
-/// 0.
+/// Comput. 3, 1982). `transform` maps std::complex<long double> to the same type; all its singularities lie in
+/// Re s <= 0. Uses 2 terms + 1 evaluations on Re s = ln(1e14)/(4q). Throws std::invalid_argument unless 0 < q < inf and
+/// terms > 0.
 template <typename Transform>
 double invert_laplace(const Transform& transform, double q, int terms = 40) {
     using detail::Complex;
@@ -85,17 +85,17 @@ double invert_laplace(const Transform& transform, double q, int terms = 40) {
 }
 
 /// Step response of the force by de Hoog's method: -F/(a G xi) at q/a > 0 after a step of creepage xi at q = 0. An
-/// independent check of StepResponse; most accurate for q/a < 2. Throws std::invalid_argument unless 0 < q/a < inf, 0
-/// <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
+/// independent check of StepResponse; most accurate for q/a < 2. Throws std::invalid_argument unless 0 < q/a < inf,
+/// 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
 inline double step_response_de_hoog(double q_over_a, double poisson_ratio, double aspect) {
     const double lambda = stable_plane_lambda("reference::step_response_de_hoog", poisson_ratio, aspect);
     return invert_laplace([&](detail::Complex s) { return detail::laplace_c11(s, poisson_ratio, lambda) / s; },
                           q_over_a);
 }
 
-/// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 by the Taylor series about q =
-/// 0 (its radius of convergence is 2, the distance in which a particle passes through the contact), for larger q/a by
-/// the modal series C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). With the default 4000
+/// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 by the Taylor series about
+/// q = 0 (its radius of convergence is 2, the distance in which a particle passes through the contact), for larger q/a
+/// by the modal series C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). With the default 4000
 /// modes and b/a >= 10 the error stays below 1e-10 C; it is largest just below and at q/a = 2, where the response has a
 /// kink in its second derivative and the series decays like k^-3.
 class StepResponse {

@@ -41,8 +41,8 @@ inline const char* advice(Status status) {
 }
 
 /// The lowest order at which the Chebyshev basis reaches the precision of Scalar. Beyond n = |s|, I_n(s) decreases over
-/// a range that grows like |s|^(1/3), and faster than any power of |s|/n. Throws std::invalid_argument unless |s| <=
-/// 1e8.
+/// a range that grows like |s|^(1/3), and faster than any power of |s|/n. Throws std::invalid_argument unless
+/// |s| <= 1e8.
 template <std::floating_point Scalar>
 Eigen::Index default_polynomial_order(std::complex<Scalar> s) {
     const Scalar modulus = std::abs(s);
@@ -256,8 +256,8 @@ PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Sca
 
 /// The homogeneous problem in the Chebyshev basis as a standard eigenproblem M P = (1/s) P, P = (P_1, ..., P_order),
 /// P_0 = -sum P_n: order x order, upper Hessenberg. 1/eigenvalue converges to the exact nu_k a of G' p = nu G p with
-/// the plane kernel, the smallest first. Throws std::invalid_argument unless order >= 1, 0 <= poisson_ratio <= 0.5, 0 <
-/// aspect < inf and Lambda > 0.
+/// the plane kernel, the smallest first. Throws std::invalid_argument unless order >= 1, 0 <= poisson_ratio <= 0.5,
+/// 0 < aspect < inf and Lambda > 0.
 template <std::floating_point Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::Index order, Scalar poisson_ratio,
                                                                        Scalar aspect) {

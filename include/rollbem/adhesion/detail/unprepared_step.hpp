@@ -55,9 +55,7 @@ public:
     }
 
     const Vector& per_shift() const { return per_shift_; }  ///< decrease of the unknowns per unit shift
-    const Vector& per_ramp() const {
-        return per_ramp_;
-    }  ///< decrease per unit of a linear change of creepage, times dq
+    const Vector& per_ramp() const { return per_ramp_; }    ///< decrease per change of creepage times dq
 
 private:
     Vector per_shift_, per_ramp_;

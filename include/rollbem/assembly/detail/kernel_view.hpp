@@ -16,7 +16,7 @@ namespace rollbem::detail {
 
 /// A kernel behind functions of arrays: the integrals below are compiled once for each scalar type and not for every
 /// kernel, and the cost of a call is negligible next to the work on its array. Keeps a reference to the kernel.
-/// Pointers to functions rather than std::function, which compile faster.
+/// Pointers to functions compile faster than std::function.
 template <class Scalar>
 struct KernelView {
     using Array = ArrayX<Scalar>;

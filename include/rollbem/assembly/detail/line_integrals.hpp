@@ -19,8 +19,8 @@
 
 namespace rollbem::detail {
 
-/// Chooses how each entry is computed: near entries by differences of antiderivatives, far ones (|d| well above h +
-/// averages delta) by a series if the kernel offers one. A delta is added to either.
+/// Chooses how each entry is computed: near entries by differences of antiderivatives, far ones (|d| well above
+/// h + averages delta) by a series if the kernel offers one. A delta is added to either.
 template <class Scalar>
 class LineIntegrals {
 public:

@@ -37,7 +37,7 @@ public:
 
     /// Writes every near entry to result(l, m).
     void fill(MatrixX<Scalar>& result) const {
-        const Entries<Scalar>& entries = entries_;  // a local copy that stays in a register
+        const Entries<Scalar>& entries = entries_;  // a local reference, which stays in a register
         const Eigen::Index n = entries.columns.half.size();
         const Scalar spread = Scalar(entries.averages + 1) / (2 * std::sqrt(entries.far_ratio));
         std::vector<Run> runs;

@@ -60,7 +60,7 @@ struct LawCheck {
     Scalar force;     // estimated effect of the violations
 };
 
-/// p| <= bound and traction opposing the creepage in stick, slip in the direction of the creepage in slip.
+/// |p| <= bound and traction opposing the creepage in stick, slip in the direction of the creepage in slip.
 template <class Scalar, class Bound, class SmoothSlope>
 LawCheck<Scalar> check_law(PointsOfLevels<Scalar>& levels, int level, const StickZone<Scalar>& zone, const Bound& bound,
                            Scalar largest_bound, Scalar creepage, const SmoothSlope& smooth_slope) {

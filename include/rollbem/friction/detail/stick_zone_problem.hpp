@@ -161,9 +161,9 @@ private:
         for (Eigen::Index l = 0; l < points; ++l) zone_.loads[2 * K + l] *= tractions[l];
     }
 
-    /// The tractions of slip and p_1, at K points each. Slip: x = -1 + y eta^2, on which sqrt(1+x) is smooth. p_1: 1 +
-    /// x = y cosh^2 u, rho = exp(-2u), which resolves the layer at the border however thin; u = U (1 - eta^2), on which
-    /// sqrt(1-x) is smooth.
+    /// The tractions of slip and p_1, at K points each. Slip: x = -1 + y eta^2, on which sqrt(1+x) is smooth. p_1:
+    /// 1 + x = y cosh^2 u, rho = exp(-2u), which resolves the layer at the border however thin; u = U (1 - eta^2), on
+    /// which sqrt(1-x) is smooth.
     void place_known_tractions(const StickZoneRule<Scalar>& rule) {
         const Eigen::Index K = rule.eta.size();
         const Scalar y = zone_.y, U = y > 0 ? std::asinh(std::sqrt((2 - y) / y)) : Scalar(0);
