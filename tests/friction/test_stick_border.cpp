@@ -398,7 +398,7 @@ TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integr
         const double elements =
             plain_force(plane.contact, plane.kernel, cosine_mesh<double>(640), table, creepage(ratio));
         CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-4);
-        CHECK(-solution.traction(-0.9) == Approx(ratio > 0.06 ? table(-0.9) : 0.0));
+        CHECK(-solution.traction(-0.9) == Approx(table(-0.9)));
     }
     // on a strip, where the unknowns are not adapted to the kinks
     const Contact<double> contact = Contact<double>::dimensionless(1, nu);

@@ -254,7 +254,9 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
 }
 
 TEST_CASE("A steady solution scales with its units", "[property]") {
-    for_each_scene([](Scenes& scenes, const Scene& scene) {
+    std::uint64_t drawn = 0, compared = 0;
+    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+        ++drawn;
         const double a = scenes.logarithmic(1e-6, 1e3), G = scenes.logarithmic(1e3, 1e12);
         const double creepage = scenes.logarithmic(1e-12, 1) * (scenes.integer(0, 1) == 0 ? 1 : -1);
         const Contact<double> si({.half_length = a,
@@ -267,14 +269,19 @@ TEST_CASE("A steady solution scales with its units", "[property]") {
         const SteadySolution<double> without =
             solve_steady(Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio), scene.mesh, scheme, 1.0);
         if (without.status != Status::ok) return;
+        ++compared;
         const double force = with_units.force_per_width / (a * G * creepage * without.force_per_width);
         const double tolerance = (1000 * eps + scene.rounding) / without.rcond;
         if (!(std::abs(force - 1) <= tolerance)) CHECK(force == Approx(1).epsilon(tolerance));
     });
+    CAPTURE(drawn, compared);
+    CHECK(10 * compared > drawn);
 }
 
 TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one", "[property]") {
-    for_each_scene([](Scenes& scenes, const Scene& scene) {
+    std::uint64_t drawn = 0, compared = 0;
+    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+        ++drawn;
         InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
         const RollingSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
         const FrequencySweep<double> sweep(system);
@@ -293,13 +300,18 @@ TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one
         const UnitSteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const SweepPoint<double> still = sweep(0);
         if (steady.status != Status::ok || still.status != Status::ok) return;
+        ++compared;
         const double limit = std::abs(still.c11 / steady.c11 - 1.0), tolerance = 1000 * eps / steady.rcond;
         if (!(limit <= tolerance)) CHECK(limit <= tolerance);
     });
+    CAPTURE(drawn, compared);
+    CHECK(10 * compared > drawn);
 }
 
 TEST_CASE("Steps of any length are finite or reported, and long ones end in steady rolling", "[property]") {
-    for_each_scene([](Scenes& scenes, const Scene& scene) {
+    std::uint64_t drawn = 0, compared = 0;
+    for_each_scene([&](Scenes& scenes, const Scene& scene) {
+        ++drawn;
         using Model = TransientModel<double>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
         const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
@@ -315,6 +327,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         const bool consistent = (any.status == StepStatus::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
+        ++compared;
         // a step far longer than every mode forgets its initial state, even along growing modes, as it is L-stable;
         // |G'^-1 G| bounds the length of the slowest mode, which grows with the condition number of G'
         const Model::Prepared step = model.prepare(std::max(1e9, 1e4 * longest));
@@ -327,6 +340,8 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         const double tolerance = 1e-6 + 1000 * eps / steady.rcond;
         if (!(std::abs(ratio - 1) <= tolerance)) CHECK(ratio == Approx(1).epsilon(tolerance));
     });
+    CAPTURE(drawn, compared);
+    CHECK(10 * compared > drawn);
 }
 
 }  // namespace
