@@ -64,24 +64,23 @@ int main(int argc, char** argv) {
     options.refuse("plot", "cases have nothing to draw");
     options.add_flag("large",
                      "besides, n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
-    options.footer(
-        "Example: all cases, as a file\n"
-        "  extremes_study --large --output extremes.csv\n"
-        "\n"
-        "verdict is right where |relative_error| <= bound, told where a status or an exception says why there is no\n"
-        "result (column told), and broken where the promise of the case is not kept: then the exit code is 1, after "
-        "all\n"
-        "rows. status is ok, the library's name of what went wrong, or exception. References are closed forms,\n"
-        "Bessel functions, the spectral solution of the strip, other solvers of the same elements, Chebyshev states,\n"
-        "or the same discretisation in long double; there the bound is what the condition, in the column condition,\n"
-        "makes of rounding.\n");
+    options.footer(R"(Example: all cases, as a file
+  extremes_study --large --output extremes.csv
+
+verdict is right where |relative_error| <= bound, told where a status or an exception says why there is no
+result (column told), and broken where the promise of the case is not kept: then the exit code is 1, after all
+rows. status is ok, the library's name of what went wrong, or exception. References are closed forms,
+Bessel functions, the spectral solution of the strip, other solvers of the same elements, Chebyshev states,
+or the same discretisation in long double; there the bound is what the condition, in the column condition,
+makes of rounding.
+)");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
         std::vector<Case> cases = extremes::steady_cases(given.flag("large"));
         for (const auto& more :
              {extremes::harmonic_cases(), extremes::time_cases(), extremes::chebyshev_cases(given.flag("large")),
-              extremes::friction_cases(), extremes::rolling_cases()}) {
+              extremes::friction_cases(), extremes::load_cases(), extremes::direction_cases()}) {
             cases.insert(cases.end(), more.begin(), more.end());
         }
 

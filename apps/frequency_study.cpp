@@ -179,7 +179,6 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
 study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title, bool order_given) {
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
     if (order_given) by.emplace_back("order");  // else it differs from frequency to frequency
-    constexpr std::size_t black = 6;
 
     study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
     const std::vector<std::string> apart = study::all_setting_columns();
@@ -191,15 +190,14 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
     for (const study::Row& row : rows) {
         const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
         const auto cell = row.begin() + aspect;
-        const std::string contact = "aspect = " + cell->text(6) + ", poisson = " + std::next(cell)->text(6);
+        const std::string contact = "b/a = " + cell->text(6) + ", ν = " + std::next(cell)->text(6);
         if (omega && re && im) exact[contact][*omega] = {*re, *im};
     }
     const auto exact_label = [&](const std::string& contact) {
         return exact.size() > 1 ? "exact, " + contact : std::string("exact");
     };
     for (const auto& [contact, response] : exact) {
-        study::Series curve{
-            .label = exact_label(contact), .points = {}, .markers = false, .style = black, .reference = true};
+        study::Series curve{.label = exact_label(contact), .points = {}, .markers = false, .reference = true};
         for (const auto& [omega, c11] : response) curve.points.emplace_back(c11.real(), c11.imag());
         argand.series.push_back(std::move(curve));
     }
@@ -217,11 +215,8 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
             parts.series.push_back(std::move(series));
         }
         for (const auto& [contact, response] : exact) {
-            study::Series curve{.label = name + ", " + exact_label(contact),
-                                .points = {},
-                                .markers = false,
-                                .style = black,
-                                .reference = true};
+            study::Series curve{
+                .label = name + ", " + exact_label(contact), .points = {}, .markers = false, .reference = true};
             for (const auto& [omega, c11] : response) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
             parts.series.push_back(std::move(curve));
         }
@@ -239,7 +234,24 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         }
     }
     parts.log_x = lowest > 0 && highest > 20 * lowest;
+
+    // the curves lie on each other: what they differ by
+    study::Plot errors{.title = "",
+                       .x_label = parts.x_label,
+                       .y_label = "|c_{11} / c_{11,exact} - 1|",
+                       .log_x = parts.log_x,
+                       .log_y = true,
+                       .series = {}};
+    study::add_series(errors, columns, rows,
+                      {.by = by, .x = "omega", .y = "relative_error", .absolute = true, .apart = apart});
+    for (std::size_t k = 0; k < cases; ++k) {
+        errors.series[k].label = argand.series[k].label;
+        errors.series[k].markers = argand.series[k].markers;
+        for (auto& [omega, error] : errors.series[k].points) error = std::max(error, study::least_drawn);
+    }
+    errors.title.clear();
     argand.beside.push_back(std::move(parts));
+    if (can_be_drawn(errors)) argand.beside.push_back(std::move(errors));
     return argand;
 }
 
@@ -268,42 +280,28 @@ int main(int argc, char** argv) {
         "and state_space.toml in this folder, which is made if it is not there (dimensionless)",
         frequency::StateSpaceFiles::names());
     study::offer_chebyshev(options, "; or polynomial, of an --order");
-    options.footer(
-        "Example: three meshes, with the Argand diagram and both parts over the frequency\n"
-        "  frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg\n"
-        "\n"
-        "Creepage e^{i omega t}; --omega is omega a/V, c11 = -F/(a G xi), both dimensionless. exact_re + i exact_im is "
-        "the\n"
-        "response of the plane model b >> a in closed form; relative_error = |c11/exact - 1|. With the strip kernel "
-        "it\n"
-        "contains the difference of the models, of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --kernel "
-        "plane\n"
-        "leaves the error of the discretisation alone.\n"
-        "--method polynomial takes no elements: n is empty and the column order has the order. --basis monomial is "
-        "the\n"
-        "paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is "
-        "refused\n"
-        "without --unchecked. Where status is not ok, c11 is empty, or untrue with --unchecked: ill_conditioned where "
-        "the\n"
-        "equations are singular to working precision; inconsistent where the scheme does not converge to full "
-        "adhesion\n"
-        "(alpha at or below 0, or beyond 1); coarse where fewer than 10 elements give a steady c11 that is more than "
-        "half\n"
-        "off; not_converged where --order is too low for eight digits, or states are too few. exact and error are "
-        "empty for\n"
-        "contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal "
-        "condition;\n"
-        "rounding enters c11 by 2e-16/rcond. error_estimate: relative, of c11 by polynomials, truncation and "
-        "rounding.\n"
-        "--method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and "
-        "2e-4\n"
-        "up to 5, 12 of 6e-9 up to 5; narrow strips need more (b/a = 1: 16), and c11 is empty where more states would\n"
-        "change its steady value by more than 1e-2.\n"
-        "--state-space: d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi, so that c11(s) = C (s I - A)^-1 B + D, s in "
-        "V/a.\n"
-        "Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements work where "
-        "G\n"
-        "is regular. The table comes all the same.\n");
+    options.footer(R"(Example: three meshes, with the Argand diagram and both parts over the frequency
+  frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
+
+Creepage e^{i omega t}; --omega is omega a/V, c11 = -F/(a G xi), both dimensionless. exact_re + i exact_im is the
+response of the plane model b >> a in closed form; relative_error = |c11/exact - 1|. With the strip kernel it
+contains the difference of the models, of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --kernel plane
+leaves the error of the discretisation alone.
+--method polynomial takes no elements: n is empty and the column order has the order. --basis monomial is the
+paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is refused
+without --unchecked. Where status is not ok, c11 is empty, or untrue with --unchecked: ill_conditioned where the
+equations are singular to working precision; inconsistent where the scheme does not converge to full adhesion
+(alpha at or below 0, or beyond 1); coarse where fewer than 10 elements give a steady c11 that is more than half
+off; not_converged where --order is too low for eight digits, or states are too few. exact and error are empty for
+contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal condition;
+rounding enters c11 by 2e-16/rcond. error_estimate: relative, of c11 by polynomials, truncation and rounding.
+--method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
+up to 5, 12 of 6e-9 up to 5; narrow strips need more (b/a = 1: 16), and c11 is empty where more states would
+change its steady value by more than 1e-2.
+--state-space: d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi, so that c11(s) = C (s I - A)^-1 B + D, s in V/a.
+Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements work where G
+is regular. The table comes all the same.
+)");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene, or order, and frequency.

@@ -7,9 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <string>
 #include <system_error>
@@ -27,6 +25,8 @@
 #include "paper/results.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
+#include "support/files.hpp"
+#include "support/output_folder.hpp"
 #include "support/parallel.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
@@ -73,54 +73,44 @@ std::vector<paper::Judged> judge_claims(const Settings& settings, const paper::R
     return judged;
 }
 
-void write(study::OutputFile&& file, const std::string& text) {
-    file.write(text);
-    file.commit();
-}
-
-std::string contents(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
+std::string csv_of(const paper::PanelResult& result) {
+    const std::vector<std::string> columns = paper::columns(result.panel.quantity);
+    std::string text = study::csv_line({columns.begin(), columns.end()});
+    for (const paper::CurveResult& curve : result.curves) {
+        for (const study::Row& row : curve.rows) text += study::csv_line(row);
+    }
+    return text;
 }
 
 int run(const Settings& settings) {
-    // 1. The folder, and the files that are written last: what cannot be written costs no computing time.
-    namespace fs = std::filesystem;
-    const fs::path directory(settings.directory);
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (!fs::is_directory(directory)) {
-        throw study::BadInput("DIR = " + settings.directory + " must be a folder that can be written" +
-                              (error ? ": " + error.message() : ""));
-    }
-    const auto file = [&](const std::string& name) { return study::OutputFile((directory / name).string(), "DIR"); };
-    study::OutputFile claims_file = file("claims.csv"), page_file = file("index.html");
+    // 1. The folder, and the files that are always there: what cannot be written costs no computing time.
+    study::OutputFolder folder(settings.directory, "DIR");
+    std::vector<study::OutputFile> files;
+    const auto open = [&](const std::string& name) { files.emplace_back(folder.file(name), "DIR"); };
+    open("claims.csv");
+    open("index.html");
 
     // 2. All curves of all panels, then the claims, which look at the curves and compute what else they need.
     const paper::Results results = compute_figures(settings);
     const std::vector<paper::Judged> claims = judge_claims(settings, results);
 
-    // 3. Each panel as CSV and SVG. Without gnuplot there is no SVG, and none of an earlier run may stay.
+    // 3. Each panel as CSV and SVG. Without gnuplot there is no SVG.
     std::map<std::string, std::string> drawings;
     std::string note;
     for (const paper::PanelResult& result : results.panels()) {
         const std::string name = "fig" + result.panel.figure;
-        const std::vector<std::string> columns = paper::columns(result.panel.quantity);
-        std::string rows = study::csv_line({columns.begin(), columns.end()});
-        for (const paper::CurveResult& curve : result.curves) {
-            for (const study::Row& row : curve.rows) rows += study::csv_line(row);
-        }
-        write(file(name + ".csv"), rows);
+        open(name + ".csv");
+        files.back().write(csv_of(result));
+        if (!note.empty()) continue;
         try {
-            if (note.empty()) {
-                study::OutputFile drawing = file(name + ".svg");
-                study::draw(paper::plot(result), drawing, false);
-                drawings[result.panel.figure] = contents(directory / (name + ".svg"));
-            }
+            const std::string& drawing = drawings[result.panel.figure] =
+                study::picture(paper::plot(result), false, folder.file(name + ".svg"));
+            open(name + ".svg");
+            files.back().write(drawing);
         } catch (const study::PlotError&) {
             note = "No plots: gnuplot is missing or failed. The data of every panel are there as CSV.";
+            drawings.clear();
         }
-        if (!note.empty()) fs::remove(directory / (name + ".svg"), error);
     }
     if (!note.empty()) std::fprintf(stderr, "reproduce_paper: %s\n", note.c_str());
 
@@ -132,16 +122,26 @@ int run(const Settings& settings) {
         std::fprintf(stderr, "reproduce_paper: Fig. %s: %s: %s; measured: %s\n", judged.claim.figure.c_str(),
                      judged.claim.claim.c_str(), judged.reason().c_str(), judged.finding.measured.c_str());
     }
-    write(std::move(claims_file), rows);
-    write(std::move(page_file), paper::page(results, claims, drawings, note));
+    files[0].write(rows);
+    files[1].write(paper::page(results, claims, drawings, note));
+
+    // 5. The files take their names once all of them are on the disk. No drawing of an earlier run may stay.
+    for (study::OutputFile& file : files) file.close();
+    for (study::OutputFile& file : files) file.commit();
+    folder.keep();
+    for (const paper::PanelResult& result : results.panels()) {
+        std::error_code error;
+        const std::string drawing = folder.file("fig" + result.panel.figure + ".svg");
+        if (drawings.count(result.panel.figure) == 0) std::filesystem::remove(drawing, error);
+    }
     const paper::Tallies counted = paper::tallies(claims);
     std::printf("%s; %zu differ from what is expected. See %s\n", paper::summary(counted).c_str(), counted.unexpected,
-                (directory / "index.html").c_str());
+                folder.file("index.html").c_str());
     return counted.unexpected == 0 ? study::exit_ok : study::exit_failed;
 }
 
 int fail(const char* message, study::ExitCode code) {
-    std::fprintf(stderr, "reproduce_paper: %s\n", message);
+    std::fprintf(stderr, "reproduce_paper: %s\n", study::printable(message).c_str());
     return code;
 }
 
@@ -164,12 +164,14 @@ int main(int argc, char** argv) {
     app.add_option("--jobs", settings.jobs, "threads, 1 to 1024; default: as many as the machine has")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--quiet", settings.quiet, "no progress line");
-    app.footer(
-        "\nExample:\n  reproduce_paper results\n"
-        "\nThe paper is silent on nu and b/a: 0.28 and 1000 are used, and every other choice stands beside its "
-        "figure.\n"
-        "\nExit codes: 0 every claim holds or fails as expected (without gnuplot the plots are missing); 1 a claim\n"
-        "differs from what is expected; 2 bad input or DIR cannot be written; 4 error while writing; 130 interrupted.");
+    app.footer(R"(
+Example:
+  reproduce_paper results
+
+The paper is silent on nu and b/a: 0.28 and 1000 are used, and every other choice stands beside its figure.
+
+Exit codes: 0 every claim holds or fails as expected (without gnuplot the plots are missing); 1 a claim
+differs from what is expected; 2 bad input or DIR cannot be written; 4 error while writing; 130 interrupted.)");
     try {
         app.parse(argc, argv);
         return run(settings);

@@ -81,9 +81,9 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                               : !equal && swept("alpha-L") ? "alpha_L"
                                                            : "n";
         study::Plot plot{.title = "Stability",
-                         .x_label = equal && x == "alpha_T" ? "alpha = alpha_L = alpha_T"
+                         .x_label = equal && x == "alpha_T" ? "α_L = α_T"
                                     : x == "n"              ? scenes.front().n_label()
-                                                            : x,
+                                                            : study::shown_name(x),
                          .y_label = "share of unstable eigenvalues",
                          .series = {}};
         study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
@@ -130,9 +130,9 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
                            study::setting_cells(scene)));
     };
     table.plot = [](const std::vector<study::Row>& rows) {
-        study::Plot plot{.title = "Smallest unstable alpha_T",
+        study::Plot plot{.title = "Smallest unstable α_T",
                          .x_label = "number of elements n",
-                         .y_label = "critical alpha_T",
+                         .y_label = "critical α_T",
                          .log_x = true,
                          .series = {}};
         study::add_series(plot, critical_columns, rows,
@@ -200,7 +200,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
         for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
         const double height = std::numbers::pi / 2 * static_cast<double>(n);
         const std::string mesh = scenes.front().mesh_name;
-        study::Plot plot{.title = scenes.front().method + (mesh.empty() ? "" : ", " + mesh) + ", eigenvalues",
+        study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
                          .x_label = "Re(ν a)",
                          .y_label = "Im(ν a)",
                          .series = {}};
@@ -217,8 +217,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
                 right = std::max(right, std::min(re, height));
             }
         }
-        study::Series exact{
-            .label = "exact", .points = {}, .line = false, .style = 6, .reference = true};  // open markers
+        study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
         for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
             const stability::ExactSpectrum known(contact, {Complex(0, height)});
             for (const Complex& nu : known.upper_half()) {
@@ -247,39 +246,30 @@ int main(int argc, char** argv) {
                      "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5");
     options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
     study::offer_chebyshev(options);
-    options.footer(
-        "Example: the scheme that is best in steady state, on refined meshes, with a plot\n"
-        "  stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg\n"
-        "\n"
-        "Modes grow like e^{nu V t}; all eigenvalues are nu a, dimensionless. unstable_count: real part > 0 as "
-        "computed;\n"
-        "uncertain_count: those of either sign that rounding of G and G' could move across zero, infinite ones\n"
-        "included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 with knothe-bc);\n"
-        "spectral_abscissa: the largest real part of the finite ones; cond_G in the 2-norm, empty for a singular G;\n"
-        "time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu "
-        "a|,\n"
-        "steps of an explicit integrator must stay below 2/spectral_radius; stiffness_ratio: the largest |Re(nu a)| "
-        "over "
-        "the\n"
-        "smallest. Both are empty where an eigenvalue is infinite. status: ok; inconsistent where steady rolling shows "
-        "that\n"
-        "the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;\n"
-        "coarse where fewer than 10 elements give a steady c11 that is more than half off; not_converged where more\n"
-        "Chebyshev states would change it; ill_conditioned or not_finite, and empty cells, where the eigenvalues were "
-        "not\n"
-        "found.\n"
-        "--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled\n"
-        "eigenvalue, empty, with the status all_stable, where there is none. Above it the scheme can be stable again. "
-        "n = 320 takes half a minute.\n"
-        "--spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in "
-        "closed\n"
-        "form, also with the strip kernel, whose model differs from it by order (a/b)^2. Infinite eigenvalues, which "
-        "a\n"
-        "singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no "
-        "mesh\n"
-        "resolves, and for contacts so narrow that the plane model does not decay.\n"
-        "--method chebyshev: cells of what elements have are empty. Few states give the first eigenvalues to\n"
-        "rounding; the fastest, of some n^2/10, are the method's own. There is no alpha_T, and so no --critical.\n");
+    options.footer(R"(Example: the scheme that is best in steady state, on refined meshes, with a plot
+  stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg
+
+Modes grow like e^{nu V t}; all eigenvalues are nu a, dimensionless. unstable_count: real part > 0 as computed;
+uncertain_count: those of either sign that rounding of G and G' could move across zero, infinite ones
+included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 with knothe-bc);
+spectral_abscissa: the largest real part of the finite ones; cond_G in the 2-norm, empty for a singular G;
+time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu a|,
+steps of an explicit integrator must stay below 2/spectral_radius; stiffness_ratio: the largest |Re(nu a)| over the
+smallest. Both are empty where an eigenvalue is infinite. status: ok; inconsistent where steady rolling shows that
+the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
+coarse where fewer than 10 elements give a steady c11 that is more than half off; not_converged where more
+Chebyshev states would change it; ill_conditioned or not_finite, and empty cells, where the eigenvalues were not
+found.
+--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled
+eigenvalue, empty, with the status all_stable, where there is none. Above it the scheme can be stable again.
+n = 320 takes half a minute.
+--spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in closed
+form, also with the strip kernel, whose model differs from it by order (a/b)^2. Infinite eigenvalues, which a
+singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no mesh
+resolves, and for contacts so narrow that the plane model does not decay.
+--method chebyshev: cells of what elements have are empty. Few states give the first eigenvalues to
+rounding; the fastest, of some n^2/10, are the method's own. There is no alpha_T, and so no --critical.
+)");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row, or one for each eigenvalue, of each scene.

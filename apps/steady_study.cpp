@@ -6,7 +6,6 @@
 //     ./steady_study --method chebyshev --n 4,8,16 --aspect 1
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -87,25 +86,21 @@ int main(int argc, char** argv) {
     options.set_default("n", "10,20,40,80,160,320");
     options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
     study::offer_chebyshev(options);
-    options.footer(
-        "Example: three positions of the trailing point, as a file and a plot of the error\n"
-        "  steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg\n"
-        "\n"
-        "One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, whatever the kernel: with the\n"
-        "strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at "
-        "1000);\n"
-        "--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. Where status "
-        "is\n"
-        "not ok, c11 and what follows from it are empty: ill_conditioned or not_finite where G' is singular to "
-        "working\n"
-        "precision; inconsistent where tractions push with the creepage, so that the scheme does not converge to full\n"
-        "adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1; coarse where fewer than 10 elements "
-        "give\n"
-        "a c11 that is more than half off (plane kernel, or strip from b/a = 10 on). kernel to quadrature tell rows\n"
-        "apart; they are empty where mesh or method have none.\n"
-        "--method chebyshev: cells of what elements have are empty; solve_us is for everything, residual is empty.\n"
-        "error_estimate (relative, of c11) tells what more states would change. Where it is above 1e-2, as with few\n"
-        "states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.\n");
+    options.footer(R"(Example: three positions of the trailing point, as a file and a plot of the error
+  steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg
+
+One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, whatever the kernel: with the
+strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000);
+--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. Where status is
+not ok, c11 and what follows from it are empty: ill_conditioned or not_finite where G' is singular to working
+precision; inconsistent where tractions push with the creepage, so that the scheme does not converge to full
+adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1; coarse where fewer than 10 elements give
+a c11 that is more than half off (plane kernel, or strip from b/a = 10 on). kernel to quadrature tell rows
+apart; they are empty where mesh or method have none.
+--method chebyshev: cells of what elements have are empty; solve_us is for everything, residual is empty.
+error_estimate (relative, of c11) tells what more states would change. Where it is above 1e-2, as with few
+states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.
+)");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene.
@@ -152,7 +147,7 @@ int main(int argc, char** argv) {
             study::add_series(plot, table.columns, rows, selection);
             for (study::Series& series : plot.series) {  // a logarithm shows no zero: states can be exact
                 for (auto& [n, error] : series.points) {
-                    error = std::max(error, std::numeric_limits<double>::epsilon() / 4);
+                    error = std::max(error, study::least_drawn);
                 }
             }
             return plot;

@@ -77,7 +77,7 @@ void emit_states(const study::Scene& scene, study::RowRange points, const study:
 
 /// Carter's traction where it is no larger than `largest` in size.
 study::Series carter_line(double nu, bool several, double largest) {
-    study::Series line{.label = several ? "Carter, poisson = " + study::Cell(nu).text(6) : "Carter",
+    study::Series line{.label = several ? "Carter, ν = " + study::Cell(nu).text(6) : "Carter",
                        .points = {},
                        .markers = false,
                        .reference = true};
@@ -97,19 +97,19 @@ int main(int argc, char** argv) {
     study::Options options("traction_study", "Traction of every element in steady rolling against Carter's solution.");
     options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
     study::offer_chebyshev(options);
-    options.footer(
-        "Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact\n"
-        "  traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg\n"
-        "\n"
-        "One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit\n"
-        "creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean\n"
-        "over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.\n"
-        "Where status is not ok, traction and relative_error are empty: ill_conditioned or not_finite where G' is\n"
-        "singular to working precision; inconsistent where tractions push with the creepage (alpha at or below 0, or\n"
-        "beyond 1); coarse where fewer than 10 elements give a c11 that is more than half off the exact one.\n"
-        "--method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and\n"
-        "relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states\n"
-        "would change c11 by more than 1e-2, as in narrow strips, status is not_converged.\n");
+    options.footer(R"(Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact
+  traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg
+
+One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit
+creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean
+over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.
+Where status is not ok, traction and relative_error are empty: ill_conditioned or not_finite where G' is
+singular to working precision; inconsistent where tractions push with the creepage (alpha at or below 0, or
+beyond 1); coarse where fewer than 10 elements give a c11 that is more than half off the exact one.
+--method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and
+relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states
+would change c11 by more than 1e-2, as in narrow strips, status is not_converged.
+)");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each element, or state, of each scene.
@@ -136,11 +136,19 @@ int main(int argc, char** argv) {
                                .apart = study::all_setting_columns()});
             double largest = 0;
             for (study::Series& series : plot.series) {
+                if (plot.series.size() == 1) series.label = "computed";
                 series.line = false;
+                series.open = true;
                 for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
             }
             std::set<double> poisson_ratios;
             for (const study::Scene& scene : scenes) poisson_ratios.insert(scene.contact.poisson_ratio());
+            // a fine mesh follows the singularity at the trailing edge far beyond all else
+            const double shown = 2 * std::abs(rollbem::carter_traction(-0.98, *poisson_ratios.rbegin()));
+            if (largest > shown) {
+                plot.title += "; down to -" + study::Cell(largest).text(3) + " at the trailing edge";
+                plot.y_range = study::PlotRange{-shown, 0};
+            }
             for (const double nu : poisson_ratios) {
                 plot.series.push_back(carter_line(nu, poisson_ratios.size() > 1, 1.2 * largest));
             }

@@ -160,17 +160,18 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
     }
 }
 
+std::size_t index_of(const std::vector<std::string>& columns, const char* name) {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+}
+
 /// The rows that come first with their contact and distance.
 std::vector<study::Row> first_of_contacts(const std::vector<std::string>& columns,
                                           const std::vector<study::Row>& rows) {
-    const auto column = [&](const char* name) {
-        return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
-    };
+    const std::size_t aspect = index_of(columns, "aspect"), poisson = index_of(columns, "poisson");
     std::set<std::vector<std::string>> seen;
     std::vector<study::Row> first;
     for (const study::Row& row : rows) {
-        const bool is_new =
-            seen.insert({row[column("aspect")].text(), row[column("poisson")].text(), row[0].text()}).second;
+        const bool is_new = seen.insert({row[aspect].text(), row[poisson].text(), row[0].text()}).second;
         if (is_new) first.push_back(row);
     }
     return first;
@@ -190,10 +191,34 @@ study::Plot draw_force(const std::vector<std::string>& columns, const std::vecto
                       {.by = {}, .x = "q_over_a", .y = "exact", .apart = {"aspect", "poisson"}});
     for (study::Series& series : exact.series) {
         series.label = exact.series.size() > 1 ? "exact, " + series.label : "exact";
-        series.style = 6;  // black and dashed
+        series.reference = true;
         plot.series.push_back(std::move(series));
     }
     for (study::Series& series : plot.series) series.markers = false;
+    plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
+
+    // the curves lie on each other: what they differ by
+    std::vector<study::Row> errors = rows;
+    for (study::Row& row : errors) {
+        study::Cell& cell = row[index_of(columns, "force")];
+        const std::optional<double> force = cell.number(), known = row[index_of(columns, "exact")].number();
+        cell = force && known ? study::Cell(*force - *known) : study::Cell();
+    }
+    study::Plot beside{.title = "",
+                       .x_label = plot.x_label,
+                       .y_label = "|F - F_{exact}| / (a G ξ_{ref})",
+                       .log_y = true,
+                       .x_range = plot.x_range,
+                       .series = {}};
+    study::add_series(
+        beside, columns, errors,
+        {.by = schemes, .x = "q_over_a", .y = "force", .absolute = true, .apart = study::setting_columns()});
+    beside.title.clear();
+    for (std::size_t k = 0; k < beside.series.size(); ++k) {
+        beside.series[k].label = plot.series[k].label;
+        beside.series[k].markers = false;
+    }
+    if (can_be_drawn(beside)) plot.beside.push_back(std::move(beside));
     return plot;
 }
 
@@ -222,23 +247,19 @@ int main(int argc, char** argv) {
         "sdirk2");
     options.add_flag("unchecked", "step even a scheme that is unstable, or may be, or does not converge");
     study::offer_chebyshev(options);
-    options.footer(
-        "Example: the step response of the second-order scheme\n"
-        "  transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \\\n"
-        "      --integrator exponential --until 40 --output step.csv --plot step.svg\n"
-        "\n"
-        "One row per step, from q = dq on. force is -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run. "
-        "exact\n"
-        "is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It "
-        "is\n"
-        "empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly\n"
-        "stable, or whose steady tractions push with the creepage (alpha near or below 0, or above 1), is refused\n"
-        "unless --unchecked is given; then status is unchecked where it would be ok. It is unresolved, and force "
-        "empty,\n"
-        "where OMEGA --dq > 1: fewer than six steps in a period of --sine.\n"
-        "--method chebyshev: cells of what elements have are empty. Smooth motion needs few states, a jump more of "
-        "them:\n"
-        "12 are good to 4e-5 one half-length behind it, 8 to 2e-7 five behind it.\n");
+    options.footer(R"(Example: the step response of the second-order scheme
+  transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \
+      --integrator exponential --until 40 --output step.csv --plot step.svg
+
+One row per step, from q = dq on. force is -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run. exact
+is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It is
+empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly
+stable, or whose steady tractions push with the creepage (alpha near or below 0, or above 1), is refused
+unless --unchecked is given; then status is unchecked where it would be ok. It is unresolved, and force empty,
+where OMEGA --dq > 1: fewer than six steps in a period of --sine.
+--method chebyshev: cells of what elements have are empty. Smooth motion needs few states, a jump more of them:
+12 are good to 4e-5 one half-length behind it, 8 to 2e-7 five behind it.
+)");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         History history = make_history(given);

@@ -52,6 +52,7 @@ std::vector<Case> harmonic_cases();
 std::vector<Case> time_cases();
 std::vector<Case> chebyshev_cases(bool large);
 std::vector<Case> friction_cases();
-std::vector<Case> rolling_cases();
+std::vector<Case> load_cases();
+std::vector<Case> direction_cases();
 
 }  // namespace extremes

@@ -122,8 +122,9 @@ Outcome harmonic(Eigen::Index states, const auto& kernel, double z, Complex refe
 }
 
 void add_frequencies(std::vector<Case>& cases, bool large) {
-    // Geometric once states outnumber some 1.4 z; before, an error in units of the steady c11 that falls like 0.024/m^2,
-    // and at frequencies far above a relative one of 1/z: there the contact is a rigid shift, which one state has.
+    // Geometric once states outnumber some 1.4 z; before, an error in units of the steady c11 that falls like
+    // 0.024/m^2, and at frequencies far above a relative one of 1/z: there the contact is a rigid shift, which one
+    // state has.
     const auto against_bessel = [](Eigen::Index states, double z, double nu) {
         return [=] {
             const Complex reference = rollbem::reference::laplace_c11({0, z}, nu, 1000);
@@ -191,7 +192,8 @@ void add_time(std::vector<Case>& cases) {
             // Far above 1/|nu_max| the steady force.
             cases.push_back({"dq = 1e+06, " + counted(states) + where, "force against steady rolling",
                              [=] { return roll(states, contact, 1e6, 2, -rollbem::steady_c11(steel), 1e-12); }});
-            // Far below, a rigid shift: K_00 a_0 = -dq, against which the slope is of order dq |nu_max|, some m^2 dq/10.
+            // Far below, a rigid shift: K_00 a_0 = -dq, against which the slope is of order dq |nu_max|, some m^2
+            // dq/10.
             const double stiffness = std::numbers::pi / (2 * ((1 - steel) * std::log(4 * aspect) + steel));
             const double m = static_cast<double>(states);
             cases.push_back({"dq = 1e-09, " + counted(states) + where, "force against a rigid shift", [=] {

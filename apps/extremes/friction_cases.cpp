@@ -1,7 +1,6 @@
 // The exact border of stick at the edges of its domain.
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include <rollbem/reference/strip.hpp>
 
 #include "cases.hpp"
+#include "friction_scale.hpp"
 #include "support/strip_instances.hpp"
 
 namespace extremes {
@@ -27,12 +27,6 @@ using rollbem::PlaneKernel;
 using rollbem::PressureTable;
 using rollbem::StripKernel;
 using Solution = rollbem::StickBorderSolution<double>;
-
-constexpr double pi = std::numbers::pi;
-constexpr double peak = 1e-3;                 // mu p0 / G
-constexpr double full_force = peak * pi / 2;  // mu N under Hertz's pressure
-
-double creepage(double ratio) { return 2 * (1 - steel) * peak * ratio; }
 
 Contact<double> contact(double aspect) { return Contact<double>::dimensionless(aspect, steel); }
 

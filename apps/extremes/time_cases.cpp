@@ -110,7 +110,7 @@ void add_units(std::vector<Case>& cases) {
 }
 
 void add_spectra(std::vector<Case>& cases) {
-    // the one eigenvalue of one element is G'/G, both in closed form; with more it tends to the contact's, of second order
+    // one element has one eigenvalue, G'/G, both in closed form; with more it tends to the contact's, to second order
     const double lambda = rollbem::plane_lambda(steel, 100.0);
     const double one = -3 * std::log(3.0) / (4 * (lambda + 1 - 2 * std::numbers::ln2));
     const double first = rollbem::reference::eigenvalues(1, steel, 100)[0].real();

@@ -15,7 +15,7 @@ namespace friction {
 
 namespace {
 
-/// At the centres of the cosine mesh that takes over where the border has no exact solution.
+/// At the centres of the cosine mesh, which is also the one used where the border has no exact solution.
 Profile profile_of(const study::Scene& scene, const CreepPoint& point,
                    const rollbem::StickBorderSolution<double>& solution, const Pressure& pressure) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh<double>(scene.n());

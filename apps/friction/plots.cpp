@@ -13,7 +13,7 @@ namespace {
 
 constexpr int line_points = 400;
 
-/// Carter's creep curve over the ratios, from or to 0.
+/// Carter's creep curve over the ratios and 0.
 study::Series carter_curve(const std::vector<double>& ratios) {
     study::Series line{.label = "Carter", .points = {}, .markers = false, .reference = true};
     const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
@@ -25,7 +25,19 @@ study::Series carter_curve(const std::vector<double>& ratios) {
     return line;
 }
 
-/// Of the profiles with a result, that of the last scene nearest to half of full sliding; null where there is none.
+/// Range of forces up to full sliding, for the signs that occur.
+study::PlotRange force_range(const study::Plot& plot) {
+    bool below = false, above = false;
+    for (const study::Series& series : plot.series) {
+        for (const auto& [ratio, force] : series.points) {
+            below = below || force < 0;
+            above = above || force > 0;
+        }
+    }
+    return {below ? -1.05 : 0, above || !below ? 1.05 : 0};
+}
+
+/// Of the last scene with a result, the profile nearest to half of full sliding; null if there is none.
 const Profile* most_telling(const Profiles& profiles) {
     const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.point.longitudinal) - 0.5); };
     const Profile* shown = nullptr;
@@ -45,8 +57,8 @@ study::Plot draw_tractions(const Profile& shown, bool carter) {
         .x_range = study::PlotRange{-1, 1},
         .series = {}};
     const double sign = ratio < 0 ? -1 : 1;
-    study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .style = 6};
-    study::Series exact{.label = "Carter", .points = {}, .markers = false, .style = 2};
+    study::Series exact{.label = "Carter", .points = {}, .markers = false, .reference = true};
+    study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .reference = true};
     study::Series slip{.label = "slip", .points = {}, .line = false, .style = 1};
     study::Series stick{.label = "stick", .points = {}, .line = false, .style = 0};
     for (Eigen::Index i = 0; i < shown.mesh.size(); ++i) {
@@ -58,7 +70,9 @@ study::Plot draw_tractions(const Profile& shown, bool carter) {
         const double x = -std::cos(std::numbers::pi * i / line_points);
         exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, ratio));
     }
-    panel.series = {std::move(bound), std::move(exact), std::move(slip), std::move(stick)};
+    const double highest = 1.05 * shown.bound.maxCoeff();
+    panel.y_range = ratio < 0 ? study::PlotRange{-highest, 0} : study::PlotRange{0, highest};
+    panel.series = {std::move(exact), std::move(bound), std::move(slip), std::move(stick)};
     return panel;
 }
 
@@ -75,8 +89,13 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                        .x = "creepage_ratio",
                        .y = "force_ratio",
                        .apart = study::setting_columns()});
-    for (study::Series& series : plot.series) series.line = false;
+    for (study::Series& series : plot.series) {
+        series.line = false;
+        series.open = true;
+        if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
+    }
     const bool carter = curve.carter();
+    plot.y_range = force_range(plot);
     if (curve.other != nullptr) {
         for (const auto& [task, points] : curve.other->all()) {
             plot.series.push_back(
@@ -90,15 +109,6 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
     return plot;
 }
 
-namespace {
-
-void name_lateral_ratio(std::string& text) {
-    const std::string column = "lateral_ratio";
-    if (const std::size_t at = text.find(column); at != std::string::npos) text.replace(at, column.size(), "δ_y");
-}
-
-}  // namespace
-
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     const auto panel = [&](const char* title, const char* y_label, const char* y) {
         study::Plot plot{
@@ -107,8 +117,7 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
                           {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
                            .x = "creepage_ratio",
                            .y = y});
-        for (study::Series& series : plot.series) name_lateral_ratio(series.label);
-        name_lateral_ratio(plot.title);
+        plot.y_range = force_range(plot);
         return plot;
     };
     study::Plot plot = panel("Longitudinal force", "-F_x / (μ N)", "force_ratio");
@@ -122,7 +131,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
                                .x = "q_over_a",
                                .y = "force_ratio",
                                .apart = study::setting_columns()};
-    // further columns over the same axis, named by what stands before the label of their scheme
+    // further columns over the same axis; the prefix of the label says which
     const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
         const std::size_t first = plot.series.size();
         selection.y = y;
@@ -137,6 +146,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
             plot.series.push_back(std::move(series));
         }
         if (first == 0) plot.title = more.title;
+        if (plot.series.size() == 1 && plot.series[0].label.empty()) plot.series[0].label = "computed";
     };
     const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
         return !row[std::size_t(std::find(columns.begin(), columns.end(), "lateral_ratio") - columns.begin())]
@@ -146,7 +156,9 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
     study::Plot plot{.title = "Rolling with friction",
                      .x_label = "distance rolled q/a",
                      .y_label = shown.load_changes ? "-F / (μ N_0)" : "-F / (μ N)",
+                     .x_range = study::PlotRange{0, shown.end},
                      .series = {}};
+    if (rows.empty()) return plot;  // of a shard
     add(plot, "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
     if (lateral) add(plot, "lateral_force_ratio", "lateral");
     if (shown.load_changes) {
@@ -155,6 +167,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         study::add_series(load, columns, rows, selection);
         load.series.front().label = "load N/N_0";
         load.series.front().markers = false;
+        load.series.front().reference = true;
         plot.series.push_back(std::move(load.series.front()));
     }
     if (shown.creepage_changes) {
@@ -169,6 +182,13 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
                                .points = {{0, force}, {shown.end, force}},
                                .markers = false,
                                .reference = true});
+        study::PlotRange range{std::min(1.05 * force, 0.0), std::max(1.05 * force, 0.0)};  // keeps curves off the frame
+        for (const study::Series& series : plot.series) {
+            for (const auto& [q, value] : series.points) {
+                range = {std::min(range.low, 1.05 * value), std::max(range.high, 1.05 * value)};
+            }
+        }
+        if (range.low < range.high) plot.y_range = range;
     }
     return plot;
 }

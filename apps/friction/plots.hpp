@@ -17,15 +17,15 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
 /// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
 
-/// What a picture of a run in time shows beside the force.
+/// What a picture of a run in time shows in addition to the force.
 struct TimePicture {
     bool creepage_changes, load_changes;
-    bool carter;   ///< his force, that of steady rolling
+    bool carter;   ///< his force in steady rolling
     double ratio;  ///< largest creepage ratio
-    double end;    ///< of the run [a_0]
+    double end;    ///< distance rolled in the run [a_0]
 };
 
-/// The forces over the distance, with the load where it changes; beside them over the creepage where that changes.
+/// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const TimePicture& shown);
 

@@ -1,5 +1,5 @@
-// What the parts of friction_study share: the pressure, and the units of the columns. With mu = p0 = a = G = 1 all that
-// is computed is in these units, but for forces and works, which are in mu N.
+// What the parts of friction_study share: the pressure, and the units of the columns. With mu = p0 = a = G = 1 all
+// results are in these units, except forces and works, which are in mu N.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace friction {
 
 inline constexpr double mu_N = std::numbers::pi / 2;
 
-/// A pressure at every x/a and the mean of each element of a mesh, scaled to the load of Hertz's with p0 = 1.
+/// A pressure at every x/a and its mean on each element of a mesh, scaled to the load of Hertz's pressure with p0 = 1.
 struct Pressure {
     std::function<double(double)> at;
     std::function<Eigen::ArrayXd(const rollbem::Mesh<double>&)> mean;

@@ -22,10 +22,10 @@ namespace friction {
 /// Creepage ratios of a row.
 struct CreepPoint {
     double longitudinal;
-    std::optional<double> lateral{};  ///< nothing in one direction
+    std::optional<double> lateral{};  ///< nothing with creepage in one direction only
 };
 
-/// What one row of the steady table stands for.
+/// The distributions behind one row of the steady table.
 struct Profile {
     const study::Scene* scene;
     std::string mesh_name;
@@ -39,7 +39,7 @@ struct Profile {
     Eigen::VectorXd friction{};                          ///< mu/mu_0; empty where it is constant
 };
 
-/// Profiles of the rows in the order of the rows, whichever thread they come from.
+/// Profiles in the order of the rows, from any thread.
 class Profiles {
 public:
     void keep(std::size_t task, std::size_t row, Profile profile) {

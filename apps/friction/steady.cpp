@@ -70,15 +70,13 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
          : curve.falling ? falling_rows
                          : element_rows)(curve, scenes[task], task, range, emit);
     };
-    const auto write_tractions = [&] {
+    table.written = [&] {
         if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        write_tractions();  // before the drawing, which may fail
         return both ? combined_creep(table.columns, rows) : creep_picture(table.columns, rows, curve);
     };
     study::write_table(options, table);
-    if (!options.given("plot")) write_tractions();
 }
 
 }  // namespace friction

@@ -11,7 +11,7 @@ namespace friction {
 
 namespace {
 
-/// function(mesh, scheme, kernels...) with the kernels of the directions, under a layer where there is one.
+/// function(mesh, scheme, kernels...) with the kernels of the directions, under a layer if there is one.
 template <class Function, class... Directions>
 auto visit(const Surface& surface, const Function& function, Directions... directions) {
     const rollbem::Contact<double> contact = surface.contact();

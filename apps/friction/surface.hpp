@@ -1,5 +1,5 @@
-// What the programs of friction assemble of a scene: in either direction, under a layer, on a mesh that covers more than
-// the contact of the reference load.
+// Matrices of a scene for friction: in either direction, under a layer, on a mesh that may cover more than the contact
+// under the reference load.
 #pragma once
 
 #include <utility>
@@ -22,7 +22,7 @@ enum class Direction { longitudinal, lateral };
 struct Surface {
     const study::Scene& scene;
     double layer = 0;        ///< compliance L [a_0/G]
-    double half_length = 1;  ///< that the mesh covers [a_0]
+    double half_length = 1;  ///< of the mesh [a_0]
 
     /// With a_0 = G = 1.
     rollbem::Contact<double> contact() const;
@@ -37,7 +37,7 @@ struct Surface {
     rollbem::SteadyCombinedModel<double> combined_model(const rollbem::CoulombFriction<double>& law) const;
 };
 
-/// --layer. Throws BadInput, also where a scene's scheme takes a derivative that does not exist with a layer.
+/// --layer. Throws BadInput, also if a scene's scheme needs a derivative that does not exist with a layer.
 double read_layer(const study::Options& options);
 
 }  // namespace friction

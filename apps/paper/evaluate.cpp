@@ -72,8 +72,8 @@ ElementField element_field(double x_over_width) {
     return {(strip().H(ahead) - strip().H(behind))[0], (strip().g(ahead) - strip().g(behind))[0]};
 }
 
-// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all with
-// alpha_T = 0: their trailing traction has the wrong sign, their sum may still be close.
+// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all
+// with alpha_T = 0: their trailing traction has the wrong sign, their sum may still be close.
 static bool is_solved(rollbem::Status status) {
     return status == rollbem::Status::ok || status == rollbem::Status::inconsistent;
 }
@@ -90,8 +90,10 @@ double c11_ratio(const Case& c) {
 
 Tractions tractions(const Case& c) {
     const Mesh mesh = mesh_of(c);
-    Tractions result{mesh.centres(), steady(c).traction, Eigen::ArrayXd(c.n),
-                     rollbem::carter_mean_tractions(mesh, poisson_ratio)};
+    const rollbem::UnitSteadySolution<double> solution = steady(c);
+    Tractions result{mesh.centres(), solution.traction, Eigen::ArrayXd(c.n),
+                     rollbem::carter_mean_tractions(mesh, poisson_ratio), solution.status};
+    if (!is_solved(solution.status)) result.value.setConstant(std::numeric_limits<double>::quiet_NaN());
     for (Eigen::Index i = 0; i < c.n; ++i) {
         result.carter[i] = rollbem::carter_traction(
             rollbem::EdgeDistances<double>{mesh.from_trailing()[i], mesh.from_leading()[i]}, poisson_ratio);
@@ -148,14 +150,20 @@ std::optional<double> critical_alpha_T(const Case& c) {
     });
 }
 
-std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z) {
+std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
     const rollbem::FrequencySweep<double> sweep(system_of(c));
-    std::vector<std::complex<double>> result;
+    std::vector<HarmonicResponse> result;
     for (const double frequency : z) {
         const rollbem::SweepPoint<double> point = sweep(frequency);
         const double nothing = std::numeric_limits<double>::quiet_NaN();
-        result.push_back(is_solved(point.status) ? point.c11 : std::complex(nothing, nothing));
+        result.push_back({is_solved(point.status) ? point.c11 : std::complex(nothing, nothing), point.status});
     }
+    return result;
+}
+
+std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z) {
+    std::vector<std::complex<double>> result;
+    for (const HarmonicResponse& response : harmonic_responses(c, z)) result.push_back(response.c11);
     return result;
 }
 

@@ -57,9 +57,10 @@ double c11_ratio(const Case& c);
 /// Tractions of steady rolling, p/(G xi), of every element from the trailing edge on.
 struct Tractions {
     Eigen::ArrayXd x;            ///< centres over a
-    Eigen::ArrayXd value;        ///< computed
+    Eigen::ArrayXd value;        ///< computed; not numbers where the equations are singular to working precision
     Eigen::ArrayXd carter;       ///< Carter at the centre
     Eigen::ArrayXd carter_mean;  ///< his mean over the element
+    rollbem::Status status;
 };
 Tractions tractions(const Case& c);
 
@@ -87,7 +88,15 @@ bool certainly_unstable(const Case& c);
 /// none.
 std::optional<double> critical_alpha_T(const Case& c);
 
-/// c11 under harmonic creepage of omega a/V = z, by the boundary elements.
+/// c11 under harmonic creepage of omega a/V = z, by the boundary elements; not a number where the equations are
+/// singular to working precision.
+struct HarmonicResponse {
+    std::complex<double> c11;
+    rollbem::Status status;
+};
+std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z);
+
+/// The same without the status.
 std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z);
 
 /// Time to assemble and solve a steady problem [us].

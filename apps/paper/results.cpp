@@ -95,7 +95,8 @@ CurveResult compute_traction(const Panel& panel, const Curve& curve) {
     CurveResult result{{}, {{.label = with_greek(curve.label), .points = {}, .markers = panel.axes.markers}}};
     const Tractions traction = tractions(curve.at);
     for (Eigen::Index i = 0; i < traction.x.size(); ++i) {
-        add_row(result, curve, curve.at, traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i]);
+        add_row(result, curve, curve.at, traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i],
+                rollbem::name(traction.status));
         result.series[0].points.emplace_back(traction.x[i], traction.value[i]);
     }
     return result;
@@ -109,18 +110,19 @@ CurveResult compute_response(const Panel& panel, const Curve& curve) {
     };
     result.series.push_back(points_only(argand ? curve.label : "Re, " + curve.label));
     if (!argand) result.series.push_back(points_only("Im, " + curve.label));
-    const std::vector<std::complex<double>> c11 = harmonic_c11(curve.at, panel.grid);
-    for (std::size_t i = 0; i < c11.size(); ++i) {
+    const std::vector<HarmonicResponse> responses = harmonic_responses(curve.at, panel.grid);
+    for (std::size_t i = 0; i < responses.size(); ++i) {
         const double z = panel.grid[i];
+        const std::complex<double> c11 = responses[i].c11;
         const std::complex<double> polynomial = polynomial_c11(z);
         const std::complex<double> exact = rollbem::reference::harmonic_c11(z, poisson_ratio, aspect);
-        add_row(result, curve, curve.at, z, c11[i].real(), c11[i].imag(), polynomial.real(), polynomial.imag(),
-                exact.real(), exact.imag(), std::abs(c11[i] - exact) / std::abs(exact));
+        add_row(result, curve, curve.at, z, c11.real(), c11.imag(), polynomial.real(), polynomial.imag(), exact.real(),
+                exact.imag(), std::abs(c11 - exact) / std::abs(exact), rollbem::name(responses[i].status));
         if (argand) {
-            result.series[0].points.emplace_back(c11[i].real(), c11[i].imag());
+            result.series[0].points.emplace_back(c11.real(), c11.imag());
         } else {
-            result.series[0].points.emplace_back(z, c11[i].real());
-            result.series[1].points.emplace_back(z, c11[i].imag());
+            result.series[0].points.emplace_back(z, c11.real());
+            result.series[1].points.emplace_back(z, c11.imag());
         }
     }
     return result;
@@ -132,7 +134,7 @@ study::Series carter_line(const PanelResult& result) {
     for (const CurveResult& curve : result.curves) {
         for (const auto& point : curve.series[0].points) largest = std::max(largest, std::abs(point.second));
     }
-    study::Series line{.label = "Carter", .points = {}, .markers = false};
+    study::Series line{.label = "Carter", .points = {}, .markers = false, .reference = true};
     constexpr int count = 2000;
     for (int k = 1; k < count; ++k) {  // dense at both edges
         const double angle = std::numbers::pi * k / count;
@@ -145,8 +147,8 @@ study::Series carter_line(const PanelResult& result) {
 void add_polynomial(study::Plot& plot, const Panel& panel) {
     const bool argand = panel.quantity == Quantity::argand;
     const std::string label = "polynomial, order " + std::to_string(polynomial_order);
-    study::Series first{.label = argand ? label : "Re, " + label, .points = {}, .markers = false, .style = 0};
-    study::Series second{.label = "Im, " + label, .points = {}, .markers = false, .style = 1};
+    study::Series first{.label = argand ? label : "Re, " + label, .points = {}, .markers = false, .reference = true};
+    study::Series second{.label = "Im, " + label, .points = {}, .markers = false, .reference = true};
     for (const double z : logarithmic(panel.grid.front(), panel.grid.back(), 301)) {
         const std::complex<double> c11 = polynomial_c11(z);
         if (argand) {
@@ -174,12 +176,12 @@ std::vector<std::string> columns(Quantity quantity) {
         case Quantity::displacement: append({"x_over_width", "displacement"}); break;
         case Quantity::slope: append({"x_over_width", "slope"}); break;
         case Quantity::c11_ratio: append({"c11_ratio", "relative_error", "status"}); break;
-        case Quantity::traction: append({"x_over_a", "traction", "carter", "carter_mean"}); break;
+        case Quantity::traction: append({"x_over_a", "traction", "carter", "carter_mean", "status"}); break;
         case Quantity::unstable_fraction: append({"unstable_count", "unstable_fraction"}); break;
         case Quantity::argand:
         case Quantity::response:
             append({"omega", "c11_re", "c11_im", "polynomial_re", "polynomial_im", "exact_re", "exact_im",
-                    "relative_error"});
+                    "relative_error", "status"});
             break;
     }
     return result;
@@ -214,7 +216,7 @@ study::Plot plot(const PanelResult& result) {
     if (panel.quantity == Quantity::traction) plot.series.push_back(carter_line(result));
     if (panel.quantity == Quantity::argand || panel.quantity == Quantity::response) {
         // Open markers, since the points of all n nearly coincide.
-        for (std::size_t k = 0; k < plot.series.size(); ++k) plot.series[k].style = study::first_open_marker + k;
+        for (study::Series& series : plot.series) series.open = true;
         add_polynomial(plot, panel);
     }
     return plot;

@@ -1,5 +1,6 @@
 // Which of the measured schemes are worth their time: the Pareto front of error and run time, and the cheapest scheme
-// for a tolerance. An error counts only as far as it is sustained at every larger n, so that no change of sign helps.
+// for a tolerance. The error that counts is the largest at this and every larger n, so that a change of sign does not
+// pass for precision.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ struct Point {
     std::string scheme;
     std::optional<long> n;  ///< elements, states, or the order of a polynomial; none for a closed form
     std::string quantity;
-    std::optional<double> relative_error;  ///< none where the scheme gave no result
+    std::optional<double> relative_error;  ///< none if the scheme gave no result
     std::optional<double> time_us;
     std::optional<bool> stable;
     std::optional<bool> on_front{};
@@ -28,17 +29,17 @@ struct Point {
     std::vector<std::string> setting{};  ///< kernel, aspect, poisson, size_ratio, epsilon
 };
 
-/// Elements and Chebyshev states solve any kernel's problems in steady rolling, frequency and time; the others know the
-/// plane kernel alone and are there to compare with.
+/// Elements and Chebyshev states solve problems in steady rolling, frequency and time with any kernel; the others only
+/// know the plane kernel and serve for comparison.
 inline bool is_discretisation(const std::string& scheme) { return scheme != "polynomial" && scheme != "closed-form"; }
 
-/// Element schemes work with friction, too.
+/// Element schemes also work with friction.
 inline bool is_element_scheme(const std::string& scheme) {
     return is_discretisation(scheme) && scheme != "chebyshev-states";
 }
 
-/// For each point the largest |error| of its scheme and quantity at its own and all larger n; infinite where one of
-/// them has no result.
+/// For each point the largest |error| of its scheme and quantity at its own and all larger n; infinite if one of them
+/// has no result.
 inline std::vector<double> sustained_errors(const std::vector<Point>& points) {
     std::vector<std::size_t> order(points.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -76,7 +77,7 @@ inline void mark_front(std::vector<Point>& points) {
     }
 }
 
-/// Which schemes may be chosen for a tolerance; `stable`: discretisations of which no mode grows.
+/// Which schemes may be chosen for a tolerance; `stable`: discretisations without a growing mode.
 enum class Among { elements, stable_elements, stable, all };
 
 /// The fastest point of a quantity whose sustained error is at most `tolerance`, if there is one.

@@ -1,342 +1,38 @@
 #include "schemes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <numbers>
 #include <utility>
-#include <variant>
 
-#include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/compiled/assembly.hpp>
-#include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/normal/hertz.hpp>
-#include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 
+#include "discretisations.hpp"
+#include "norms.hpp"
 #include "support/csv.hpp"
 #include "support/non_steady.hpp"
 #include "support/scenes.hpp"
 
 namespace precision {
 
-namespace {
-
 using rollbem::ArrayX;
 using rollbem::Chebyshev;
-using rollbem::Collocation;
-using rollbem::Contact;
-using rollbem::Galerkin;
-using rollbem::MatrixX;
 using rollbem::Mesh;
-using rollbem::RollingSystem;
-using rollbem::Topology;
 using Complex = std::complex<double>;
 
+namespace {
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double peak = 1e-3;            // mu p0 / G
-constexpr double creepage_ratio = 0.5;   // delta of friction_force
-constexpr std::size_t steps = 10;        // q/a = 1 ... 10
-constexpr double load_amplitude = 0.5;   // of load_force, N = N_0 (1 + A sin(2 pi q/L))
-constexpr double load_length = 8;        // L/a_0
-constexpr std::size_t load_steps = 160;  // in a period
-using Forces = std::array<double, steps>;
 
-// --- what a scheme is: a mesh for every n, and how the equations are taken
-
-struct Elements {
-    Topology topology;
-    std::variant<Collocation, Galerkin> scheme;
-    double order = 0;  // of the extrapolation from n/2 and n; 0: none
-};
-
-const std::vector<std::pair<std::string, Elements>>& element_schemes() {
-    constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
-    static const std::vector<std::pair<std::string, Elements>> all{
-        {"uniform-0.5/0.5", {Topology::uniform, halves}},
-        {"uniform-0/0.63", {Topology::uniform, Collocation{}}},
-        {"geometric", {Topology::geometric, halves}},
-        {"knothe", {Topology::knothe, halves}},
-        {"cosine", {Topology::cosine, halves}},
-        {"galerkin-uniform", {Topology::uniform, Galerkin{}}},
-        {"galerkin-cosine", {Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}}},
-        {"richardson-uniform", {Topology::uniform, halves, 1}},
-        {"richardson-cosine", {Topology::cosine, halves, 2}}};
-    return all;
-}
-
-std::optional<Elements> elements(const std::string& name) {
-    for (const auto& [known, elements] : element_schemes()) {
-        if (name == known) return elements;
-    }
-    return std::nullopt;
-}
-
-Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
-    const bool by_ratio = rollbem::info(topology).grading == rollbem::Grading::size_ratio;
-    return rollbem::make_mesh({topology, n, by_ratio ? scene.size_ratio : scene.epsilon});
-}
-
-// --- the problems on one mesh
-
-enum class Direction { longitudinal, lateral };
-
-template <class Kernel>
-Kernel kernel_of(const Contact<double>& contact, Direction direction) {
-    return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
-}
-
-template <class Function>
-auto with_kernel(const Scene& scene, const Function& function, Direction direction = Direction::longitudinal) {
-    return scene.plane ? function(kernel_of<rollbem::PlaneKernel<double>>(scene.contact, direction))
-                       : function(kernel_of<rollbem::StripKernel<double>>(scene.contact, direction));
-}
-
-MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh,
-                       Direction direction = Direction::longitudinal) {
-    const auto assembled = [&](const auto& scheme) {
-        return with_kernel(
-            scene, [&](const auto& kernel) { return rollbem::assemble_G_prime(mesh, scheme, kernel); }, direction);
-    };
-    return std::visit(assembled, elements.scheme);
-}
-
-rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const auto assembled = [&](const auto& scheme) {
-        return with_kernel(scene, [&](const auto& kernel) -> rollbem::ElementSystem<double> {
-            return rollbem::rolling_system(mesh, scheme, kernel);
-        });
-    };
-    return std::visit(assembled, elements.scheme);
-}
-
-RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
-    return with_kernel(
-        scene, [&](const auto& kernel) -> RollingSystem<double> { return rollbem::rolling_system(method, kernel); });
-}
-
-rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
-}
-
-double steady_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::UnitSteadySolution<double> solution = steady(scene, elements, mesh);
-    return solution.status == rollbem::Status::ok ? solution.c11 : nan;
-}
-
-Complex harmonic_c11(const RollingSystem<double>& system, double z) {
-    const rollbem::HarmonicSolution<double> solution = rollbem::solve_harmonic<double>(system, z);
-    return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
-}
-
-// -F/(a G xi) at q/a = 1, 2, ... after a step of creepage, exact in time
-Forces step_forces(const Scene& scene, RollingSystem<double> system) {
-    const rollbem::TransientModel<double> model(scene.contact, std::move(system), rollbem::unchecked,
-                                                rollbem::Integrator::matrix_exponential);
-    const rollbem::PreparedStep<double> prepared = model.prepare(1);
-    rollbem::TransientState<double> state = model.at_rest(), next = state;
-    Forces forces{};
-    for (double& force : forces) {
-        force = -model.advance(state, prepared, 1.0, next).force_per_width;
-        std::swap(state, next);
-    }
-    return forces;
-}
-
-// -F/(mu N) at the creepage ratio
-double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::CoulombFriction<double> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel<double> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(),
-                                                     friction);
-    const rollbem::FrictionState<double> rest = model.at_rest();
-    rollbem::FrictionState<double> state = rest;
-    rollbem::FrictionWorkspace<double> workspace = model.workspace();
-    const rollbem::FrictionStep<double> point =
-        model.solve(rest, 2 * (1 - scene.contact.poisson_ratio()) * peak * creepage_ratio, state, workspace);
-    return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
-}
-
-double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()) * peak; }
-
-// -F/(mu N) along and across, under the creepage ratio at 45 degrees
-std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadyCombinedModel<double> model(scene.contact, slopes(scene, elements, mesh),
-                                                     slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
-                                                     {1, peak * rollbem::mean_hertz_pressure(mesh)});
-    const auto rest = model.at_rest();
-    auto state = rest;
-    auto workspace = model.workspace();
-    const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
-    const auto point = model.solve(rest, {part, part}, state, workspace);
-    if (point.status != rollbem::StepStatus::ok) return {nan, nan};
-    const double full = peak * std::numbers::pi / 2;
-    return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
-}
-
-// A mesh that breathes with the contact, or that covers the largest one: uniform meshes have no use for its edges, and
-// only collocation on the plane knows other half-lengths.
-enum class Cover { breathing, largest };
-
-Cover cover_of(const Scene& scene, const Elements& elements) {
-    const bool graded = elements.topology != Topology::uniform;
-    return graded && scene.plane && std::holds_alternative<Collocation>(elements.scheme) ? Cover::breathing
-                                                                                         : Cover::largest;
-}
-
-// -F/(mu N_0) after each of `load_steps` steps, made of `parts` steps each
-std::vector<double> load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
-                                std::size_t parts = 1) {
-    const double full = peak * std::numbers::pi / 2;
-    const double half_length = cover == Cover::largest ? std::sqrt(1 + load_amplitude) : 1;
-    scene.contact = Contact<double>({.half_length = half_length,
-                                     .half_width = scene.contact.half_width(),
-                                     .shear_modulus = 1,
-                                     .poisson_ratio = scene.contact.poisson_ratio()});
-    // Hertz's contact of a_0 = 1 and p_0 = mu p_0 = peak under N_0
-    const rollbem::ElasticBody<double> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
-    const rollbem::HertzLine<double> line(
-        {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
-    const auto hertz = cover == Cover::largest ? rollbem::HertzLoad<double>::fixed(line, mesh, half_length)
-                                               : rollbem::HertzLoad<double>::breathing(line, mesh);
-    const auto load_at = [&](double q) {
-        return full * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
-    };
-    rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
-    const rollbem::CoulombFriction<double> law{1, load.normal_pressure};
-    const rollbem::FrictionModel<double> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
-                                               law);
-    auto now = model.at_rest(), next = now;
-    auto workspace = model.workspace();
-    const double creepage = unit_creepage(scene) * creepage_ratio;
-    hertz.set(load_at(0), load);
-    rollbem::StepStatus status = model.steady(now, creepage, load, next, workspace).status;
-    std::vector<double> forces;
-    const std::size_t count = load_steps * parts;
-    const double dq = load_length / static_cast<double>(count);
-    for (std::size_t k = 1; k <= count; ++k) {
-        std::swap(now, next);
-        hertz.set(load_at(static_cast<double>(k) * dq), load);
-        const auto step = model.advance(now, dq, creepage, load, next, workspace);
-        if (status == rollbem::StepStatus::ok) status = step.status;
-        if (k % parts == 0) forces.push_back(status == rollbem::StepStatus::ok ? -step.force_per_width / full : nan);
-    }
-    return forces;
-}
-
-// value(mesh), extrapolated from two meshes where the scheme says so
-template <class Value>
-auto evaluate(const Scene& scene, const Elements& elements, long n, const Value& value) {
-    const auto fine = value(make_mesh(scene, elements.topology, n));
-    if (elements.order == 0) return fine;
-    return rollbem::richardson(value(make_mesh(scene, elements.topology, n / 2)), fine, elements.order);
-}
-
-// The same of several numbers.
-template <class Values>
-std::vector<double> evaluate_all(const Scene& scene, const Elements& elements, long n, const Values& values) {
-    std::vector<double> fine = values(make_mesh(scene, elements.topology, n));
-    if (elements.order == 0) return fine;
-    const std::vector<double> coarse = values(make_mesh(scene, elements.topology, n / 2));
-    for (std::size_t k = 0; k < fine.size(); ++k) fine[k] = rollbem::richardson(coarse[k], fine[k], elements.order);
-    return fine;
-}
-
-std::vector<double> all_combined_forces(const Scene& scene, const Elements& elements, long n) {
-    return evaluate_all(scene, elements, n,
-                        [&](const Mesh<double>& mesh) { return combined_force(scene, elements, mesh); });
-}
-
-std::vector<double> all_load_forces(const Scene& scene, const Elements& elements, long n) {
-    const Cover cover = cover_of(scene, elements);
-    return evaluate_all(scene, elements, n,
-                        [&](const Mesh<double>& mesh) { return load_forces(scene, elements, mesh, cover); });
-}
-
-// |difference| of two vectors over the second
-double vector_error(const std::vector<double>& force, const std::vector<double>& exact) {
-    return std::hypot(force[0] - exact[0], force[1] - exact[1]) / std::hypot(exact[0], exact[1]);
-}
-
-// The largest difference of two series, not of each by its own size: they are forces over mu N_0.
-double series_error(const std::vector<double>& forces, const std::vector<double>& exact) {
-    double largest = 0;
-    for (std::size_t k = 0; k < exact.size(); ++k) {
-        const double difference = std::abs(forces[k] - exact[k]);
-        if (std::isnan(difference)) return nan;
-        largest = std::max(largest, difference);
-    }
-    return largest;
-}
-
-Forces all_step_forces(const Scene& scene, const Elements& elements, long n) {
-    const auto forces_at = [&](long count) {
-        return step_forces(scene, system_of(scene, elements, make_mesh(scene, elements.topology, count)));
-    };
-    Forces forces = forces_at(n);
-    if (elements.order == 0) return forces;
-    const Forces coarse = forces_at(n / 2);
-    for (std::size_t k = 0; k < steps; ++k) forces[k] = rollbem::richardson(coarse[k], forces[k], elements.order);
-    return forces;
-}
-
-// Tractions of the elements of a mesh; extrapolated ones are those of the pairs that make up the coarser mesh.
-struct Tractions {
-    Mesh<double> mesh;
-    ArrayX<double> values;
-};
-
-Tractions tractions(const Scene& scene, const Elements& elements, long n) {
-    Mesh<double> mesh = make_mesh(scene, elements.topology, n);
-    ArrayX<double> values = steady(scene, elements, mesh).traction.array();
-    if (elements.order == 0) return {std::move(mesh), std::move(values)};
-    Mesh<double> pairs = make_mesh(scene, elements.topology, n / 2);
-    ArrayX<double> coarse = steady(scene, elements, pairs).traction.array();
-    for (Eigen::Index i = 0; i < coarse.size(); ++i) {
-        const double force = (values.segment(2 * i, 2) * mesh.widths().segment(2 * i, 2)).sum();
-        coarse[i] = rollbem::richardson(coarse[i], force / pairs.widths()[i], elements.order);
-    }
-    return {std::move(pairs), std::move(coarse)};
-}
-
-// --- states in place of elements
-
-rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const Chebyshev& method) {
-    return with_kernel(scene, [&](const auto& kernel) { return solve_steady(method, kernel); });
-}
-
-// --- norms and the polynomial approach
-
-// The norm of tractions that are constant on each element: the root of the integral of p^2 sqrt(1 - x^2).
-double weighted_norm(const Mesh<double>& mesh, const ArrayX<double>& traction) {
-    return std::sqrt((traction.square() * mesh.widths() * rollbem::mean_hertz_pressure(mesh)).sum());
-}
-
-// The same norm for functions of x/a: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
-template <class Traction>
-double traction_error(double poisson_ratio, const Traction& traction) {
-    constexpr int points = 64;
-    double error = 0, size = 0;
-    for (int k = 0; k < points; ++k) {
-        const double x = std::cos((k + 0.5) * std::numbers::pi / points);
-        const double exact = rollbem::carter_traction(x, poisson_ratio);
-        error += std::norm(traction(x) - exact) * (1 - x * x);
-        size += exact * exact * (1 - x * x);
-    }
-    return std::sqrt(error / size);
-}
+// --- the polynomial approach and the closed form
 
 Forces inverted_forces(const std::function<std::complex<long double>(std::complex<long double>)>& c11) {
     Forces forces{};
@@ -359,17 +55,6 @@ Forces closed_form_forces(double poisson_ratio, double aspect) {
         forces[k] = rollbem::reference::step_response_de_hoog(static_cast<double>(k + 1), poisson_ratio, aspect);
     }
     return forces;
-}
-
-template <class Exact>
-double largest_difference(const Forces& forces, const Exact& exact) {
-    double largest = 0;
-    for (std::size_t k = 0; k < steps; ++k) {
-        const double difference = std::abs(forces[k] / exact[k] - 1);
-        if (std::isnan(difference)) return nan;
-        largest = std::max(largest, difference);
-    }
-    return largest;
 }
 
 // b/a for the closed forms; steady results of the plane model do not depend on it
@@ -449,28 +134,6 @@ const std::vector<Quantity>& quantities() {
     return all;
 }
 
-std::vector<double> exact_step_forces(const Contact<double>& contact) {
-    const rollbem::reference::StepResponse response(contact.poisson_ratio(), contact.aspect());
-    std::vector<double> forces;
-    for (std::size_t k = 0; k < steps; ++k) forces.push_back(response.step(static_cast<double>(k + 1)));
-    return forces;
-}
-
-std::vector<double> combined_reference(const Contact<double>& contact) {
-    const Scene scene{contact, true, 1, 1};
-    Elements cosine = *elements("cosine");
-    cosine.order = 1;  // of the direction of slip, which a row has half an element ahead of its traction
-    return all_combined_forces(scene, cosine, 640);
-}
-
-std::vector<double> load_reference(const Contact<double>& contact) {
-    const Scene scene{contact, true, 1, 1};
-    const Elements cosine = *elements("richardson-cosine");
-    return evaluate_all(scene, cosine, 320, [&](const Mesh<double>& mesh) {
-        return load_forces(scene, cosine, mesh, Cover::breathing, 4);
-    });
-}
-
 const std::vector<std::string>& scheme_names() {
     static const std::vector<std::string> all = [] {
         std::vector<std::string> names;
@@ -502,7 +165,7 @@ std::optional<double> Case::relative_error(const Quantity& quantity) const {
     if (scheme_ == "chebyshev-states") return if_finite(states_error(scene_, Chebyshev{n_}, quantity));
     const double nu = scene_.contact.poisson_ratio(), aspect = finite_aspect(scene_);
     const Complex s(0, quantity.frequency);
-    if (scheme_ == "closed-form") {  // against a second route to the same number, where there is one
+    if (scheme_ == "closed-form") {  // against a second closed form, if there is one
         if (quantity.problem == Problem::step) {
             return if_finite(largest_difference(closed_form_forces(nu, aspect), scene_.step_forces));
         }
@@ -604,33 +267,6 @@ std::optional<bool> Case::stable() const {
         if (count.unstable_count > 0) return false;
     }
     return true;
-}
-
-double model_error(const Scene& scene, const Quantity& quantity) {
-    if (scene.plane) return 0;
-    const Elements cosine = *elements("cosine");
-    const Mesh<double> mesh = rollbem::cosine_mesh(60);
-    Scene plane = scene;
-    plane.plane = true;
-    switch (quantity.problem) {
-        case Problem::harmonic:
-            return std::abs(harmonic_c11(system_of(scene, cosine, mesh), quantity.frequency) /
-                                harmonic_c11(system_of(plane, cosine, mesh), quantity.frequency) -
-                            1.0);
-        case Problem::step:
-            return largest_difference(step_forces(scene, system_of(scene, cosine, mesh)),
-                                      step_forces(plane, system_of(plane, cosine, mesh)));
-        case Problem::friction: return friction_force(scene, cosine, mesh) / friction_force(plane, cosine, mesh) - 1;
-        case Problem::combined_friction:
-            return vector_error(combined_force(scene, cosine, mesh), combined_force(plane, cosine, mesh));
-        case Problem::varying_load:
-            return series_error(load_forces(scene, cosine, mesh, Cover::largest),
-                                load_forces(plane, cosine, mesh, Cover::largest));
-        default: break;
-    }
-    const ArrayX<double> own = steady(scene, cosine, mesh).traction, other = steady(plane, cosine, mesh).traction;
-    if (quantity.name == "traction") return weighted_norm(mesh, own - other) / weighted_norm(mesh, other);
-    return (own * mesh.widths()).sum() / (other * mesh.widths()).sum() - 1;
 }
 
 }  // namespace precision

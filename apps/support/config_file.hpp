@@ -1,7 +1,7 @@
-// A configuration file: options as NAME = VALUE, one a line, in what TOML and INI have in common and what of TOML
-// options have a use for. A value is a text in "" (with TOML's escapes) or in '', a bare word or comma-separated words,
-// or a list of such in [], which may go on over several lines. # and, at the start of a line, ; begin a comment. There
-// are no sections but in the TOML file beside a CSV file, of which the options stand in the table [given].
+// A configuration file: options as NAME = VALUE, one on each line, in the common part of TOML and INI and the part of
+// TOML that options need. A value is a text in "" (with TOML's escapes) or in '', a bare word or comma-separated words,
+// or a list of these in [], which may span several lines. # and, at the start of a line, ; begin a comment. Only the
+// TOML file beside a CSV file has sections; its options are in the table [given].
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ struct Setting {
     std::string section{};            ///< empty above the first
 };
 
-/// Whether the contents are those of a file beside a CSV file: they have the table [given].
+/// Whether these are the contents of a file beside a CSV file: only that has the table [given].
 bool is_sidecar(std::string_view text);
 
-/// Reads the contents of a file, which `said` names in messages. Throws BadInput for whatever is malformed, for a name
-/// that comes twice in a section, and for sections where is_sidecar is not true.
+/// Reads the contents of a file, which `said` names in messages. Throws BadInput if something is malformed, if a
+/// section has a name twice, and if there are sections although is_sidecar is false.
 std::vector<Setting> read_settings(std::string_view text, const std::string& said);
 
 }  // namespace study

@@ -23,7 +23,8 @@ namespace study {
 
 namespace detail {
 
-// Temporary files, and folders made for them, that a signal must remove. A handler may touch lock-free atomics and plain memory only.
+// Temporary files, and folders made for them, that a signal must remove. A handler may touch lock-free atomics and
+// plain memory only.
 struct TemporaryPath {
     std::atomic<bool> used{false};
     std::array<char, 4096> path{};
@@ -33,7 +34,7 @@ struct TemporaryPath {
 
 namespace {
 
-std::array<detail::TemporaryPath, 16> temporary_paths;
+std::array<detail::TemporaryPath, 128> temporary_paths;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void remove_temporaries_and_exit(int signal) {

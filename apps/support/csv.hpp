@@ -52,17 +52,17 @@ namespace detail {
 
 struct TemporaryPath;
 
-/// Has an interrupt remove the file, or the folder that is empty by then, until it is released. Null where its name is
-/// too long or there are too many of them.
+/// Lets an interrupt remove the file or, once it is empty, the folder, until it is released. Null if its name is too
+/// long or there are too many of them.
 TemporaryPath* claim_temporary(const std::string& path);
 
-/// Null is nothing to release.
+/// Does nothing for null.
 void release_temporary(TemporaryPath* temporary);
 
 }  // namespace detail
 
 /// An interrupt ends the program with 128 + its number and leaves no partial file; a closed pipe, a stream that the
-/// caller closed and a file beyond the size allowed are errors of write().
+/// caller closed and a file larger than allowed make write() throw.
 void handle_signals();
 
 /// A file to write from start to end. A regular file is written under another name beside it and takes its own name in
@@ -72,7 +72,7 @@ public:
     static OutputFile standard_output();
 
     /// `name` is the option or quantity that named the path, for messages. A path of - is standard output; links are
-    /// followed, also where they lead to no file yet. Throws BadInput when it cannot be written.
+    /// followed, even to a file that does not exist yet. Throws BadInput if it cannot be written.
     OutputFile(const std::string& path, const std::string& name);
 
     OutputFile(OutputFile&& other) noexcept;
@@ -87,10 +87,10 @@ public:
 
     void write(std::string_view text);
 
-    /// Hands everything to the system. Throws WriteError.
+    /// Passes everything written so far to the system. Throws WriteError.
     void flush();
 
-    /// Ends the file; all of a regular one is on the disk, still under the other name. Throws WriteError.
+    /// Ends the file. A regular one is then completely on the disk, still under the other name. Throws WriteError.
     void close();
 
     /// Gives the file its name, and ends it if close() has not. Throws WriteError.
@@ -111,11 +111,11 @@ private:
 /// The TOML file that stands beside a CSV file.
 std::string sidecar_text(const Options& options);
 
-/// A CSV file and, where it is a regular one, the TOML file beside it. Neither takes its name before all of both is on
-/// the disk.
+/// A CSV file and, if it is a regular one, the TOML file beside it. Neither takes its name before both are completely
+/// on the disk.
 class TableFile {
 public:
-    /// Writes where --name says, or to standard output where it is not given. Throws BadInput when that cannot be
+    /// Writes to the file that --name gives, or to standard output without it. Throws BadInput if that cannot be
     /// written.
     TableFile(const Options& options, const std::string& name);
 

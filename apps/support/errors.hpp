@@ -21,7 +21,7 @@ public:
     using std::invalid_argument::invalid_argument;
 };
 
-/// Writing failed on the way.
+/// Writing failed after it had begun.
 class WriteError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -1,4 +1,4 @@
-// Names of files: what is read by an option, where writing to a name ends, and whether two names are one file.
+// Files by name: what an option reads, which file is written under a name, and whether two names mean the same file.
 // As input and as output, - is the standard stream.
 #pragma once
 
@@ -15,29 +15,29 @@ class Options;
 /// All of the file that --name gives, without the byte order mark that some programs put before UTF-8. Throws BadInput.
 std::string contents(const Options& options, const std::string& name);
 
-/// Bytes of the first character of a text in UTF-8, which must not be empty; 0 where there is none.
+/// Bytes of the first character of a text in UTF-8, which must not be empty; 0 if it does not start with a character.
 std::size_t character_length(std::string_view text);
 
-/// The bytes that are no text, control characters and what is not UTF-8, as \xNN, for messages.
+/// The text for a message: control characters and bytes that are not UTF-8 become \xNN.
 std::string printable(std::string_view text);
 
-/// What stands between the cells of a line: a comma, or a semicolon or tab where there is no comma outside quotes.
+/// The separator of the cells of a line: a comma, or a semicolon or tab if there is no comma outside quotes.
 char separator_of(std::string_view line);
 
 /// The cells of a line of CSV, without quotes and the blanks around them.
 std::vector<std::string> cells_of(std::string_view line, char separator);
 
-/// A cell as a number, or nothing. Where no comma stands between cells, it may stand for the decimal point.
+/// A cell as a number, or nothing. Unless the comma separates cells, it may be the decimal point.
 std::optional<double> number_of(std::string cell, char separator);
 
-/// The lines of the file that --name gives, without blanks at their ends. Empty lines at the end are none. Throws
-/// BadInput for a line that is no text.
+/// The lines of the file that --name gives, without blanks at their ends and without empty lines at the end. Throws
+/// BadInput if a line is not text.
 class Lines {
 public:
-    /// Throws BadInput when the file cannot be read.
+    /// Throws BadInput if the file cannot be read.
     Lines(const Options& options, const std::string& name);
 
-    /// Goes to the next line, the first at first; false where there is none.
+    /// Goes to the next line, at first to the first one; false at the end.
     bool next();
 
     const std::string& text() const;
@@ -49,11 +49,11 @@ private:
     std::size_t next_ = 0, number_ = 0;
 };
 
-/// The end of a chain of symbolic links, whether a file is there or not. A chain that does not end is returned as it
-/// is.
+/// The end of a chain of symbolic links, whether or not there is a file. A chain that does not end is returned
+/// unchanged.
 std::string behind_links(const std::string& path);
 
-/// Whether `path` is a stream that is open already, such as /dev/fd/3, or anything else that is no regular file.
+/// Whether `path` is a stream that is already open, such as /dev/fd/3, or something else that is not a regular file.
 bool is_stream(const std::string& path);
 
 /// Where an option reads or writes.
@@ -66,7 +66,7 @@ struct Place {
     static Place output(const std::string& said, const std::string& path);
 };
 
-/// Whether both are the same file, pipe or standard stream, by whatever names. A device that is named twice is not.
+/// Whether both are the same file, pipe or standard stream, whatever their names. Devices never are the same.
 bool same_place(const Place& first, const Place& second);
 
 }  // namespace study

@@ -11,7 +11,7 @@ namespace study {
 /// Names of all topologies, in the library's order.
 std::vector<std::string> mesh_names();
 
-/// Of those that a number like this grades.
+/// Names of those whose grading this is.
 std::vector<std::string> mesh_names(rollbem::Grading grading);
 
 /// "a, b or c" with last = "or".

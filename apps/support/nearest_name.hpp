@@ -1,4 +1,4 @@
-// The name that somebody may have meant who mistyped it.
+// The name that was probably meant where one is mistyped.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace study {
 
-/// Letters to add, drop or change until `from` is `to`, whatever their case.
+/// How many letters to add, remove or change to turn `from` into `to`, regardless of case.
 inline std::size_t edit_distance(const std::string& from, const std::string& to) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     std::vector<std::size_t> before(to.size() + 1), row(to.size() + 1);
@@ -26,10 +26,10 @@ inline std::size_t edit_distance(const std::string& from, const std::string& to)
     return before.back();
 }
 
-/// The nearest of `names`, or the first of which `word` is the beginning; nothing where none is near.
+/// The nearest of `names`, or the first that begins with `word`; empty if none is near.
 inline std::string nearest_name(const std::string& word, const std::vector<std::string>& names) {
     std::string nearest;
-    std::size_t least = word.size() < 4 ? 2 : 3;  // less than that is near
+    std::size_t least = word.size() < 4 ? 2 : 3;  // fewer changes than that are near
     for (const std::string& name : names) {
         const std::size_t distance = edit_distance(word, name);
         if (distance >= least || distance >= name.size()) continue;

@@ -94,7 +94,7 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
 
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11) {
     if (status != rollbem::Status::ok) return name(status);
-    constexpr double wide = 10;  // b/a; from there on the plane's c11 is within 1 % of the strip's
+    constexpr double wide = 10;  // b/a; for wider contacts the plane's c11 is within 1 % of the strip's
     const bool plane = std::holds_alternative<rollbem::PlaneKernel<double>>(scene.kernel);
     if (scene.chebyshev || scene.n() >= 10 || !(plane || scene.contact.aspect() >= wide)) return name(status);
     const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
@@ -113,7 +113,7 @@ std::string steady_status(const Scene& scene, const rollbem::RollingSystem<doubl
 std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (status != rollbem::Status::ok) return name(status);
     const std::string steady = steady_status(scene, system);
-    // a G' that is singular shows elsewhere, as an eigenvalue 0 or at the frequency 0
+    // a singular G' shows elsewhere, as an eigenvalue 0 or at the frequency 0
     const bool speaks = scene.chebyshev || steady == coarse || steady == name(rollbem::Status::inconsistent);
     return speaks ? steady : ok;
 }

@@ -1,5 +1,5 @@
-// What studies of problems in time share: scenes whose model is stable before any discretisation, whether the exact
-// solutions of the plane model exist for a contact, which schemes are fit to be stepped, and the options that say how.
+// What studies of problems in time share: scenes whose model itself is stable, whether the plane model has exact
+// solutions for a contact, which schemes can be stepped, and the options for that.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ bool plane_model_decays(const rollbem::Contact<double>& contact);
 /// Throws BadInput unless plane_model_decays.
 void require_plane_model(const rollbem::Contact<double>& contact);
 
-/// All cases of a problem in time. Throws BadInput as make_scenes and require_plane_model do.
+/// All cases of a problem in time. Throws BadInput if make_scenes or require_plane_model does.
 std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods = Methods::elements);
 
 /// A sinusoidal creepage: amplitude * sin(omega q), omega in V/a.
@@ -33,12 +33,12 @@ struct Sine {
 /// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
 inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
-/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP fulfils the rule, whose text follows
+/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP obeys the rule, whose text follows
 /// "must be AMP,OMEGA with AMP".
 Sine read_sine(const Options& options, const Rule& amplitude);
 
-/// Declares --dq and --until, and reads them as so many steps of dq in units of a: from 1 to 1e7. `when` stands before
-/// the text of --help. Throws BadInput.
+/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
+/// --help. Throws BadInput.
 struct Steps {
     double dq;
     std::size_t count;
@@ -46,7 +46,7 @@ struct Steps {
 void add_steps(Options& options, const std::string& when);
 Steps read_steps(const Options& options);
 
-/// How options and columns name an integrator.
+/// The name of an integrator in options and columns.
 std::string word(rollbem::Integrator integrator);
 
 /// --integrator, one of those `allowed`. Throws BadInput.
@@ -55,32 +55,32 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 /// Of elements or Chebyshev states.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
-/// What columns called status say beside the library's names.
+/// What columns called status say in addition to the library's names.
 inline constexpr const char* ok = "ok";
-inline constexpr const char* coarse = "coarse";          ///< few elements, and c11 off by more than half
-inline constexpr const char* unresolved = "unresolved";  ///< a sine with less than six steps a period
-inline constexpr const char* unchecked = "unchecked";    ///< ok but for what --unchecked has left out
+inline constexpr const char* coarse = "coarse";          ///< few elements, and an error of c11 above 50 %
+inline constexpr const char* unresolved = "unresolved";  ///< a sine with fewer than six steps in a period
+inline constexpr const char* unchecked = "unchecked";    ///< ok, except for the checks that --unchecked leaves out
 
-/// The status of a solution in steady rolling: coarse where fewer than 10 elements give a c11 that is more than 50 % off
-/// the plane's exact one with a wide kernel (plane, or strip from b/a = 10 on).
+/// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
+/// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
 
-/// The same of a scene's `system`.
+/// The same for a scene's `system`.
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// `status`, or what steady rolling holds against the scene's `system` where that is ok: inconsistent, coarse, or
+/// `status` or, if that is ok, the flaw that the scene's `system` shows in steady rolling: inconsistent, coarse, or
 /// not_converged for Chebyshev states.
 std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// What steady rolling holds against the scene's discretisation in full adhesion, to follow "the scheme"; empty where
-/// that is nothing.
+/// The flaw that the scene's discretisation shows in steady rolling, worded to follow "the scheme"; empty if there is
+/// none.
 std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// Throws BadInput unless --unchecked is given or steps of the scene's `system` tend to steady rolling: no eigenvalue is
-/// unstable or uncertain, and steady rolling has no flaw.
+/// Throws BadInput unless --unchecked is given or steps of the scene's `system` tend to steady rolling: no eigenvalue
+/// is unstable or uncertain, and steady rolling shows no flaw.
 void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// The system of a scene with elements, which friction asks for. Throws BadInput as require_steppable does.
+/// The system of a scene with elements, which friction needs. Throws BadInput if require_steppable does.
 rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene);
 
 }  // namespace study

@@ -18,7 +18,7 @@ namespace study {
 
 namespace {
 
-/// Breaks lines at blanks so that none is longer than `width` where that can be helped.
+/// Breaks lines at blanks so that none is longer than `width`, unless a word is.
 std::string wrap(const std::string& text, std::size_t width) {
     std::istringstream words(text);
     std::string word, result;
@@ -35,7 +35,7 @@ std::string wrap(const std::string& text, std::size_t width) {
     return result;
 }
 
-// `what` is asked for: "a number" of a list, or "one number".
+// `what` is expected: "a number" of a list, or "one number".
 double to_number(const std::string& name, const std::string& text, const std::string& what, const Rule& rule) {
     const std::optional<double> value = detail::parse_number<double>(text);
     if (!value) throw BadInput("--" + name + " = " + text + " must be " + what + ", and it must " + rule.text);
@@ -93,8 +93,8 @@ Options::Options(std::string program, const std::string& purpose)
     add_input(
         "config",
         "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; or from a "
-        "FILE.toml beside results, to repeat that run but for what it wrote, --jobs and --shard. The command line "
-        "wins. Every input FILE may be -, standard input");
+        "FILE.toml beside results, to repeat that run without its outputs, --jobs and --shard. The command line takes "
+        "precedence. Every input FILE may be -, standard input");
 
     group("Discretisation");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
@@ -129,7 +129,7 @@ Options::Options(std::string program, const std::string& purpose)
 
     group("Output");
     add_table("output",
-              "CSV file; besides, FILE.toml says how it was made, for people and for --config. Default, and -: "
+              "CSV file; FILE.toml beside it says how it was made, for people and for --config. Default, and -: "
               "standard output");
     add_output("plot", "draw the result with gnuplot; FILE ends in .svg or .png");
     add("jobs", "N", "rows computed at a time, 1 to 1024; above 1 the columns of times stay empty (dimensionless)",
@@ -352,7 +352,7 @@ std::vector<std::pair<std::string, std::string>> Options::given_values() const {
 std::vector<std::pair<std::string, std::string>> Options::values() const {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& [name, entry] : entries_) {
-        if (name == "config") continue;  // what it says stands under the other names
+        if (name == "config") continue;  // what it says is listed under the other names
         const bool is_refused = entry.option->get_group().empty();
         if (!is_refused && !raw(name).empty()) result.emplace_back(name, joined(name));
     }
@@ -399,7 +399,7 @@ std::string Options::suggestion(std::string word) const {
 }
 
 std::string Options::unexpected() const {
-    // an option that is not known leaves its value behind, too
+    // an unknown option leaves its value behind, too
     const auto is_option = [](const std::string& word) {
         return word.size() > 1 && word[0] == '-' && std::isdigit(static_cast<unsigned char>(word[1])) == 0;
     };
@@ -450,7 +450,7 @@ void Options::check_files() const {
             companions.push_back(outputs.back().said);
         }
     }
-    // a run that is repeated may write the file again that tells of it: that has been read by then
+    // a repeated run may overwrite the file that describes it: it has been read by then
     const auto repeats = [&](const Place& output, const Place& input) {
         const bool is_companion = std::find(companions.begin(), companions.end(), output.said) != companions.end();
         return replays_ && is_companion && input.said == said("config");

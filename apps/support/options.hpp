@@ -1,5 +1,5 @@
 // Options: the command line of a study. Declares the options all studies share, lets a study add its own, change
-// defaults and refuse what it would ignore, and reads values strictly. CLI11 splits the words, nothing more.
+// defaults and refuse what it would ignore, and reads values strictly. CLI11 only splits the words.
 #pragma once
 
 #include <charconv>
@@ -22,7 +22,7 @@ class Option;
 
 namespace study {
 
-/// What a number must fulfil, and how to say so after "must".
+/// A condition on a number, and its wording after "must".
 struct Rule {
     std::function<bool(double)> holds;
     std::string text;
@@ -82,13 +82,13 @@ public:
 
     void set_default(const std::string& name, const std::string& default_text);
 
-    /// Another text in --help than add() gave.
+    /// Replaces the text that add() gave for --help.
     void set_help(const std::string& name, const std::string& help);
 
-    /// Makes --name bad input for this study, with the reason; --help leaves it out.
+    /// Makes --name bad input for this study, for a reason that the message gives; --help does not list it.
     void refuse(const std::string& name, const std::string& reason);
 
-    /// The same for all options under a heading but `allowed`.
+    /// The same for all options under a heading except `allowed`.
     void refuse_group(const std::string& heading, const std::string& reason,
                       const std::vector<std::string>& allowed = {});
 
@@ -107,10 +107,10 @@ public:
     /// "--name = value" as typed, for messages.
     std::string said(const std::string& name) const;
 
-    /// Throws BadInput that `name` is ignored because of `reason`, if it was given.
+    /// Throws BadInput if `name` was given: "--name = value has no effect `reason`".
     void ignored(const std::string& name, const std::string& reason) const;
 
-    /// The same for all options under a heading but `allowed`.
+    /// The same for all options under a heading except `allowed`.
     void ignored_group(const std::string& heading, const std::string& reason,
                        const std::vector<std::string>& allowed = {}) const;
 
@@ -135,11 +135,11 @@ public:
 
     std::vector<std::ptrdiff_t> integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
 
-    /// Every option given, but for --config, with its value as typed, flags with true: what --config reads to repeat
+    /// Every option given except --config, with its value as typed, flags with true: what --config reads to repeat
     /// the run.
     std::vector<std::pair<std::string, std::string>> given_values() const;
 
-    /// Every option that takes a value with what applies in this run, for the file beside the results.
+    /// Every option that takes a value, with the value used in this run, for the file beside the results.
     std::vector<std::pair<std::string, std::string>> values() const;
 
 private:
@@ -157,23 +157,23 @@ private:
 
     std::string version() const;
 
-    /// Throws BadInput where two inputs are standard input.
+    /// Throws BadInput if two inputs are standard input.
     void check_inputs() const;
 
-    /// "; did you mean --name?" where an option is called nearly so.
+    /// "; did you mean --name?" if an option has a similar name.
     std::string suggestion(std::string word) const;
 
-    /// What CLI11 could not place, for a message.
+    /// The words that CLI11 did not expect, for a message.
     std::string unexpected() const;
 
     void read_config();
 
-    /// Throws BadInput where an output is an input of this run or another output.
+    /// Throws BadInput if an output is also an input of this run or another output.
     void check_files() const;
 
     const Entry& entry(const std::string& name) const;
 
-    /// Names of the options under a heading but `allowed`.
+    /// Names of the options under a heading except `allowed`.
     std::vector<std::string> members(const std::string& heading, const std::vector<std::string>& allowed) const;
 
     std::vector<std::string> raw(const std::string& name) const;

@@ -40,7 +40,7 @@ void OutputFolder::keep() {
 void OutputFolder::remove_made() {
     while (!made_.empty()) {
         std::error_code error;
-        fs::remove(made_.back().path, error);  // where somebody else has put a file, it stays
+        fs::remove(made_.back().path, error);  // it stays if somebody else has put a file there
         detail::release_temporary(made_.back().slot);
         made_.pop_back();
     }

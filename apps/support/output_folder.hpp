@@ -1,4 +1,4 @@
-// OutputFolder: a folder that files of results are written to, made if it is not there.
+// OutputFolder: a folder that results are written to, created if it does not exist.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace study {
 
-/// Makes the folder, those above it included. What it made goes away again, with an interrupt too, unless it is kept.
+/// Creates the folder and those above it. What it created is removed again, also by an interrupt, unless it is kept.
 class OutputFolder {
 public:
-    /// `name` is the option that named the path, for messages. Throws BadInput where it cannot be made or is no folder.
+    /// `name` is the option that named the path, for messages. Throws BadInput if it cannot be created or is no folder.
     OutputFolder(const std::string& path, const std::string& name);
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
@@ -21,7 +21,7 @@ public:
     /// The path of a file in it.
     std::string file(const std::string& file_name) const;
 
-    /// Nothing goes away any more.
+    /// Removes nothing any more.
     void keep();
 
 private:

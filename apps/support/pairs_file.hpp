@@ -1,5 +1,5 @@
 // A CSV file with two columns of numbers as input, e.g. a history of creepage or a pressure along the contact.
-// Every complaint names the option, the file and the line.
+// Every message names the option, the file and the line.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct Pairs {
 };
 
 /// Reads the file that --name gives. `header` are the two columns that its first line must name, e.g.
-/// "q_over_a,creepage"; others beside them are not read, and a semicolon or tab may stand in place of the comma. `place`
-/// says what the first column must fulfil. Throws BadInput.
+/// "q_over_a,creepage"; further columns are ignored, and a semicolon or tab may take the place of the comma. `place` is
+/// the rule for the first column. Throws BadInput.
 inline Pairs read_pairs(const Options& options, const std::string& name, const std::string& header, const Rule& place) {
     Lines lines(options, name);
     const std::vector<std::string> names = cells_of(header, ',');

@@ -12,9 +12,9 @@
 
 namespace study {
 
-/// Runs task(k) once for every k < count on `jobs` threads, the caller's among them, in any order. done(), which must not
-/// throw, is called after each task, never by two threads at a time. When a task throws, no further one is begun, and
-/// its exception is rethrown once those under way have ended.
+/// Runs task(k) once for every k < count on `jobs` threads, the caller's among them, in any order. done(), which must
+/// not throw, is called after each task, never by two threads at a time. If a task throws, no further one is started,
+/// and its exception is rethrown when the running ones have ended.
 inline void parallel_for(
     std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& task,
     const std::function<void()>& done = [] {}) {
@@ -40,7 +40,7 @@ inline void parallel_for(
     std::vector<std::thread> threads;
     try {
         for (std::size_t i = 1; i < std::min(jobs, count); ++i) threads.emplace_back(work);
-    } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
+    } catch (const std::system_error&) {  // no more threads available: the existing ones do the work
     }
     work();
     for (std::thread& thread : threads) thread.join();

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -31,21 +31,32 @@ std::string gnuplot_string(std::string text) {
     return "'" + text + "'";
 }
 
-/// "α_T" for the column alpha_T.
-std::string with_greek(std::string name) {
-    for (const auto& [word, letter] : {std::pair{"alpha", "α"}, {"lambda", "λ"}, {"epsilon", "ε"}}) {
-        if (name.rfind(word, 0) == 0) name.replace(0, std::string_view(word).size(), letter);
-    }
-    return name;
-}
-
 std::string number_text(double number) {
     std::array<char, 32> buffer;
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
 }
 
-/// Ticks of a logarithmic x axis: at the x values where they are few, such as numbers of elements, else as gnuplot sets
-/// them, at powers of the base, unless fewer than two of those lie on the axis. Empty for gnuplot's ticks.
+/// Values of a logarithmic axis with room for their labels, the first and the last among them; none where labels would
+/// be long, or where the values are many and not whole numbers.
+std::vector<double> ticks_at(const std::set<double>& values) {
+    std::size_t longest = 0;
+    bool whole = true;
+    for (const double value : values) {
+        longest = std::max(longest, number_text(value).size());
+        whole = whole && value == std::round(value);
+    }
+    if (longest > 4 || (values.size() > 12 && !whole)) return {};
+    const double room = 0.016 * static_cast<double>(longest) * std::log(*values.rbegin() / *values.begin());
+    std::vector<double> ticks;
+    for (const double value : values) {
+        if (ticks.empty() || std::log(value / ticks.back()) > room) ticks.push_back(value);
+    }
+    if (ticks.size() > 1) ticks.back() = *values.rbegin();
+    return ticks;
+}
+
+/// Ticks of a logarithmic x axis: at the x values where they are few or whole, such as numbers of elements, else as
+/// gnuplot sets them, at powers of the base, unless fewer than two of those lie on the axis. Empty for gnuplot's ticks.
 std::string logarithmic_ticks(const Plot& plot) {
     std::set<double> values;
     for (const Series& series : plot.series) {
@@ -56,16 +67,10 @@ std::string logarithmic_ticks(const Plot& plot) {
     if (plot.x_range) values = {plot.x_range->low, plot.x_range->high};
     if (values.empty() || !(*values.begin() > 0)) return "";
     const double low = *values.begin(), high = *values.rbegin(), base = plot.log_base;
-    constexpr double share = 0.04;  // of the axis: closer ticks run into each other
-    bool apart = values.size() <= 12 && !plot.x_range;
-    for (auto value = values.begin(); apart && std::next(value) != values.end(); ++value) {
-        apart = std::log(*std::next(value) / *value) > share * std::log(high / low);
-    }
-    std::vector<double> ticks(values.begin(), values.end());
-    if (!apart) {
+    std::vector<double> ticks = plot.x_range ? std::vector<double>{} : ticks_at(values);
+    if (ticks.empty()) {
         const double first = std::ceil(std::log(low) / std::log(base) - 1e-9);
         if (std::pow(base, first + 1) <= high * (1 + 1e-9)) return "";
-        ticks.clear();
         const double decade = std::pow(10.0, std::floor(std::log10(low)));
         for (const double tick : {1, 2, 3, 5, 7, 10, 20, 30, 50, 70}) {
             if (tick * decade >= low && tick * decade <= high) ticks.push_back(tick * decade);
@@ -77,13 +82,38 @@ std::string logarithmic_ticks(const Plot& plot) {
     return text;
 }
 
-std::string panel_script(const Plot& plot) {
-    constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+/// "set title", in two lines where one would be longer than `widest` characters.
+std::string title_command(const std::string& title, std::ptrdiff_t widest) {
+    const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_'; };
+    const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
+    const std::size_t end = fits ? std::string::npos : title.rfind(", ", title.size() * 3 / 5);
+    if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
+    return "set title sprintf(\"%s\\n%s\", " + gnuplot_string(title.substr(0, end + 1)) + ", " +
+           gnuplot_string(title.substr(end + 2)) + ")\n";
+}
+
+/// Colour, dashes and markers of a series. References are black.
+std::string style_of(const Series& series, std::size_t style) {
+    constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+                                 "#332288", "#882255", "#999933", "#777777", "#8B4513", "#AA4499"};
     constexpr std::array dashes{"1", "(12,6)", "(3,4)", "(12,5,3,5)", "(20,6,6,6)"};
-    constexpr std::array markers{7, 5, 9, 13, 6, 4, 8, 12};
-    const auto usable = [&](const std::pair<double, double>& point) {
-        return (!plot.log_x || point.first > 0) && (!plot.log_y || point.second > 0);
-    };
+    constexpr std::array filled{7, 5, 9, 13, 11, 15};
+    constexpr std::array open{6, 4, 8, 12, 10, 14};
+    std::string text = !series.markers ? "lines" : series.line ? "linespoints" : "points";
+    text += std::string(" lw 2 lc rgb '") + (series.reference ? "#000000" : colours[style % colours.size()]) + "'";
+    if (series.line) text += " dt " + std::string(dashes[(style + (series.reference ? 1 : 0)) % dashes.size()]);
+    if (series.markers) text += " pt " + std::to_string((series.open ? open : filled)[style % open.size()]);
+    if (series.markers && series.open) text += " ps 1.2";
+    return text;
+}
+
+bool has_place(const Plot& plot, const std::pair<double, double>& point) {
+    return (!plot.log_x || point.first > 0) && (!plot.log_y || point.second > 0);
+}
+
+std::string panel_script(const Plot& plot, bool alone) {
+    if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
+    const auto usable = [&](const std::pair<double, double>& point) { return has_place(plot, point); };
     const auto is_counted = [](const Series& series) { return !series.label.empty() && !series.reference; };
     const auto labelled = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), is_counted));
     std::string title = plot.title;
@@ -92,25 +122,26 @@ std::string panel_script(const Plot& plot) {
                  std::to_string(labelled) + " curves";
     }
     std::string script;
-    script += "set title " + gnuplot_string(title) + "\nset xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
+    script += title_command(title, alone ? 105 : 76) + "set xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
-    script += "set key above\nset autoscale xfix\nset format '%h'\n";
-    for (const auto& [axis, is_log] : {std::pair{"x", plot.log_x}, std::pair{"y", plot.log_y}}) {
-        if (is_log) script += "set logscale " + std::string(axis) + " " + std::to_string(plot.log_base) + "\n";
-    }
+    script += "set key above samplen 3\nset autoscale xfix\nset format '%h'\n";
+    if (plot.log_x) script += "set logscale x " + std::to_string(plot.log_base) + "\n";
+    if (plot.log_y) script += "set logscale y 10\nset format y '10^{%T}'\n";
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
         if (!range) continue;
         script +=
             "set " + std::string(axis) + "range [" + number_text(range->low) + ":" + number_text(range->high) + "]\n";
     }
+    if (!plot.x_range) script += "set offsets graph 0.02, graph 0.02, 0, 0\n";  // no marker is cut by the frame
     if (plot.log_x) {
         const std::string ticks = logarithmic_ticks(plot);
-        if (!ticks.empty()) script += "set xtics (" + ticks + ")\nset offsets graph 1e-6, graph 1e-6, 0, 0\n";
+        if (!ticks.empty()) script += "set xtics (" + ticks + ")\n";
     }
-    std::string commands;
-    std::size_t drawn = 0;  // of those with a label
+    std::vector<std::string> commands;
+    std::size_t curves = 0, drawn = 0, references = 0;  // drawn: of those with a label
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
         const Series& series = plot.series[k];
+        const std::size_t style = series.style.value_or(series.reference ? references++ : curves++);
         if (std::none_of(series.points.begin(), series.points.end(), usable)) continue;
         if (is_counted(series) && ++drawn > most_curves) continue;
         const std::string data = "$data" + std::to_string(k);
@@ -119,35 +150,33 @@ std::string panel_script(const Plot& plot) {
             if (usable(point)) script += number_text(point.first) + " " + number_text(point.second) + "\n";
         }
         script += "EOD\n";
-        const std::string kind = !series.markers ? "lines" : series.line ? "linespoints" : "points";
-        const std::size_t style = series.style.value_or(k);
-        commands += (commands.empty() ? "plot " : ", ") + data + " with " + kind + " lw 2 lc rgb '" +
-                    colours[style % colours.size()] + "'";
-        if (series.line) commands += " dt " + std::string(dashes[style % dashes.size()]);
-        if (series.markers) commands += " pt " + std::to_string(markers[style % markers.size()]);
-        commands += series.label.empty() ? " notitle" : " title " + gnuplot_string(series.label);
+        commands.push_back(data + " with " + style_of(series, style) +
+                           (series.label.empty() ? " notitle" : " title " + gnuplot_string(series.label)));
     }
-    if (commands.empty()) throw PlotError("the plot has no point to draw");
-    return script + commands + "\n";
+    if (commands.size() == 1) script += "set key off\n";  // the title and the axes say it all
+    return script + "plot " + join(commands, ", ") + "\n";
 }
 
 std::string gnuplot_script(const Plot& plot, bool png) {
     const std::size_t panels = 1 + plot.beside.size();
+    const bool one = panels == 1;  // several are smaller, so that text remains legible where the picture is fitted in
     const auto size = [&](std::size_t width, std::size_t height) {
         return "size " + std::to_string(panels * width) + "," + std::to_string(height) + " ";
     };
     std::string script = "set encoding utf8\n";
     if (png) {
-        script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + size(1200, 800) +
-                  "enhanced font 'sans,16' background '#ffffff'; else set terminal png " + size(1200, 800) +
+        const std::string pixels = one ? size(1200, 800) : size(900, 780);
+        script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + pixels +
+                  "enhanced font 'sans,16' background '#ffffff'; else set terminal png " + pixels +
                   "enhanced background '#ffffff'\n";
     } else {
-        script += "set terminal svg " + size(900, 600) + "dynamic enhanced font 'sans,14' background '#ffffff'\n";
+        script += "set terminal svg " + (one ? size(900, 600) : size(675, 585)) +
+                  "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
     }
-    if (panels > 1) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
-    script += panel_script(plot);
-    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel);
-    if (panels > 1) script += "unset multiplot\n";
+    if (!one) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
+    script += panel_script(plot, one);
+    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel, one);
+    if (!one) script += "unset multiplot\n";
     return script;
 }
 
@@ -217,7 +246,30 @@ bool is_whole(std::string_view picture, bool png) {
     return picture.size() >= end.size() && picture.substr(picture.size() - end.size()) == end;
 }
 
+/// gnuplot puts what follows a subscript into a part of its own, whose leading space some viewers drop.
+void keep_spaces(std::string& svg) {
+    constexpr std::string_view tag = "<text>", kept = "<text xml:space=\"preserve\">";
+    for (std::size_t i = 0; (i = svg.find(tag, i)) != std::string::npos; i += kept.size()) {
+        svg.replace(i, tag.size(), kept);
+    }
+}
+
 }  // namespace
+
+std::string shown_name(const std::string& column) {
+    static const std::map<std::string, std::string> names{
+        {"alpha_L", "α_L"},          {"alpha_T", "α_T"}, {"lambda", "λ"},  {"epsilon", "ε"},
+        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},  {"poisson", "ν"}, {"lateral_ratio", "δ_y"}};
+    const auto found = names.find(column);
+    return found == names.end() ? column : found->second;
+}
+
+bool can_be_drawn(const Plot& plot) {
+    return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
+        return std::any_of(series.points.begin(), series.points.end(),
+                           [&](const auto& point) { return has_place(plot, point); });
+    });
+}
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
                 const Selection& selection) {
@@ -243,7 +295,7 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     const auto append = [](std::string& text, const std::string& name, const std::string& value) {
         if (value.empty()) return;
         const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos;
-        text += (text.empty() ? "" : ", ") + (speaks ? value : with_greek(name) + " = " + value);
+        text += (text.empty() ? "" : ", ") + (speaks ? value : shown_name(name) + " = " + value);
     };
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool shared =
@@ -262,13 +314,18 @@ bool plot_is_png(const Options& options) {
     return ending == ".png";
 }
 
-void draw(const Plot& plot, OutputFile& file, bool png) {
-    const std::string picture = run_gnuplot(gnuplot_script(plot, png), file.path());
-    if (!is_whole(picture, png)) {
-        throw PlotError("--plot = " + file.path() + ": gnuplot drew " + (picture.empty() ? "nothing" : "only a part") +
+std::string picture(const Plot& plot, bool png, const std::string& path) {
+    std::string drawn = run_gnuplot(gnuplot_script(plot, png), path);
+    if (!is_whole(drawn, png)) {
+        throw PlotError("--plot = " + path + ": gnuplot drew " + (drawn.empty() ? "nothing" : "only a part") +
                         "; the rows are written");
     }
-    file.write(picture);
+    if (!png) keep_spaces(drawn);
+    return drawn;
+}
+
+void draw(const Plot& plot, OutputFile& file, bool png) {
+    file.write(picture(plot, png, file.path()));
     file.commit();
 }
 

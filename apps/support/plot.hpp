@@ -1,5 +1,5 @@
 // Plots by gnuplot: lines and points with axis labels and a legend, as SVG or PNG.
-// Colours are Okabe and Ito's, which colour-blind readers tell apart; dashes and markers do the same in grey.
+// The first colours are Okabe and Ito's, which colour-blind readers tell apart; dashes and markers do so in grey.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,21 @@ namespace study {
 struct Series {
     std::string label;
     std::vector<std::pair<double, double>> points;
-    bool markers = true;  ///< besides the line
+    bool markers = true;  ///< in addition to the line
     bool line = true;
+    bool open = false;                   ///< markers, which then show what lies below them
     std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
-    bool reference = false;              ///< such as exact values: drawn however many curves there are
+    bool reference = false;              ///< such as exact values: black, and drawn however many curves there are
 };
 
-/// Series::style from here to 7 has open markers, which show what lies below them.
-inline constexpr std::size_t first_open_marker = 4;
-
-/// As many curves with a label as a panel draws; its title says when there are more.
+/// How many curves with a label a panel draws at most; its title says if there are more.
 inline constexpr std::size_t most_curves = 12;
+
+/// How pictures name a column: "α_T" for alpha_T.
+std::string shown_name(const std::string& column);
+
+/// Relative errors below this are round-off, or 0, which a logarithmic axis cannot show.
+inline constexpr double least_drawn = 1e-16;
 
 struct PlotRange {
     double low, high;
@@ -36,11 +40,14 @@ struct PlotRange {
 struct Plot {
     std::string title, x_label, y_label;
     bool log_x = false, log_y = false;
-    int log_base = 10;                              ///< of the marks on logarithmic axes
+    int log_base = 10;                              ///< of the marks on a logarithmic x axis
     std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
     std::vector<Series> series;
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };
+
+/// Whether any point has a place on the axes: 0 has none on a logarithmic one. Other plots are not drawn.
+bool can_be_drawn(const Plot& plot);
 
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
 /// their label, what they share is appended to the title. Undefined points are left out.
@@ -57,8 +64,12 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
 /// Whether the file's name asks for a PNG; false is SVG. Throws BadInput for any other ending.
 bool plot_is_png(const Options& options);
 
-/// Draws into an open file and commits it. Throws PlotError when gnuplot is missing, fails or draws only a part, and
-/// WriteError when the file cannot be written.
+/// The picture as PNG or SVG. Throws PlotError, which names `path`, when gnuplot is missing, fails or draws only a
+/// part.
+std::string picture(const Plot& plot, bool png, const std::string& path);
+
+/// Draws into an open file and commits it. Throws PlotError as picture() does, and WriteError when the file cannot be
+/// written.
 void draw(const Plot& plot, OutputFile& file, bool png);
 
 }  // namespace study

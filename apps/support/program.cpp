@@ -11,16 +11,14 @@
 
 #include "csv.hpp"
 #include "errors.hpp"
+#include "files.hpp"
 
 namespace study {
 
 namespace {
 
-int report(const Options& options, std::string message, ExitCode code) {
-    for (char& c : message) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    }
-    std::fprintf(stderr, "%s: %s\n", options.program().c_str(), message.c_str());
+int report(const Options& options, const std::string& message, ExitCode code) {
+    std::fprintf(stderr, "%s: %s\n", options.program().c_str(), printable(message).c_str());
     return code;
 }
 

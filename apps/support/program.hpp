@@ -7,7 +7,7 @@
 
 namespace study {
 
-/// Runs body(options) after the command line was read; its return value is the exit code.
+/// Reads the command line and runs body(options), whose return value is the exit code.
 int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body);
 
 }  // namespace study

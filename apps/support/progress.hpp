@@ -1,5 +1,5 @@
-// Progress: one line on the terminal during long runs, which shows by its clock that a long row goes on.
-// Silent in the first half second, where standard error is no terminal, and where rows scroll by anyway.
+// Progress: one line on the terminal during long runs. Its clock shows that a long row is still being computed.
+// Silent in the first half second, if standard error is no terminal, and if the rows themselves appear there.
 #pragma once
 
 #include <chrono>

@@ -48,7 +48,7 @@ MeshPointer mesh_from_file(const Options& options) {
     return std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values));
 }
 
-/// The name in the columns of the mesh of every n, and its gradings.
+/// The name of the mesh in the columns and, for every n, its gradings.
 std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const Options& options) {
     const bool from_file = options.given("edges");
     if (from_file) {
@@ -58,7 +58,7 @@ std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const O
     const std::string name = from_file ? "edges" : options.choice("mesh", mesh_names());
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
     const auto topology = rollbem::topology_named(name);  // none with --edges
-    std::vector<double> gradings{0};                      // of no effect where the mesh has none
+    std::vector<double> gradings{0};                      // without effect if the mesh has none
     for (const auto& [option, grading] :
          {std::pair{"size-ratio", rollbem::Grading::size_ratio}, {"epsilon", rollbem::Grading::epsilon}}) {
         const std::vector<double> values = options.numbers(option, between(1e-12, 1e12));

@@ -1,6 +1,5 @@
-// Scenes: what the common options ask for, as a list of contact, mesh and scheme or Chebyshev states, and kernel to
-// compute with. n is the outermost loop, then lambda, alpha_L, alpha_T, the mesh's grading, the aspect and Poisson's
-// ratio.
+// Scenes: the cases that the common options ask for, each a contact, a mesh and a scheme or Chebyshev states, and a
+// kernel. n is the outermost loop, then lambda, alpha_L, alpha_T, the mesh's grading, the aspect and Poisson's ratio.
 #pragma once
 
 #include <memory>
@@ -26,12 +25,12 @@ enum class Problem { steady, non_steady };
 /// What a study can compute with. Chebyshev states are for full adhesion.
 enum class Methods { elements, elements_and_states };
 
-/// One case to compute, and its names as they stand in the columns.
+/// One case to compute, and its names in the columns.
 struct Scene {
     std::string method, derivative{}, mesh_name{};         ///< the latter two empty for Chebyshev states
     std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
     std::optional<double> size_ratio{}, epsilon{};         ///< [-]; empty where the mesh has none
-    std::string quadrature{};                              ///< a number of points or exact; empty but for galerkin
+    std::string quadrature{};                              ///< a number of points or exact; empty except for galerkin
     rollbem::Contact<double> contact;                      ///< a = G = 1
     std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
@@ -46,14 +45,14 @@ struct Scene {
     /// For the progress line.
     std::string label() const { return "n = " + std::to_string(n()); }
 
-    /// function(mesh, scheme, kernel) with their own types. Of elements only.
+    /// function(mesh, scheme, kernel) with their own types. For elements only.
     template <class Function>
     decltype(auto) visit(const Function& function) const {
         return std::visit([&](const auto& s, const auto& k) -> decltype(auto) { return function(*mesh, s, k); }, scheme,
                           kernel);
     }
 
-    /// The same of elements, and states(Chebyshev, kernel) of Chebyshev states; both return the same type.
+    /// The same for elements, and states(Chebyshev, kernel) for Chebyshev states; both return the same type.
     template <class Elements, class States>
     auto visit(const Elements& elements, const States& states) const {
         if (!chebyshev) return visit(elements);
@@ -70,10 +69,10 @@ const std::vector<std::string>& all_setting_columns();
 Row setting_cells(const Scene& scene);
 Row all_setting_cells(const Scene& scene);
 
-/// "inf" where b/a has no end.
+/// b/a, "inf" if it is infinite.
 Cell aspect_cell(const rollbem::Contact<double>& contact);
 
-/// One list after the other.
+/// Both lists, one after the other.
 template <class Item>
 std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
     first.insert(first.end(), second.begin(), second.end());
@@ -83,16 +82,16 @@ std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& secon
 /// The contacts of --aspect and --poisson, with a = G = 1; the latter is the inner loop.
 std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem);
 
-/// The same where there can be one only.
+/// The same if there can only be one.
 rollbem::Contact<double> make_contact(const Options& options, Problem problem);
 
-/// Those of the scenes, each once.
+/// The contacts of the scenes, each once.
 std::vector<rollbem::Contact<double>> contacts_of(const std::vector<Scene>& scenes);
 
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");
 
-/// All cases the common options ask for. Throws BadInput for values out of range and for options that would be ignored.
+/// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods = Methods::elements);
 
 }  // namespace study

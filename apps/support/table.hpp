@@ -24,14 +24,14 @@ using Emit = std::function<void(Row)>;
 struct Table {
     std::vector<std::string> columns;
     std::vector<std::size_t> rows_of_task;  ///< known beforehand, so that rows can be divided into shards
-    /// Where set, called once before any task is computed, with those of this run. done(part) of 0 ... 1 tells how far
-    /// it has come.
+    /// If set, called once before any task is computed, with those of this run. It reports its progress by done(part),
+    /// 0 ... 1.
     std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
-    /// Where set, called once the rows have their name: files that belong to them take theirs.
+    /// If set, called when the file of the rows has its name, to write files that belong to it.
     std::function<void()> written{};
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
-    /// Where set, what a task computes, e.g. "n = 20", for the progress line.
+    /// If set, what a task computes, e.g. "n = 20", for the progress line.
     std::function<std::string(std::size_t task)> label{};
 };
 
@@ -41,7 +41,7 @@ struct Task {
     RowRange range;
 };
 
-/// Computes tasks in `jobs` threads, a bounded number ahead of the output, and hands their rows over in order.
+/// Computes tasks in `jobs` threads, a bounded number of them ahead of the output, and emits their rows in order.
 void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
                       const std::function<void()>& task_done,
                       const std::function<void(std::size_t index)>& started = {});
@@ -52,14 +52,14 @@ std::size_t job_count(const Options& options);
 /// Whether rows have times: one job, which no other disturbs, and no --no-timing.
 bool has_times(const Options& options);
 
-/// Whether a progress line is wanted: not with --quiet, nor where the rows themselves show how far the run has come.
+/// Whether a progress line is wanted: not with --quiet, nor if the rows themselves show the progress.
 bool shows_progress(const Options& options);
 
-/// Whether this run's rows come with the header: the others of --shard do not repeat it.
+/// Whether this run writes the header: of all shards, only the first does.
 bool has_header(const Options& options);
 
-/// Writes the table where --output says, with its companion file, and draws it. Throws BadInput before it computes
-/// anything, WriteError, or PlotError once the rows are written.
+/// Writes the table to --output, with its companion file, and draws it. Throws BadInput before it computes anything,
+/// WriteError, or PlotError when the rows are written.
 void write_table(const Options& options, const Table& table);
 
 }  // namespace study

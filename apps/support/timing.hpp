@@ -9,8 +9,8 @@
 
 namespace study {
 
-/// Median over at least 5 runs of the time of one call [us]. Runs go on for 2 ms, up to 51 of them, which calms the
-/// median of short computations. `call` must return a double that depends on what it computed.
+/// Median over at least 5 runs of the time of one call [us]. Runs are repeated for 2 ms, at most 51 times, which
+/// steadies the median of short computations. `call` must return a double that depends on what it computed.
 template <class Call>
 double median_time_us(const Call& call) {
     using Clock = std::chrono::steady_clock;

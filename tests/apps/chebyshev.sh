@@ -1,6 +1,6 @@
 #!/bin/sh
 # --method chebyshev of the studies of full adhesion and --state-space of frequency_study, seen from outside: what they
-# refuse, empty cells, errors that are known for each number of states, and the files of matrices.
+# refuse, empty cells, known errors for each number of states, and the files of matrices.
 # Usage: chebyshev.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 steady="$programs/steady_study --method chebyshev"
@@ -10,7 +10,7 @@ frequency="$programs/frequency_study --method chebyshev"
 transient="$programs/transient_study --method chebyshev --integrator exponential"
 plane='--kernel plane --aspect 100 --poisson 0.25'
 
-# near COLUMN NUMBER...: the sizes in that column of the file out, each within 20 % of its number.
+# near COLUMN NUMBER...: the absolute values in that column of the file out are within 20 % of these numbers.
 near() {
     column=$1
     shift
@@ -19,7 +19,7 @@ near() {
         END { exit bad || NR != count }' || fail "column $column is not near $*: $(cat out)"
 }
 
-# --- bad input: what needs elements, and what no states have
+# --- bad input: options that need elements
 for study in steady traction stability frequency 'transient --step 1'; do
     s="$programs/${study%% *}_study --method chebyshev --output x.csv"
     case $study in *' '*) s="$s ${study#* }" ;; esac
@@ -48,7 +48,7 @@ for options in '' '--transient --creepage-ratio 0.5'; do
         "$programs/friction_study" --method chebyshev --output x.csv $options
 done
 
-# --- steady: exact to rounding for the plane and for infinite width; narrow strips need states, and say so
+# --- steady: exact to round-off for the plane and for infinite width; narrow strips need more states, and say so
 good 5 $steady --n 1,2,8,40 --kernel plane --poisson 0.25
 header method,derivative,mesh,n,alpha_L,alpha_T,c11,c11_exact,c11_ratio,relative_error,residual,assembly_us,solve_us
 check 'names and empty cells' '$1 == "chebyshev" && $2 $3 $5 $6 $11 $12 == "" && $13 > 0'
@@ -82,7 +82,7 @@ shards $traction --n 3,8
 good 6 $stability --n 1,2,3,12,96 $plane
 check 'names and empty cells' '$1 == "chebyshev" && $2 $3 $5 $6 $7 == "" && $13 > 0'
 check 'all modes decay' '$8 == 0 && $9 == 0 && $10 == 0 && $11 < 0 && $12 < 1.4143 && $14 > 0'
-# errors of the first eigenvalues, counted in half of the complex plane
+# errors of the first eigenvalues in one half of the complex plane
 for states in 4:1:5.2e-11 12:2:2.5e-11 16:3:6.7e-10; do
     echo "$states" | tr : ' ' >expected
     read -r n mode error <expected
@@ -106,7 +106,7 @@ good 4 $frequency --n 4,16,32 --aspect 0.3 --omega 1
 check 'no c11 of too few states' '($3 $4 $7 == "") == ($1 == 4) && $5 != ""'
 shards $frequency --n 3,5 --omega 0.1,1,3
 
-# --- the response to a step, one and five half-lengths behind it
+# --- the response to a step, one and five half-lengths after it
 good 16 $transient --step 1 --n 8,12,48 $plane --dq 1 --until 5
 header q_over_a,creepage,force,exact,relative_error
 check 'empty cells' '$6 == "chebyshev" && $7 $8 $10 $11 $12 == ""'
@@ -118,7 +118,7 @@ near 5 1.8e-7 8.1e-9
 shards $transient --step 1 --n 3,4 --until 1
 good 21 $transient --step 1 --n 4 --aspect 0.3 --until 1 --unchecked
 
-# --- the state space: what it refuses, leaving nothing
+# --- the state space: bad input leaves no file
 f="$programs/frequency_study --omega 0,0.7,5"
 bad '--state-space = d must go with one scheme; the values of --n,' $f --method chebyshev --state-space d
 bad 'make 2' $f --n 10 --alpha-T 0.5,0.63 --state-space d
@@ -163,7 +163,7 @@ c11() {
         }' "$2/A.csv" "$2/B.csv" "$2/C.csv" "$2/D.csv"
 }
 
-# --- the state space: files that give the c11 of the table beside them
+# --- the state space: its matrices give the c11 of the table
 mkdir there && echo old >there/A.csv && echo other >there/note
 for scheme in '--method chebyshev --n 8' '--method chebyshev --n 1' '--mesh cosine --alpha 0.5 --n 15' \
     '--method knothe-bc --n 9'; do
@@ -196,7 +196,7 @@ printf 'state-space = "configured"\nmethod = "chebyshev"\nn = 3\nomega = 1\n' >c
 good 2 "$programs/frequency_study" --config c.toml
 [ -s configured/A.csv ] || fail '--state-space in a configuration file'
 
-# --- nothing by halves: a full disk, an interrupt, a table that cannot be written
+# --- all files or none: a full disk, an interrupt, a table that cannot be written
 echo old >exact/A.csv
 for folder in exact full/below; do
     (ulimit -f 1 && $f --state-space $folder >out 2>err)
@@ -216,7 +216,7 @@ PATH=/nonexistent $f --state-space full --plot x.svg >out 2>err
 if command -v gnuplot >/dev/null; then
     $steady --n 1,2,4 --kernel plane --plot s.svg >out 2>err && grep -q 'number of states' s.svg || fail "steady: $(cat err)"
     $stability --n 2,4 --plot s.svg >out 2>err && grep -q 'number of states' s.svg || fail "stability: $(cat err)"
-    $stability --spectrum --n 8 --plot s.svg >out 2>err && grep -q 'chebyshev, eigenvalues' s.svg || fail "spectrum: $(cat err)"
+    $stability --spectrum --n 8 --plot s.svg >out 2>err && grep -q 'Eigenvalues, chebyshev' s.svg || fail "spectrum: $(cat err)"
     $traction --n 8 --plot s.svg >out 2>err && grep -q Carter s.svg || fail "traction: $(cat err)"
     $frequency --n 4,8 --plot s.svg >out 2>err && grep -q 'Re, n = 8' s.svg || fail "frequency: $(cat err)"
     $transient --step 1 --n 4,8 --plot s.svg >out 2>err && grep -q 'n = 8' s.svg || fail "transient: $(cat err)"

@@ -10,7 +10,7 @@ printf '%s\n' -1 0.2 0.1 1 >"$scratch/falling"
 printf '%s\n' -1 0.2 0.9 >"$scratch/short"
 printf 'n = 10\nbogus = 1\n' >"$scratch/bogus.toml"
 
-# values out of range; every message names option, value and what is allowed
+# values out of range; every message names the option, the value and what is allowed
 bad '--n = 0 must be an integer in [1, 100000]' "$steady" --n 0 --output x.csv
 bad '--n = -5 must be' "$steady" --n -5
 bad '--n = 10.0 must be' "$steady" --n 10.0
@@ -56,6 +56,10 @@ bad '--zzzzzz is not an option; see --help' "$steady" --zzzzzz -0.5
 bad '--mehs is not an option; did you mean --mesh?; --oytput is not an option; did you mean --output?' \
     "$steady" --mehs cosine --oytput x.csv
 bad 'foo bar was not expected' "$steady" foo bar
+bad '--mesh = \x1B[1m\xFF must be one of' "$steady" --mesh "$(printf '\033[1m\377')"
+bad '\x07\xC3 was not expected' "$steady" "$(printf '\007\303')"
+bad 'must be a file that can be read' "$steady" --edges "$(printf 'é\377')"
+bad 'é\xFF' "$steady" --edges "$(printf 'é\377')"
 
 # options that would be ignored
 bad '--epsilon = 0.5 has no effect with --mesh uniform; it is for --mesh knothe and modified-knothe' "$steady" --epsilon 0.5
@@ -82,7 +86,7 @@ if [ "$(id -u)" -ne 0 ]; then
     bad 'must be a file that can be written' "$steady" --output "$scratch/locked/x.csv"
 fi
 
-# what can be asked for
+# --help and --version
 good 7 "$steady"
 good 2 "$steady" --n 1 --alpha 0.5
 good 4 "$steady" --n 5 --n 6,7
@@ -99,7 +103,7 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
 "$steady" --help | grep -q 'Example' || fail "--help has no example"
 "$steady" --version | grep -q '^steady_study [0-9]' || fail "--version"
 
-# what is varied has a column, and what a cell lacks has a reason
+# everything that is varied has a column, and every empty cell a reason
 good 9 "$steady" --n 12 --mesh knothe --epsilon 0.3,0.4 --aspect 10,inf --poisson 0.1,0.2 --alpha 0.5
 [ "$(head -n 1 out | cut -d, -f15-)" = status,kernel,aspect,poisson,size_ratio,epsilon,quadrature ] || fail "settings"
 check 'settings of a steady row' '$15 == "ok" && $16 == ($17 == "inf" ? "plane" : "strip") && $19 == "" && $21 == ""'
@@ -201,7 +205,7 @@ cat pipe >through &
 wait
 [ -p pipe ] && [ "$(wc -l <through)" -eq 2 ] && [ ! -e pipe.toml ] || fail "rows through a pipe"
 
-# a disk that is full: nothing takes a name, whether rows or the companion do not fit
+# a full disk: no file appears, whether the rows or the companion do not fit
 for arguments in '--n 10' '--n 10,20,30,40,50,60,70,80 --alpha-T 0.5,0.6,0.63'; do
     echo old >full.csv
     (ulimit -f 1 && "$steady" $arguments --output full.csv 2>err)
@@ -217,7 +221,7 @@ ln -s /dev/full full.csv.toml
 bad 'must be a file that can be written' "$steady" --output /sys/x.csv
 bad 'must be a file that can be written' "$steady" --n 10 --output x.csv --plot /sys/x.svg
 
-# closed streams: a failure to write, and no message in a file of results
+# closed streams: writing fails, and no message ends up in a file of results
 for close in '>&-' '>&- 2>&-'; do
     eval "\"$steady\" --n 10 $close" 2>err
     [ $? -eq 4 ] || fail "exit code with $close"
@@ -227,7 +231,7 @@ done
 PATH=/nonexistent "$steady" --n 10 --output closed.csv --plot closed.svg >&- 2>&- <&-
 [ $? -eq 3 ] && [ "$(wc -l <closed.csv)" -eq 2 ] || fail "a message in a file"
 
-# an interrupt leaves nothing, and what was there before
+# an interrupt leaves no file, and older files as they were
 interrupt INT big.csv "$steady" --n 6000 --output big.csv
 [ $code -eq 130 ] || fail "exit $code instead of 130 after an interrupt"
 [ -z "$(find . -name 'big.csv*')" ] || fail "an interrupt leaves files"
@@ -254,12 +258,12 @@ if command -v script >/dev/null && command -v timeout >/dev/null; then
     rm -f long.csv*
 fi
 
-# plots: without gnuplot the rows are written all the same
+# plots: without gnuplot the rows are still written
 PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
 code=$?
 [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code instead of 3 without gnuplot"
 [ "$(wc -l <rows.csv)" -eq 3 ] && [ ! -e rows.svg ] || fail "files without gnuplot"
-# a gnuplot that is killed, fails, draws nothing or a part, or does not listen: the older plot stays
+# a gnuplot that is killed, fails, draws nothing or only a part, or reads nothing: the older plot stays
 mkdir bin
 for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 0' 'cat >/dev/null' \
     'cat >/dev/null; echo "<svg>"'; do
@@ -276,7 +280,7 @@ if command -v gnuplot >/dev/null; then
     grep -q '</svg>' steady.svg || fail "steady.svg is not whole"
     "$traction" --n 10,20 --plot traction.png >out 2>err || fail "traction plot: $(cat err)"
     [ "$(head -c 4 traction.png | tail -c 3)" = PNG ] || fail "traction.png is no PNG"
-    # a disk that is full, be it only for the plot: the older one stays
+    # a disk that is full, if only for the plot: the older one stays
     ln -s /dev/full full.svg
     for picture in full.svg cut.svg cut.png; do
         [ -h $picture ] || echo old >$picture

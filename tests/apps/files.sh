@@ -5,7 +5,7 @@
 steady=$programs/steady_study
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 
-# a configuration file that is malformed: its name, the line, and what is wrong
+# a malformed configuration file: the message has its name, the line, and what is wrong
 # malformed LINE TEXT CONTENT: refused at that line
 malformed() {
     printf "$3" >"$scratch/malformed.toml"
@@ -47,7 +47,7 @@ malformed 1 'must name an option of steady_study' 'config = x\n'
 malformed 1 'must be true or false' 'quiet = yes\n'
 malformed 1 'must be true or false' 'quiet = [true, false]\n'
 
-# a configuration file; the command line wins
+# a configuration file; the command line takes precedence
 printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
 good 5 "$steady" --config c.toml
 good 3 "$steady" --config c.toml --n 30
@@ -57,7 +57,7 @@ check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 ==
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
 
-# the file beside the rows repeats a run: the same rows, without its files, jobs and shard; the command line wins
+# the file beside the rows repeats a run: the same rows, without its outputs, jobs and shard
 printf '%s\n' -1 -0.2 0.5 1 >own
 "$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv || fail run.csv
 sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
@@ -89,7 +89,7 @@ malformed 3 'must not give n a second time' '[given]\nn = 10\nn = 20\n'
 malformed 2 'must name an option of steady_study; did you mean --alpha-T?' '[given]\nalpha-t = 10\n'
 rm -rf run.* t.csv* again.* parts own
 
-# - is a standard stream, and no file
+# - is a standard stream, not a file
 mkdir streams
 (cd streams && "$steady" --n 10 --output - | cut -d, -f1-10 >../out && "$steady" --edges - <"$scratch/edges" >../err) ||
     fail "standard streams"
@@ -102,15 +102,15 @@ bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scr
 "$steady" --n 10 --output - >/dev/full 2>err
 [ $? -eq 4 ] || fail "--output - to a full disk"
 
-# no file of a run is written to twice, or read besides
-# state: all that is in the folder names
+# no output of a run is also its input or another output
+# state: everything in the folder names
 state() {
     for file in names/*; do
         echo "$file $(readlink "$file")"
         [ -h "$file" ] || cat "$file"
     done
 }
-# taken TEXT ARG...: refused, and nothing has changed
+# taken TEXT ARG...: refused, and no file has changed
 taken() {
     text=$1
     shift

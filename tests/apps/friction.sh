@@ -103,7 +103,7 @@ check 'an exact border' '$10 ^ 2 < 1e-12 ^ 2 && $3 == "fitted" && $5 $6 == "" &&
 good 4 $steady --n 40 --creepage-ratio -0.5,0,1.2 --fit-border
 awk -F, 'NR == 2 { minus = ($8 + 0.75) ^ 2 < 1e-24 } NR == 3 { still = $8 == 0 && $3 == "fitted" } NR == 4 { slid = ($8 - 1) ^ 2 < 1e-24 && $11 == 0 }
     END { exit !(minus && still && slid) }' out || fail "exact borders of either sign: $(cat out)"
-# under a pressure without jumps exact as well, with a jump or stick that ends before the leading edge by elements
+# exact under other pressures without jumps, too; by elements with a jump or stick that ends before the leading edge
 awk 'BEGIN { print "x_over_a,pressure"; for (i = 0; i <= 400; ++i) { t = 3.14159265358979 * i / 400
     printf "%.15g,%.15g\n", -cos(t), (i % 400 ? sin(t) : 0) } }' >"$scratch/round"
 good 3 $steady --n 40 --fit-border --pressure "$scratch/round" --creepage-ratio 0.3,0.6
@@ -118,12 +118,12 @@ done
 good 5 $steady --n 40 --creepage-ratio -0.5,0.5,-3,0
 awk -F, 'NR == 2 { minus = $8 } NR == 3 { mirrored = minus == -$8 } NR == 4 { slid = ($8 + 1) ^ 2 < 1e-26 }
     NR == 5 { nothing = $8 == 0 && $10 == "" } END { exit !(mirrored && slid && nothing) }' out || fail 'signs'
-# a scheme whose traction pushes with the creepage where all of it sticks; here it loses a third
+# a scheme whose tractions in full adhesion assist the creepage; with friction its force is a third too low
 good 3 $steady --n 20 --mesh uniform --alpha 0.5,1.5 --creepage-ratio 0.5
 awk -F, 'NR == 2 { trusted = $21 == "ok" && $8 > 0.7 && $18 > 0 && $19 > 0 }
     NR == 3 { refused = $21 == "inconsistent" && $8 $10 $18 $19 == "" && $9 == 0.75 && $13 < 1e-12 }
     END { exit !(trusted && refused) }' out || fail "a scheme that does not converge: $(cat out)"
-# rounds that cycle end all the same
+# rounds that cycle still end
 good 5 $steady --n 20,80 --alpha-L 0 --alpha-T 0.5,0.63 --creepage-ratio 0.95
 check 'fallback' '$10 ^ 2 < 1e-3 ^ 2 && $13 < 1e-12 && $20 > 0 && $21 == "ok"'
 for method in galerkin knothe-bc; do
@@ -143,7 +143,11 @@ grep -q '^command_line = ".* --creepage-ratio 0.5 --jobs 2 --tractions t"$' t.to
 awk -F, 'NR > 1 { rows += 1; if ($4 < 0 && -$4 <= $5 * (1 + 1e-12) && ($6 == 1) == ($7 == 0) && $7 >= 0) good += 1;
     if (($4 - $8) ^ 2 < 0.2 ^ 2 && ($6 == 1 || -$4 == $5)) near += 1 } END { exit !(rows == 30 && good == 30 && near == 30) }' t ||
     fail 'tractions within their bound'
-# tractions of two schemes: which is which, and which is wrong
+# the tractions do not depend on the plot
+PATH=/nonexistent $steady --n 10 --creepage-ratio 0.5 --output x.csv --tractions t2 --plot x.svg 2>err
+[ $? -eq 3 ] && [ "$(wc -l <t2)" -eq 11 ] && [ -s t2.toml ] || fail "tractions without gnuplot: $(cat err)"
+rm -f t2 t2.toml x.csv x.csv.toml
+# tractions of two schemes, one of which is inconsistent
 good 3 $steady --n 20 --mesh uniform --alpha 0.5,1.5 --creepage-ratio 0.5 --tractions t
 awk -F, 'NR > 1 && $12 == 0.5 && $13 == 0.5 && $14 == "ok" && $4 < 0 && $6 != "" && $7 != "" { trusted += 1 }
     NR > 1 && $12 == 1.5 && $13 == 1.5 && $14 == "inconsistent" && $4 $6 $7 == "" && $5 > 0 && $8 < 0 { refused += 1 }
@@ -192,7 +196,7 @@ check 'a layer' '($8 - 0.3034) ^ 2 < 2e-4 ^ 2 && $9 == "" && $25 == 0.5'
 good 2 $study --mesh uniform --n 160 --layer 1e4 --creepage-ratio 0.001
 check 'a brush' '($8 / (2 / 1e4 * 1.44 * 0.001 / 1.5707963267948966) - 1) ^ 2 < 0.01 ^ 2'
 
-# friction that falls with slip: forces of CONTACT's scheme at 45 m/s, and where steady solutions are several
+# friction that falls with slip: forces of CONTACT's scheme at 45 m/s, and several steady solutions
 unit='mu = 0.3; p0 = 495.169e6; G = 82e9; a = 4e-3; V = 45'
 fall=$(awk "BEGIN { $unit; printf \"0.6,%.15g\", 0.1 / (V * mu * p0 / G) }")
 ratios=$(awk "BEGIN { $unit; split(\"5e-4 1e-3 2e-3 5e-3 1e-2\", xi, \" \"); for (i = 1; i <= 5; ++i) printf \"%s%.15g\", (i > 1 ? \",\" : \"\"), xi[i] * G / (1.44 * mu * p0) }")
@@ -233,7 +237,7 @@ for start in '--shift 0' '--shift 3' '--shift -2' '--integrator implicit-euler';
 done
 good 2 $rolling --alpha 0 --unchecked --creepage-ratio 0 --shift 2 --dq 1 --until 1 --shard 1/2
 check 'Cattaneo' '$1 == 0 && $3 == 2 && $9 ^ 2 < 5e-4 ^ 2 && $9 != "" && ($4 / $8 - 1 - $9) ^ 2 < 1e-28'
-# what --unchecked lets pass is wrong for the schemes that are refused without it, and the same for the others
+# --unchecked: wrong results for the schemes that are otherwise refused, the same results for all others
 for scheme in '--alpha 1' '--mesh uniform --alpha 1.5'; do
     good 1001 $rolling $scheme --unchecked --creepage-ratio 0.5 --until 50
     awk -F, -v steady="$steady_force" 'END { exit !($12 == "unchecked" && $4 < 0.8 * steady) }' out ||
@@ -260,7 +264,7 @@ check 'settings of tractions' "\$14 == \"ok\" && $(of_settings)"
 rm -f t.csv*
 good 5 $rolling --creepage-ratio -1e6 --until 1 --dq 0.25
 check 'full sliding' '($4 + 1) ^ 2 < 1e-24 && $5 == 0'
-# ten periods of a sine: the last repeats the one before, its second half mirrors its first, and the loop has an area
+# ten periods of a sine: the last two agree, the second half mirrors the first, and the loop has an area
 good 2001 $rolling --sine 1.5,0.5 --until 125.66370614359172 --dq 0.06283185307179586
 check 'sine' '($2 - 1.5 * sin(0.5 * $1)) ^ 2 < 1e-24'
 awk -F, 'NR > 1 { d[NR] = $2; f[NR] = $4; if ($7 < work) bad = 1; work = $7 }
@@ -271,7 +275,7 @@ awk -F, 'NR > 1 { d[NR] = $2; f[NR] = $4; if ($7 < work) bad = 1; work = $7 }
 orders 4 $rolling --sine 0.9,1 --until 2
 shards $rolling --n 5,6 --creepage-ratio 0.5 --shift 1 --until 1
 
-# friction that falls with slip: to the steady force of the same mesh, or on its own up and down
+# friction that falls with slip: tends to the steady force of the same mesh, or oscillates by itself
 fallen="$study --transient --n 40 --mesh uniform --unchecked --falling $fall"
 good 201 $fallen --memory 1.37998,0.0122663 --creepage-ratio 0.5 --from steady --dq 0.1 --until 20
 check 'columns of falling friction' '$8 == "" && $12 == "unchecked" && $27 == 0.6 && $29 == 1.37998'
@@ -302,7 +306,7 @@ awk -F, -v list="$series" 'BEGIN { split(list, f, " ") }
 good 9 $short --load "$scratch/bounce"
 check 'lift-off and landing' '$12 == "ok" && ($1 < 2 || $1 > 3 ? $4 > 0 : $4 == 0 && $5 == 0)'
 awk -F, 'NR > 1 { if ($22 != ($1 <= 2 ? 1 - $1 / 2 : $1 <= 3 ? 0 : 1.2 * ($1 - 3))) bad = 1; if ($7 < work) bad = 1; work = $7 } END { exit bad }' out || fail 'the load of a table'
-# a step that reaches over a kink is divided there
+# a step across a kink is divided there
 good 3 $rolling --creepage-ratio 0.5 --until 4 --dq 2 --load "$scratch/bounce" --integrator implicit-euler
 mv out coarse
 printf 'q_over_a,load_ratio\n0,1\n2,0\n3,0\n4,1.2\n' >"$scratch/again"

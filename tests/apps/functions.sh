@@ -1,5 +1,5 @@
 # What the scripts of this folder share; to be sourced by them with a folder of programs as $1.
-# Makes an empty folder to work in, which goes away at the end, and counts failures.
+# Creates an empty folder to work in, which is removed at the end, and counts failures.
 set -u
 programs=$(cd "$1" && pwd) || exit 1
 scratch=$(mktemp -d) || exit 1
@@ -27,7 +27,7 @@ bad() {
     rm -rf work
 }
 
-# bad_pairs COLUMNS PROGRAM ARG...: what is bad in the file of pairs that the last argument names and that is not there.
+# bad_pairs COLUMNS PROGRAM ARG...: malformed files of pairs are refused; the last argument is the option for them.
 bad_pairs() {
     columns=$1
     shift
@@ -91,7 +91,7 @@ orders() {
     done
 }
 
-# interrupt SIGNAL FILE PROGRAM ARG...: the signal, sent once FILE is being written; leaves the exit code in $code.
+# interrupt SIGNAL FILE PROGRAM ARG...: sends the signal while FILE is being written; the exit code is left in $code.
 interrupt() {
     signal=$1
     file=$2

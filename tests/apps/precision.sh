@@ -1,6 +1,6 @@
 #!/bin/sh
-# apps/precision_study.cpp, seen from outside: what it refuses, columns, rows, numbers known by other routes, the front,
-# the cheapest schemes; and for every study that shards add up to the whole.
+# apps/precision_study.cpp, seen from outside: bad input, columns, rows, numbers known from elsewhere, the front, the
+# cheapest schemes; and for every study that shards add up to the whole.
 # Usage: precision.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 precision=$programs/precision_study
@@ -22,6 +22,11 @@ bad '--epsilon = 0 must lie in' $p --epsilon 0
 bad '--n = 5 must fit' "$precision" --output x.csv --n 5 --schemes richardson-cosine
 bad '--n = 0 must be an integer' "$precision" --output x.csv --n 0
 bad '--aspect = inf must be positive and finite' $p --aspect inf
+for option in aspect poisson size-ratio epsilon; do
+    bad "--$option = 0.3,0.4 must be a single value" $p --$option 0.3,0.4
+    bad "--$option = 0.3,0.4 must be a single value" $p --$option 0.3 --$option 0.4
+done
+bad '--kernel = strip,plane must be a single value' $p --kernel strip,plane
 bad '--aspect = 0.1 must be larger than' $p --aspect 0.1
 bad '--cheapest = c.csv has no effect with --shard' $p --cheapest c.csv --shard 1/2
 bad '--cheapest = c.csv has no effect with --shard or --jobs' $p --cheapest c.csv --jobs 2
@@ -74,7 +79,7 @@ check '0/0.63 is unstable at n = 160' '$6 == 0 && $5 == "" && $7 == ""'
 good 3 "$precision" --n 40 --schemes cosine --quantity c11,c11_z1 --kernel strip --aspect 10
 check 'the error of the strip is that of its model' '$8 > 3e-4 && ($4 / $8 - 1) ^ 2 < 0.01'
 
-# --- both directions, and a load that varies: elements alone, in every column like other friction
+# --- both directions, and a load that varies: only elements, and all columns as for other friction
 good 38 "$precision" --n 10,20,40 --schemes cosine,uniform-0.5/0.5,galerkin-cosine,richardson-cosine,chebyshev-states,polynomial,closed-form \
     --quantity friction_force,combined_force,load_force --cheapest cheapest.csv
 grep -E '^(chebyshev|polynomial)' out && fail 'friction without elements'
@@ -85,7 +90,7 @@ for quantity in combined_force load_force; do
     grep -q "^$quantity,1e-2,elements,[a-z]" cheapest.csv && grep -q "^$quantity,1e-2,stable-elements,[a-z]" cheapest.csv &&
         grep -q "^$quantity,1e-12,all,,,,,none\$" cheapest.csv || fail "cheapest schemes for $quantity"
 done
-# a mesh that breathes, and one on the largest contact, against the series of two discretisations
+# a mesh that breathes, and one that covers the largest contact, against errors of two other discretisations
 row() { awk -F, -v s="$1" -v n="$2" -v q="$3" '$1 == s && $2 == n && $3 == q { ok = '"$4"' } END { exit !ok }' out || fail "$1 $2 $3: $(grep "$1,$2,$3" out)"; }
 row cosine 20 load_force '($4 / 2.8e-3 - 1) ^ 2 < 0.03 ^ 2'
 row cosine 40 load_force '($4 / 8.07e-4 - 1) ^ 2 < 0.01 ^ 2'
@@ -96,7 +101,7 @@ $programs/friction_study --kernel plane --n 40 --creepage-ratio 0.35355339059327
 awk -F, -v error="$(awk -F, '$1 == "cosine" && $2 == 40 && $3 == "combined_force" { print $4 }' out)" 'NR == 2 {
         size = sqrt((0.54356 ^ 2) + (0.40941 ^ 2)); found = sqrt(($8 - 0.54356) ^ 2 + ($16 - 0.40941) ^ 2) / size
         exit !((found - error) ^ 2 < 2e-5 ^ 2 && error > 1e-3) }' both || fail 'the error of the force as a vector'
-# without Poisson's ratio Carter's along the creepage is what the reference must be, to its own precision
+# for a Poisson's ratio of 0 the reference must be Carter's force along the creepage, to its precision
 good 4 "$precision" --n 40,80,160 --schemes cosine --quantity combined_force --poisson 0 --jobs 2
 check 'Carter at 45 degrees' '($4 - ($2 == 40 ? 9.05e-4 : $2 == 80 ? 2.67e-4 : 7.7e-5)) ^ 2 < 1.2e-5 ^ 2'
 good 3 "$precision" --n 20 --schemes cosine --quantity combined_force,load_force --kernel strip --aspect 10 --jobs 2
@@ -105,8 +110,8 @@ good 2 "$precision" --n 20 --schemes cosine --quantity combined_force --aspect i
 bad '--aspect = inf must be positive and finite' $p --quantity load_force --aspect inf
 "$precision" --help | grep -q 'load_force: creepage ratio' || fail '--help says nothing of load_force'
 
-# --- Chebyshev states: numbers of the plane known otherwise, b/a = 100 and nu = 0.25, geometric in their number; the
-# strip's distance from the plane; where they do not exist
+# --- Chebyshev states: known errors for the plane, b/a = 100 and nu = 0.25, which fall geometrically; the difference of
+# strip and plane; problems that states cannot solve
 good 9 "$precision" --n 6,8,10,12 --schemes chebyshev-states --quantity c11_z5,step_force --aspect 100 --poisson 0.25
 at() { awk -F, -v n="$1" -v q="$2" '$2 == n && $3 == q { ok = '"$3"' } END { exit !ok }' out || fail "$1 states: $2: $(cat out)"; }
 at 6 c11_z5 '($4 / 5.3e-3 - 1) ^ 2 < 1e-3'
@@ -121,7 +126,7 @@ check 'from 1 to 48 states without --n' '$2 >= 1 && $2 <= 48'
 bad '--aspect = 0.0005 must be at least 0.001 for the scheme chebyshev-states' $p --kernel strip --aspect 0.0005 --quantity c11
 bad '--n = 4 must fit' $p --schemes chebyshev-states --quantity friction_force
 
-# --- shards add up to the whole, byte for byte but for times and what follows from them
+# --- shards add up to the whole, byte for byte except times and what depends on them
 # aside FILE: the rows with columns of times and on_front left empty
 aside() {
     awk -F, 'BEGIN { OFS = "," } NR == 1 { for (i = 1; i <= NF; ++i) out[i] = $i ~ /_us$|^on_front$/; print; next }
@@ -146,7 +151,7 @@ adds_up "$programs/friction_study" --n 5,8 --creepage-ratio 0.5,1.1
 adds_up "$programs/friction_study" --n 5 --transient --creepage-ratio 0.5 --until 1
 adds_up "$precision" --n 4,6 --schemes cosine,uniform-0/0.63,chebyshev-states,polynomial --quantity c11,c11_z1
 
-# --- --front: of the whole nothing but itself, of shards the columns that were empty, and of one contact only
+# --- --front: leaves the whole as it is, fills the empty columns of shards, and refuses several contacts
 sed '3s/,1000,/,100,/' whole >mixed
 bad 'line 3 must have the kernel, aspect, poisson' "$precision" --front ../mixed
 "$precision" --front whole >again || fail '--front'
@@ -160,13 +165,13 @@ grep -q '^c11,1e-2,elements,[a-z]' cheapest.csv || fail 'cheapest of parts'
 if command -v gnuplot >/dev/null; then
     good 17 "$precision" --front whole --plot p.svg
     [ "$(grep -c '</svg>' p.svg)" -eq 1 ] && grep -q 'Pareto front' p.svg || fail 'plot'
-    # a scheme has the same colour in every panel, though friction lacks two of them; rounding has a floor
+    # a scheme has the same colour in every panel, although friction lacks two of them; small errors have a floor
     good 11 "$precision" --n 40 --schemes cosine,chebyshev-states,polynomial,closed-form \
         --quantity c11,c11_z5,friction_force --plot p.svg
     awk '/<title>/ { split($0, part, /<title>|<.title>/); title = part[2] }
         match($0, /rgb\([^)]*\)/) && title { colours[title] = colours[title] substr($0, RSTART, RLENGTH) ";"; title = "" }
-        END { panels = split(colours["closed-form"], c, ";") - 1
-            exit !(panels == 3 && c[1] == c[2] && c[2] == c[3] && c[1] != "" && index(colours["cosine"], c[1]) == 0) }' p.svg ||
+        END { panels = split(colours["cosine"], c, ";") - 1
+            exit !(panels == 3 && c[1] == c[2] && c[2] == c[3] && c[1] != "" && index(colours["polynomial"], c[1]) == 0) }' p.svg ||
         fail 'colours of the panels'
     grep -q '1e-14 or less' p.svg || fail 'no floor'
 fi

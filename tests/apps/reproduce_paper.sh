@@ -12,7 +12,7 @@ bad jobs "$program" "$scratch/results" --jobs 0
 bad extra "$program" "$scratch/results" extra
 [ ! -e "$scratch/results" ] || fail "bad input left a folder"
 
-# No gnuplot: exit code 0, a note, every panel as CSV, the claims and the page; plots of an earlier run are gone.
+# Without gnuplot: exit code 0, a note, every panel as CSV, the claims and the page; plots of an earlier run are removed.
 mkdir "$scratch/results"
 echo old >"$scratch/results/fig05a.svg"
 PATH="$scratch/nowhere" "$program" "$scratch/results" --quiet >"$scratch/out" 2>"$scratch/err" </dev/null
@@ -24,6 +24,11 @@ for number in 03 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20 21 22; do
     [ -s "$scratch/results/fig${number}a.csv" ] || fail "no fig${number}a.csv"
 done
 [ "$(ls "$scratch/results" | grep -c -v -e '\.csv$' -e '^index\.html$')" -eq 0 ] || fail "left over: $(ls "$scratch/results")"
+# tractions and responses have a status
+for figure in 09a 10a 17b 22a 22b; do
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "status") at = i } NR > 1 && $at !~ /^(ok|inconsistent)$/ { bad = 1 }
+        END { exit bad || !at || NR < 10 }' "$scratch/results/fig$figure.csv" || fail "status in fig$figure.csv"
+done
 claims=$scratch/results/claims.csv
 [ "$(head -n 1 "$claims")" = "claim,figure,paper,measured,holds,expected,reason,kind" ] || fail "columns of claims.csv"
 statements=$(grep -c ',statement$' "$claims") additions=$(grep -c ',addition$' "$claims")
@@ -31,12 +36,16 @@ statements=$(grep -c ',statement$' "$claims") additions=$(grep -c ',addition$' "
 [ $((statements + additions + 1)) -eq "$(wc -l <"$claims")" ] || fail "a claim is neither statement nor addition"
 grep -q "^$statements statements of the paper: .* $additions additions: all hold" "$scratch/out" || fail "$(cat "$scratch/out")"
 
-# The page quotes the paper in the row of each statement, and its contents lead somewhere.
+# The page quotes the paper in the row of each statement, and every link of its contents has a target.
 page=$scratch/results/index.html
 failing=$(sed -n 's/.*hold, \([0-9]*\) do not hold as printed.*/\1/p' "$scratch/out")  # their rows appear twice
 [ "$(grep -c '<td>“..*”</td>' "$page")" -eq $((statements + failing)) ] || fail "statements without the paper's words"
 links=$(grep -o 'href="#[^"]*"' "$page" | sed 's/href="#\(.*\)"/\1/')
 [ "$(echo "$links" | wc -l)" -ge 20 ] || fail "contents of the page: $links"
 for link in $links; do grep -q "id=\"$link\"" "$page" || fail "the contents lead nowhere: $link"; done
+
+# An interrupted run leaves nothing, not even the folders that it created.
+interrupt TERM claims.csv "$program" made/results --quiet >/dev/null 2>&1
+[ $code -eq 143 ] && [ ! -e made ] || fail "an interrupt: exit code $code, $(ls -R made)"
 
 finish

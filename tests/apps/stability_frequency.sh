@@ -1,6 +1,6 @@
 #!/bin/sh
 # apps/stability_study.cpp and apps/frequency_study.cpp, seen from outside: what they refuse, columns, rows, shards and
-# jobs, and numbers that are known by other routes.
+# jobs, and numbers known from elsewhere.
 # Usage: stability_frequency.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 stability=$programs/stability_study
@@ -51,9 +51,9 @@ good 20 $s --n 20 --spectrum --method knothe-bc
 good 9 $s --n 8 --spectrum --aspect 0.1
 check 'no exact eigenvalues where the plane model does not decay' '$2 != "" && $4 == "" && $5 == ""'
 good 11 $s --n 10 --spectrum --alpha 1
-# one element, uniform, alpha = 0: G' is zero, and so is the eigenvalue
+# one element, uniform, alpha = 0: G' and the eigenvalue are zero
 good 2 $s --n 1 --spectrum --alpha 0
-# what steady rolling holds against a scheme whose eigenvalues are stable
+# schemes with stable eigenvalues that steady rolling shows to be flawed
 good 3 $s --n 20 --alpha 0.5,1.5
 check 'status' '$8 == 0 && $16 == ($6 == 0.5 ? "ok" : "inconsistent") && $17 == "strip" && $18 == 1000 && $19 == 0.25'
 good 2 $s --n 3 --alpha-L 0 --alpha-T 0.1
@@ -160,7 +160,7 @@ if command -v gnuplot >/dev/null; then
     good 7 "$frequency" --n 5,10 --omega 0.1,1,5 --plot f.svg
     [ "$(grep -c '</svg>' f.svg)" -eq 1 ] && grep -q 'Im, exact' f.svg && grep -q 'Re c' f.svg || fail 'both panels'
     good 9 "$frequency" --n 5,10 --omega 1,5 --aspect 10,100 --plot f.svg
-    grep -q 'Im, exact, aspect = 10, ' f.svg || fail 'exact curves of two contacts'
+    grep -q 'Im, exact, b/a = 10, ' f.svg || fail 'exact curves of two contacts'
     good 62 "$frequency" --method polynomial --plot p.svg
     grep -q 'Im, computed' p.svg || fail 'default orders make one curve'
 fi

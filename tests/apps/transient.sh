@@ -1,6 +1,6 @@
 #!/bin/sh
 # apps/transient_study.cpp and simbody_wheel.cpp, seen from outside: what they refuse, columns, rows, shards and jobs, and
-# forces that the exact response of the plane model gives.
+# forces of the exact response of the plane model.
 # Usage: transient.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 study=$programs/transient_study
@@ -45,7 +45,7 @@ awk -F, 'function near(value) { return ($4 / value - 1) ^ 2 < 1e-20 } BEGIN { fo
     END { exit found != 4 }' out || fail 'the exact response to a step'
 good 1001 $second --step 2 --integrator exponential --until 1 --dq 0.001
 check 'a short step' '$2 == 2 && $5 ^ 2 < 1.5e-4 ^ 2'
-# the others; what steps leave of a sine, its chords, is of second order
+# other histories; the chords of a sine differ from it to second order
 good 201 $second --ramp -0.5 --integrator exponential
 check 'ramp' '($2 + 0.5 * $1) ^ 2 < 1e-24 && $4 < 0 && $5 ^ 2 < 1.5e-4 ^ 2'
 good 1001 $second --sine 1e-3,2 --dq 0.01
@@ -68,7 +68,7 @@ check 'a sine that they just follow' '$14 == "ok" && $3 != ""'
 good 9 $second --aspect 10 --poisson 0 --step 1 --integrator exponential --dq 0.5 --until 1
 check 'each contact has its own exact response' '$5 ^ 2 < 1.5e-3 ^ 2'
 [ "$(tail -n +2 out | cut -d, -f4 | sort -u | wc -l)" -eq 8 ] || fail 'exact responses of contacts'
-# as other programs write it
+# CSV as other programs write it
 history="$study --n 10 --until 0.2 --dq 0.1 --history"
 printf 'q_over_a,creepage\n0,0.5\n1,1.5\n' >"$scratch/plain"
 $history "$scratch/plain" >expected
@@ -85,7 +85,7 @@ table 'q_over_a;creepage\n0;0.5\n1;1.5\n'
 table 'q_over_a\tcreepage\n0\t0.5\n1\t1.5\n'
 table 'q_over_a,creepage\n0,0.5\n1,1.5\n\n \n\n'
 table 'q_over_a,creepage\n"0","0.5"\n 1 , 1.5'
-# told TEXT CONTENT: refused, with the reason
+# told TEXT CONTENT: refused, with this reason
 told() {
     printf "$2" >"$scratch/table"
     bad "$1" $study --history "$scratch/table"
@@ -102,7 +102,13 @@ shards $second --n 5,6 --step 1 --until 1
 good 0 $study --step 1 --output x.csv
 grep -q '^step = ' x.csv.toml || fail 'companion file'
 
-# --- plots, those of shards without a row among them
+if [ -x "$programs/simbody_wheel" ]; then
+    "$programs/simbody_wheel" --n 10,40 --tolerance 2e-3 --quiet >out 2>err
+    [ $? -eq 1 ] || fail "errors above the tolerance: $(cat out err)"
+    check 'errors above the tolerance' '$NF == ($2 == 10 ? "above_tolerance" : "ok")'
+fi
+
+# --- plots, also of shards without rows
 if command -v gnuplot >/dev/null; then
     good 401 $second --n 20,30 --step 1 --plot s.svg
     grep -q exact s.svg || fail 'the exact response in the plot'

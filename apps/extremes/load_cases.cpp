@@ -1,20 +1,17 @@
-// Friction on elements at the edges of its domain: loads that vary, both directions of creepage, a third layer.
+// Friction on elements at the edges of its domain: loads that vary.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "cases.hpp"
+#include "friction_scale.hpp"
 
 namespace extremes {
 
@@ -29,20 +26,8 @@ using Load = rollbem::NormalLoad<double>;
 using Model = rollbem::FrictionModel<double>;
 using Motion = rollbem::RigidMotion<double>;
 using Step = rollbem::FrictionStep<double>;
-using Vector = rollbem::Creepage<double>;
 
-constexpr double pi = std::numbers::pi;
-constexpr double peak = 1e-3;                 // mu p0 / G
-constexpr double full_force = peak * pi / 2;  // mu N under N_0
-constexpr double half_width = 1000;           // b/a_0
-
-Outcome compare(double value, double reference, double bound, const std::string& told = {}) {
-    return {.value = value, .reference = reference, .error = value / reference - 1, .bound = bound, .told = told};
-}
-
-double creepage(double ratio, double nu = steel) { return 2 * (1 - nu) * peak * ratio; }
-
-// --- a load that varies
+constexpr double half_width = 1000;  // b/a_0
 
 /// Hertz's contact, a_0 = G = 1, on a mesh that breathes with it or covers `covered`. mu multiplies the bound alone.
 struct Rolling {
@@ -51,7 +36,7 @@ struct Rolling {
         return {mesh, covered, 1, load_ratio};
     }
 
-    /// load_ratio: of the line's own load, which sets p_0 and a_0, to the usual one.
+    /// load_ratio: the line's own load, which sets p_0 and a_0, over the usual one.
     Rolling(const Mesh<double>& mesh, double covered, double mu, double load_ratio)
         : full(full_force * load_ratio),
           hertz(make_hertz(mesh, covered, full)),
@@ -144,7 +129,7 @@ void add_lift_off(std::vector<Case>& cases) {
                              const Mesh<double> mesh = rollbem::uniform_mesh(n);
                              Rolling rolling = Rolling::fixed(mesh, 1);
                              rolling.settle(-0.8);
-                             rolling.roll(0.01, 0.5, 0);  // at once, and for a while
+                             rolling.roll(0.01, 0.5, 0);  // suddenly, and for a while
                              for (int k = 0; k < 3; ++k) rolling.roll(0.5, 0.5, 0);
                              rolling.roll(0.01, 0.5, 1);
                              for (int k = 0; k < 60; ++k) rolling.roll(2, 0.5, 1);
@@ -153,7 +138,7 @@ void add_lift_off(std::vector<Case>& cases) {
     }
     cases.push_back(
         {"load from nothing, oblique, without rolling", "force against k N", [] {
-             // p = k p_n sticks everywhere; the shift is that of the middle, of Hertz's pressure times k
+             // p = k p_n sticks everywhere; the shift is the displacement of the middle under k times Hertz's pressure
              constexpr double k = 0.6;
              const auto shift = [](double a) {
                  const double logarithm = a > 0 ? std::log(4 * half_width / a) : 0.0;
@@ -183,7 +168,7 @@ void add_lift_off(std::vector<Case>& cases) {
 }
 
 void add_growth(std::vector<Case>& cases) {
-    // Against the same steps of Chebyshev states where all sticks, and of full sliding, where the force is mu N.
+    // In full adhesion, against the same steps of Chebyshev states; in full sliding the force is mu N.
     for (const double way : {1.0, -1.0}) {
         for (const double part : {0.9, 1 - 1e-9}) {
             const std::string name = std::string("contact ") + (way > 0 ? "grows" : "shrinks") +
@@ -247,11 +232,11 @@ void add_loads(std::vector<Case>& cases) {
                              }});
         }
     }
-    // N/N_0: the contact becomes a point and a plain within one long step, and rolls on
+    // N/N_0: within one long step the contact becomes tiny or huge, and then rolls on
     for (const double ratio : {1e-12, 1e-4, 100.0}) {
         cases.push_back({"load falls or grows to " + shown(ratio), "force by mu N against Carter", [=] {
                              Rolling rolling = Rolling::breathing(rollbem::cosine_mesh(160));
-                             const double a = std::sqrt(ratio), delta = 0.5 * a;  // full sliding goes with p_0
+                             const double a = std::sqrt(ratio), delta = 0.5 * a;  // full sliding scales with p_0
                              rolling.settle(delta);
                              rolling.roll(1.1 * std::abs(1 - a), delta, ratio);
                              for (int k = 0; k < 60; ++k) rolling.roll(2 * a, delta, ratio);
@@ -293,7 +278,7 @@ void add_loads(std::vector<Case>& cases) {
 }
 
 void add_steps(std::vector<Case>& cases) {
-    // Two discretisations agree on the force after a period, to 1e-4; elements add 2.3e-4 at n = 80.
+    // Two discretisations agree on the force after a period to 1e-4; elements add 2.3e-4 at n = 80.
     for (const double dq : {1e-3, 1e-2, 0.1}) {
         cases.push_back({"load by half, dq = " + shown(dq), "force after a period against two discretisations", [=] {
                              Rolling rolling = Rolling::breathing(rollbem::cosine_mesh(dq < 0.01 ? 40 : 80));
@@ -305,7 +290,7 @@ void add_steps(std::vector<Case>& cases) {
                              return rolling.against(0.5494, 1e-3);
                          }});
     }
-    // Steps longer than the contact: what is left of the start is gone after a few.
+    // Steps longer than the contact: the initial state is forgotten after a few of them.
     for (const double dq : {10.0, 1e6}) {
         for (const int n : {3, 40}) {
             cases.push_back({"load by half, dq = " + shown(dq) + ", n = " + std::to_string(n),
@@ -321,188 +306,14 @@ void add_steps(std::vector<Case>& cases) {
     }
 }
 
-// --- both directions
-
-struct Combined {
-    Combined(const Mesh<double>& of, double ratio_nu, double layer_ = 0)
-        : nu(ratio_nu), layer(layer_), contact(Contact<double>::dimensionless(infinity, nu)), mesh(of) {}
-
-    /// G' of a direction, with the layer where there is one.
-    Eigen::MatrixXd slopes(bool lateral) const {
-        const auto kernel =
-            lateral ? PlaneKernel<double>::lateral(contact) : PlaneKernel<double>::longitudinal(contact);
-        if (layer == 0) return rollbem::assemble_G_prime(mesh, equal, kernel);
-        return rollbem::assemble_G_prime(mesh, equal, rollbem::LayeredKernel(kernel, layer));
-    }
-
-    /// -F/(mu N) in both directions at the creepage ratio delta; the creepage's angle is given by its cosine and sine.
-    Vector force(double delta, double cosine, double sine) {
-        const rollbem::SteadyCombinedModel<double> model(contact, slopes(false), slopes(true), mesh.widths(),
-                                                         {1, peak * rollbem::mean_hertz_pressure(mesh)});
-        const auto rest = model.at_rest();
-        auto state = rest;
-        auto workspace = model.workspace();
-        const double size = creepage(delta, nu);
-        const auto point = model.solve(rest, {size * cosine, size * sine}, state, workspace);
-        told = told_by(point.status);
-        residual = point.complementarity_residual;
-        return {-point.force_per_width.longitudinal / full_force, -point.force_per_width.lateral / full_force};
-    }
-
-    /// The same by the solver of one direction.
-    double force_alone(bool lateral, double delta) const {
-        const rollbem::SteadyFrictionModel<double> model(contact, slopes(lateral), mesh.widths(),
-                                                         {1, peak * rollbem::mean_hertz_pressure(mesh)});
-        const auto rest = model.at_rest();
-        auto state = rest;
-        auto workspace = model.workspace();
-        const Step point = model.solve(rest, creepage(delta, nu), state, workspace);
-        return point.status == StepStatus::ok ? -point.force_per_width / full_force : nothing;
-    }
-
-    Outcome against(double value, double reference, double bound) const {
-        Outcome outcome = compare(value, reference, bound, told);
-        outcome.residual = residual;
-        return outcome;
-    }
-
-    double nu, layer;
-    Contact<double> contact;
-    Mesh<double> mesh;
-    std::string told{};
-    double residual = nothing;
-};
-
-void add_directions(std::vector<Case>& cases) {
-    const Mesh<double> mesh = rollbem::cosine_mesh(40);
-    for (const double nu : {0.0, steel, 0.5}) {
-        const std::string end = ", nu = " + shown(nu);
-        // Nearly in one direction: the force there is that of its own solver but for the square of the angle.
-        for (const double angle : {0.0, 1e-12, 1e-6, 1e-3}) {
-            for (const bool lateral : {false, true}) {
-                cases.push_back({"creepage at " + shown(angle) + " rad to the " + (lateral ? "lateral" : "rolling") +
-                                     " direction" + end,
-                                 "force against one direction", [=] {
-                                     Combined contact(mesh, nu);
-                                     const double along = std::cos(angle), beside = std::sin(angle);
-                                     const Vector force = lateral ? contact.force(0.5, beside, along)
-                                                                  : contact.force(0.5, along, beside);
-                                     return contact.against(lateral ? force.lateral : force.longitudinal,
-                                                            contact.force_alone(lateral, 0.5), 1e-12 + angle * angle);
-                                 }});
-            }
-        }
-        // So little slip that no element of the mesh has its share: full adhesion.
-        for (const bool lateral : {false, true}) {
-            cases.push_back({"creepage 1e-6 at 45 degrees" + end,
-                             lateral ? "lateral force against adhesion" : "force against adhesion", [=] {
-                                 Combined contact(mesh, nu);
-                                 const Vector force = contact.force(1e-6, std::sqrt(0.5), std::sqrt(0.5));
-                                 const auto adhesion =
-                                     rollbem::solve_steady<double>(contact.slopes(lateral), contact.mesh.widths());
-                                 const double reference = adhesion.c11 * creepage(1e-6, nu) * std::sqrt(0.5);
-                                 return contact.against((lateral ? force.lateral : force.longitudinal) * full_force,
-                                                        reference, 1e-12);
-                             }});
-        }
-        // All slips: against the creepage but for a part of the order of 1/delta, which only Poisson's ratio makes.
-        for (const double delta : {1e3, 1e9}) {
-            cases.push_back(
-                {"creepage " + shown(delta) + " at 30 degrees" + end, "size of the force against mu N", [=] {
-                     Combined contact(mesh, nu);
-                     const Vector force = contact.force(delta, std::sqrt(0.75), 0.5);
-                     return contact.against(std::hypot(force.longitudinal, force.lateral), 1,
-                                            1e-12 + (nu > 0 ? 0.1 / (delta * delta) : 0));
-                 }});
-            cases.push_back(
-                {"creepage " + shown(delta) + " at 30 degrees" + end, "lateral over longitudinal force", [=] {
-                     Combined contact(mesh, nu);
-                     const Vector force = contact.force(delta, std::sqrt(0.75), 0.5);
-                     return contact.against(force.lateral / force.longitudinal, std::sqrt(1 / 3.0),
-                                            1e-12 + (nu > 0 ? 0.1 / delta : 0));
-                 }});
-        }
-    }
-    // Without Poisson's ratio all angles are one, up to where the last element sticks.
-    for (const double delta : {1e-6, 0.5, 0.999, 1.0}) {
-        for (const double degrees : {1e-6, 30.0, 89.999}) {
-            cases.push_back({"creepage " + shown(delta) + " at " + shown(degrees) + " degrees, nu = 0",
-                             "size of the force against one direction", [=] {
-                                 Combined contact(mesh, 0);
-                                 const double angle = degrees * pi / 180;
-                                 const Vector force = contact.force(delta, std::cos(angle), std::sin(angle));
-                                 return contact.against(std::hypot(force.longitudinal, force.lateral),
-                                                        contact.force_alone(false, delta), 1e-10);
-                             }});
-        }
-    }
-    // Across, Carter's creepage of full sliding is 1/(1 - nu) times as large.
-    cases.push_back({"creepage 0.999 across, nu = 0.5", "lateral force against Carter", [] {
-                         Combined contact(rollbem::cosine_mesh(160), 0.5);
-                         return contact.against(contact.force(0.999, 0, 1).lateral, rollbem::carter_force_ratio(0.4995),
-                                                1e-4);
-                     }});
-    cases.push_back({"creepage nan", "force",
-                     [] {
-                         Combined contact(rollbem::cosine_mesh(10), steel);
-                         return contact.against(contact.force(nothing, 1, 0).longitudinal, 1, 0);
-                     },
-                     "not_finite"});
-}
-
-// --- a layer
-
-void add_layers(std::vector<Case>& cases) {
-    for (const int n : {3, 40}) {
-        const Mesh<double> mesh = rollbem::uniform_mesh(n);
-        const std::string elements = ", n = " + std::to_string(n);
-        for (const double layer : {0.0, 1e-12}) {
-            cases.push_back({"layer " + shown(layer) + elements, "force against none", [=] {
-                                 Combined with(mesh, steel, layer), without(mesh, steel);
-                                 return with.against(with.force_alone(false, 0.5), without.force_alone(false, 0.5),
-                                                     1e-11);
-                             }});
-        }
-        // Bristles of their own, p_i = -(xi/L) h (n - i) by upwind differences: c11 = (2/L)(1 + 1/n).
-        for (const double layer : {1e6, 1e12}) {
-            cases.push_back({"layer " + shown(layer) + elements, "c11 against a brush", [=] {
-                                 const Combined contact(mesh, steel, layer);
-                                 const auto solution =
-                                     rollbem::solve_steady<double>(contact.slopes(false), mesh.widths());
-                                 Outcome outcome = compare(solution.c11, 2 / layer * (1 + 1.0 / n), 3 / layer + 1e-13,
-                                                           told_by(solution.status));
-                                 outcome.residual = solution.residual;
-                                 return outcome;
-                             }});
-        }
-        // and alike in both directions, with friction too: of the ratio at which a brush has begun to slip
-        cases.push_back({"layer 1e6, creepage at 60 degrees" + elements, "lateral over longitudinal force", [=] {
-                             Combined contact(mesh, steel, 1e6);
-                             const Vector force = contact.force(0.2 * 1e6, 0.5, std::sqrt(0.75));
-                             return contact.against(force.lateral / force.longitudinal, std::sqrt(3.0), 1e-6);
-                         }});
-    }
-    const auto refused = [&](double layer, const std::string& says) {
-        cases.push_back({"layer " + shown(layer), "force",
-                         [=] {
-                             const Combined contact(rollbem::uniform_mesh(10), steel, layer);
-                             return compare(contact.force_alone(false, 0.5), 1, 0);
-                         },
-                         says});
-    };
-    for (const double layer : {-1e-12, nothing, infinity}) refused(layer, "compliance");
-}
-
 }  // namespace
 
-std::vector<Case> rolling_cases() {
+std::vector<Case> load_cases() {
     std::vector<Case> cases;
     add_lift_off(cases);
     add_growth(cases);
     add_loads(cases);
     add_steps(cases);
-    add_directions(cases);
-    add_layers(cases);
     return cases;
 }
 

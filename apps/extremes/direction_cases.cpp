@@ -1,0 +1,206 @@
+// Friction on elements at the edges of its domain: both directions of creepage, and an elastic layer.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/elasticity/layered_kernel.hpp>
+
+#include "cases.hpp"
+#include "friction_scale.hpp"
+
+namespace extremes {
+
+namespace {
+
+using rollbem::Contact;
+using rollbem::Mesh;
+using rollbem::PlaneKernel;
+using rollbem::StepStatus;
+using Step = rollbem::FrictionStep<double>;
+using Vector = rollbem::Creepage<double>;
+
+// --- both directions
+
+struct Combined {
+    Combined(const Mesh<double>& of, double ratio_nu, double layer_ = 0)
+        : nu(ratio_nu), layer(layer_), contact(Contact<double>::dimensionless(infinity, nu)), mesh(of) {}
+
+    /// G' of a direction, with the layer if there is one.
+    Eigen::MatrixXd slopes(bool lateral) const {
+        const auto kernel =
+            lateral ? PlaneKernel<double>::lateral(contact) : PlaneKernel<double>::longitudinal(contact);
+        if (layer == 0) return rollbem::assemble_G_prime(mesh, equal, kernel);
+        return rollbem::assemble_G_prime(mesh, equal, rollbem::LayeredKernel(kernel, layer));
+    }
+
+    /// -F/(mu N) in both directions at the creepage ratio delta; cosine and sine give the direction of the creepage.
+    Vector force(double delta, double cosine, double sine) {
+        const rollbem::SteadyCombinedModel<double> model(contact, slopes(false), slopes(true), mesh.widths(),
+                                                         {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const auto rest = model.at_rest();
+        auto state = rest;
+        auto workspace = model.workspace();
+        const double size = creepage(delta, nu);
+        const auto point = model.solve(rest, {size * cosine, size * sine}, state, workspace);
+        told = told_by(point.status);
+        residual = point.complementarity_residual;
+        return {-point.force_per_width.longitudinal / full_force, -point.force_per_width.lateral / full_force};
+    }
+
+    /// The same by the solver of one direction.
+    double force_alone(bool lateral, double delta) const {
+        const rollbem::SteadyFrictionModel<double> model(contact, slopes(lateral), mesh.widths(),
+                                                         {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const auto rest = model.at_rest();
+        auto state = rest;
+        auto workspace = model.workspace();
+        const Step point = model.solve(rest, creepage(delta, nu), state, workspace);
+        return point.status == StepStatus::ok ? -point.force_per_width / full_force : nothing;
+    }
+
+    Outcome against(double value, double reference, double bound) const {
+        Outcome outcome = compare(value, reference, bound, told);
+        outcome.residual = residual;
+        return outcome;
+    }
+
+    double nu, layer;
+    Contact<double> contact;
+    Mesh<double> mesh;
+    std::string told{};
+    double residual = nothing;
+};
+
+void add_directions(std::vector<Case>& cases) {
+    const Mesh<double> mesh = rollbem::cosine_mesh(40);
+    for (const double nu : {0.0, steel, 0.5}) {
+        const std::string end = ", nu = " + shown(nu);
+        // Nearly in one direction: the force there differs from that of its own solver by the square of the angle.
+        for (const double angle : {0.0, 1e-12, 1e-6, 1e-3}) {
+            for (const bool lateral : {false, true}) {
+                cases.push_back({"creepage at " + shown(angle) + " rad to the " + (lateral ? "lateral" : "rolling") +
+                                     " direction" + end,
+                                 "force against one direction", [=] {
+                                     Combined contact(mesh, nu);
+                                     const double along = std::cos(angle), beside = std::sin(angle);
+                                     const Vector force = lateral ? contact.force(0.5, beside, along)
+                                                                  : contact.force(0.5, along, beside);
+                                     return contact.against(lateral ? force.lateral : force.longitudinal,
+                                                            contact.force_alone(lateral, 0.5), 1e-12 + angle * angle);
+                                 }});
+            }
+        }
+        // The slip zone is smaller than any element of the mesh: full adhesion.
+        for (const bool lateral : {false, true}) {
+            cases.push_back({"creepage 1e-6 at 45 degrees" + end,
+                             lateral ? "lateral force against adhesion" : "force against adhesion", [=] {
+                                 Combined contact(mesh, nu);
+                                 const Vector force = contact.force(1e-6, std::sqrt(0.5), std::sqrt(0.5));
+                                 const auto adhesion =
+                                     rollbem::solve_steady<double>(contact.slopes(lateral), contact.mesh.widths());
+                                 const double reference = adhesion.c11 * creepage(1e-6, nu) * std::sqrt(0.5);
+                                 return contact.against((lateral ? force.lateral : force.longitudinal) * full_force,
+                                                        reference, 1e-12);
+                             }});
+        }
+        // Full sliding: against the creepage, except for a part of order 1/delta, which is due to Poisson's ratio.
+        for (const double delta : {1e3, 1e9}) {
+            cases.push_back(
+                {"creepage " + shown(delta) + " at 30 degrees" + end, "size of the force against mu N", [=] {
+                     Combined contact(mesh, nu);
+                     const Vector force = contact.force(delta, std::sqrt(0.75), 0.5);
+                     return contact.against(std::hypot(force.longitudinal, force.lateral), 1,
+                                            1e-12 + (nu > 0 ? 0.1 / (delta * delta) : 0));
+                 }});
+            cases.push_back(
+                {"creepage " + shown(delta) + " at 30 degrees" + end, "lateral over longitudinal force", [=] {
+                     Combined contact(mesh, nu);
+                     const Vector force = contact.force(delta, std::sqrt(0.75), 0.5);
+                     return contact.against(force.lateral / force.longitudinal, std::sqrt(1 / 3.0),
+                                            1e-12 + (nu > 0 ? 0.1 / delta : 0));
+                 }});
+        }
+    }
+    // With a Poisson's ratio of 0 all directions are alike, until the last element slips.
+    for (const double delta : {1e-6, 0.5, 0.999, 1.0}) {
+        for (const double degrees : {1e-6, 30.0, 89.999}) {
+            cases.push_back({"creepage " + shown(delta) + " at " + shown(degrees) + " degrees, nu = 0",
+                             "size of the force against one direction", [=] {
+                                 Combined contact(mesh, 0);
+                                 const double angle = degrees * pi / 180;
+                                 const Vector force = contact.force(delta, std::cos(angle), std::sin(angle));
+                                 return contact.against(std::hypot(force.longitudinal, force.lateral),
+                                                        contact.force_alone(false, delta), 1e-10);
+                             }});
+        }
+    }
+    // Across, Carter's creepage of full sliding is 1/(1 - nu) times as large.
+    cases.push_back({"creepage 0.999 across, nu = 0.5", "lateral force against Carter", [] {
+                         Combined contact(rollbem::cosine_mesh(160), 0.5);
+                         return contact.against(contact.force(0.999, 0, 1).lateral, rollbem::carter_force_ratio(0.4995),
+                                                1e-4);
+                     }});
+    cases.push_back({"creepage nan", "force",
+                     [] {
+                         Combined contact(rollbem::cosine_mesh(10), steel);
+                         return contact.against(contact.force(nothing, 1, 0).longitudinal, 1, 0);
+                     },
+                     "not_finite"});
+}
+
+// --- a layer
+
+void add_layers(std::vector<Case>& cases) {
+    for (const int n : {3, 40}) {
+        const Mesh<double> mesh = rollbem::uniform_mesh(n);
+        const std::string elements = ", n = " + std::to_string(n);
+        for (const double layer : {0.0, 1e-12}) {
+            cases.push_back({"layer " + shown(layer) + elements, "force against none", [=] {
+                                 Combined with(mesh, steel, layer), without(mesh, steel);
+                                 return with.against(with.force_alone(false, 0.5), without.force_alone(false, 0.5),
+                                                     1e-11);
+                             }});
+        }
+        // Independent bristles, p_i = -(xi/L) h (n - i) by upwind differences: c11 = (2/L)(1 + 1/n).
+        for (const double layer : {1e6, 1e12}) {
+            cases.push_back({"layer " + shown(layer) + elements, "c11 against a brush", [=] {
+                                 const Combined contact(mesh, steel, layer);
+                                 const auto solution =
+                                     rollbem::solve_steady<double>(contact.slopes(false), mesh.widths());
+                                 Outcome outcome = compare(solution.c11, 2 / layer * (1 + 1.0 / n), 3 / layer + 1e-13,
+                                                           told_by(solution.status));
+                                 outcome.residual = solution.residual;
+                                 return outcome;
+                             }});
+        }
+        // alike in both directions, also with friction: at this ratio the brush has begun to slip
+        cases.push_back({"layer 1e6, creepage at 60 degrees" + elements, "lateral over longitudinal force", [=] {
+                             Combined contact(mesh, steel, 1e6);
+                             const Vector force = contact.force(0.2 * 1e6, 0.5, std::sqrt(0.75));
+                             return contact.against(force.lateral / force.longitudinal, std::sqrt(3.0), 1e-6);
+                         }});
+    }
+    const auto refused = [&](double layer, const std::string& says) {
+        cases.push_back({"layer " + shown(layer), "force",
+                         [=] {
+                             const Combined contact(rollbem::uniform_mesh(10), steel, layer);
+                             return compare(contact.force_alone(false, 0.5), 1, 0);
+                         },
+                         says});
+    };
+    for (const double layer : {-1e-12, nothing, infinity}) refused(layer, "compliance");
+}
+
+}  // namespace
+
+std::vector<Case> direction_cases() {
+    std::vector<Case> cases;
+    add_directions(cases);
+    add_layers(cases);
+    return cases;
+}
+
+}  // namespace extremes

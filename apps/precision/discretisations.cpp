@@ -1,0 +1,243 @@
+#include "discretisations.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/normal/hertz.hpp>
+#include <rollbem/normal/hertz_load.hpp>
+
+namespace precision {
+
+using rollbem::ArrayX;
+using rollbem::Chebyshev;
+using rollbem::Collocation;
+using rollbem::Contact;
+using rollbem::Galerkin;
+using rollbem::MatrixX;
+using rollbem::Mesh;
+using rollbem::RollingSystem;
+using rollbem::Topology;
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double peak = 1e-3;            // mu p0 / G
+constexpr double load_amplitude = 0.5;   // N = N_0 (1 + A sin(2 pi q/L))
+constexpr double load_length = 8;        // L/a_0
+constexpr std::size_t load_steps = 160;  // in a period
+
+enum class Direction { longitudinal, lateral };
+
+template <class Kernel>
+Kernel kernel_of(const Contact<double>& contact, Direction direction) {
+    return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
+}
+
+template <class Function>
+auto with_kernel(const Scene& scene, const Function& function, Direction direction = Direction::longitudinal) {
+    return scene.plane ? function(kernel_of<rollbem::PlaneKernel<double>>(scene.contact, direction))
+                       : function(kernel_of<rollbem::StripKernel<double>>(scene.contact, direction));
+}
+
+MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh,
+                       Direction direction = Direction::longitudinal) {
+    const auto assembled = [&](const auto& scheme) {
+        return with_kernel(
+            scene, [&](const auto& kernel) { return rollbem::assemble_G_prime(mesh, scheme, kernel); }, direction);
+    };
+    return std::visit(assembled, elements.scheme);
+}
+
+double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()) * peak; }
+
+// A uniform mesh gains nothing from edges that move with those of the contact, and only collocation with the plane
+// kernel can change its half-length.
+Cover cover_of(const Scene& scene, const Elements& elements) {
+    const bool graded = elements.topology != Topology::uniform;
+    return graded && scene.plane && std::holds_alternative<Collocation>(elements.scheme) ? Cover::breathing
+                                                                                         : Cover::largest;
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string, Elements>>& element_schemes() {
+    constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
+    static const std::vector<std::pair<std::string, Elements>> all{
+        {"uniform-0.5/0.5", {Topology::uniform, halves}},
+        {"uniform-0/0.63", {Topology::uniform, Collocation{}}},
+        {"geometric", {Topology::geometric, halves}},
+        {"knothe", {Topology::knothe, halves}},
+        {"cosine", {Topology::cosine, halves}},
+        {"galerkin-uniform", {Topology::uniform, Galerkin{}}},
+        {"galerkin-cosine", {Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}}},
+        {"richardson-uniform", {Topology::uniform, halves, 1}},
+        {"richardson-cosine", {Topology::cosine, halves, 2}}};
+    return all;
+}
+
+std::optional<Elements> elements(const std::string& name) {
+    for (const auto& [known, elements] : element_schemes()) {
+        if (name == known) return elements;
+    }
+    return std::nullopt;
+}
+
+Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
+    const bool by_ratio = rollbem::info(topology).grading == rollbem::Grading::size_ratio;
+    return rollbem::make_mesh({topology, n, by_ratio ? scene.size_ratio : scene.epsilon});
+}
+
+rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const auto assembled = [&](const auto& scheme) {
+        return with_kernel(scene, [&](const auto& kernel) -> rollbem::ElementSystem<double> {
+            return rollbem::rolling_system(mesh, scheme, kernel);
+        });
+    };
+    return std::visit(assembled, elements.scheme);
+}
+
+RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
+    return with_kernel(
+        scene, [&](const auto& kernel) -> RollingSystem<double> { return rollbem::rolling_system(method, kernel); });
+}
+
+rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
+}
+
+double steady_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::UnitSteadySolution<double> solution = steady(scene, elements, mesh);
+    return solution.status == rollbem::Status::ok ? solution.c11 : nan;
+}
+
+Complex harmonic_c11(const RollingSystem<double>& system, double z) {
+    const rollbem::HarmonicSolution<double> solution = rollbem::solve_harmonic<double>(system, z);
+    return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
+}
+
+Forces step_forces(const Scene& scene, RollingSystem<double> system) {
+    const rollbem::TransientModel<double> model(scene.contact, std::move(system), rollbem::unchecked,
+                                                rollbem::Integrator::matrix_exponential);
+    const rollbem::PreparedStep<double> prepared = model.prepare(1);
+    rollbem::TransientState<double> state = model.at_rest(), next = state;
+    Forces forces{};
+    for (double& force : forces) {
+        force = -model.advance(state, prepared, 1.0, next).force_per_width;
+        std::swap(state, next);
+    }
+    return forces;
+}
+
+double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::CoulombFriction<double> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
+    const rollbem::SteadyFrictionModel<double> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(),
+                                                     friction);
+    const rollbem::FrictionState<double> rest = model.at_rest();
+    rollbem::FrictionState<double> state = rest;
+    rollbem::FrictionWorkspace<double> workspace = model.workspace();
+    const rollbem::FrictionStep<double> point =
+        model.solve(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
+    return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
+}
+
+std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::SteadyCombinedModel<double> model(scene.contact, slopes(scene, elements, mesh),
+                                                     slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
+                                                     {1, peak * rollbem::mean_hertz_pressure(mesh)});
+    const auto rest = model.at_rest();
+    auto state = rest;
+    auto workspace = model.workspace();
+    const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
+    const auto point = model.solve(rest, {part, part}, state, workspace);
+    if (point.status != rollbem::StepStatus::ok) return {nan, nan};
+    const double full = peak * std::numbers::pi / 2;
+    return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
+}
+
+std::vector<double> load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
+                                std::size_t parts) {
+    const double full = peak * std::numbers::pi / 2;
+    const double half_length = cover == Cover::largest ? std::sqrt(1 + load_amplitude) : 1;
+    scene.contact = Contact<double>({.half_length = half_length,
+                                     .half_width = scene.contact.half_width(),
+                                     .shear_modulus = 1,
+                                     .poisson_ratio = scene.contact.poisson_ratio()});
+    // Hertz's contact of a_0 = 1 and p_0 = mu p_0 = peak under N_0
+    const rollbem::ElasticBody<double> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
+    const rollbem::HertzLine<double> line(
+        {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
+    const auto hertz = cover == Cover::largest ? rollbem::HertzLoad<double>::fixed(line, mesh, half_length)
+                                               : rollbem::HertzLoad<double>::breathing(line, mesh);
+    const auto load_at = [&](double q) {
+        return full * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
+    };
+    rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
+    const rollbem::CoulombFriction<double> law{1, load.normal_pressure};
+    const rollbem::FrictionModel<double> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
+                                               law);
+    auto now = model.at_rest(), next = now;
+    auto workspace = model.workspace();
+    const double creepage = unit_creepage(scene) * creepage_ratio;
+    hertz.set(load_at(0), load);
+    rollbem::StepStatus status = model.steady(now, creepage, load, next, workspace).status;
+    std::vector<double> forces;
+    const std::size_t count = load_steps * parts;
+    const double dq = load_length / static_cast<double>(count);
+    for (std::size_t k = 1; k <= count; ++k) {
+        std::swap(now, next);
+        hertz.set(load_at(static_cast<double>(k) * dq), load);
+        const auto step = model.advance(now, dq, creepage, load, next, workspace);
+        if (status == rollbem::StepStatus::ok) status = step.status;
+        if (k % parts == 0) forces.push_back(status == rollbem::StepStatus::ok ? -step.force_per_width / full : nan);
+    }
+    return forces;
+}
+
+rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const Chebyshev& method) {
+    return with_kernel(scene, [&](const auto& kernel) { return solve_steady(method, kernel); });
+}
+
+Forces all_step_forces(const Scene& scene, const Elements& elements, long n) {
+    const auto forces_at = [&](long count) {
+        return step_forces(scene, system_of(scene, elements, make_mesh(scene, elements.topology, count)));
+    };
+    Forces forces = forces_at(n);
+    if (elements.order == 0) return forces;
+    const Forces coarse = forces_at(n / 2);
+    for (std::size_t k = 0; k < steps; ++k) forces[k] = rollbem::richardson(coarse[k], forces[k], elements.order);
+    return forces;
+}
+
+std::vector<double> all_combined_forces(const Scene& scene, const Elements& elements, long n) {
+    return evaluate_all(scene, elements, n,
+                        [&](const Mesh<double>& mesh) { return combined_force(scene, elements, mesh); });
+}
+
+std::vector<double> all_load_forces(const Scene& scene, const Elements& elements, long n) {
+    const Cover cover = cover_of(scene, elements);
+    return evaluate_all(scene, elements, n,
+                        [&](const Mesh<double>& mesh) { return load_forces(scene, elements, mesh, cover); });
+}
+
+Tractions tractions(const Scene& scene, const Elements& elements, long n) {
+    Mesh<double> mesh = make_mesh(scene, elements.topology, n);
+    ArrayX<double> values = steady(scene, elements, mesh).traction.array();
+    if (elements.order == 0) return {std::move(mesh), std::move(values)};
+    Mesh<double> pairs = make_mesh(scene, elements.topology, n / 2);
+    ArrayX<double> coarse = steady(scene, elements, pairs).traction.array();
+    for (Eigen::Index i = 0; i < coarse.size(); ++i) {
+        const double force = (values.segment(2 * i, 2) * mesh.widths().segment(2 * i, 2)).sum();
+        coarse[i] = rollbem::richardson(coarse[i], force / pairs.widths()[i], elements.order);
+    }
+    return {std::move(pairs), std::move(coarse)};
+}
+
+}  // namespace precision

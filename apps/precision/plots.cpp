@@ -1,0 +1,97 @@
+#include "plots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "schemes.hpp"
+
+namespace precision {
+
+namespace {
+
+constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a logarithmic axis cannot show
+
+/// The colour, dashes and marker of a scheme, the same in all panels.
+std::size_t style_of(const std::string& scheme) {
+    const std::vector<std::string>& names = scheme_names();
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), scheme) - names.begin());
+}
+
+std::string title_of(const Quantity& quantity) {
+    if (quantity.name == "c11") return "c_{11} in steady rolling";
+    if (quantity.problem == Problem::harmonic) return "c_{11} at ω a/V = " + study::Cell(quantity.frequency).text(6);
+    std::string title;
+    for (const char c : quantity.name) title += c == '_' ? ' ' : c;  // to gnuplot the start of a subscript
+    return title;
+}
+
+/// A panel for one quantity: the error of every scheme over its time, and the front with the errors that put it there.
+/// Errors below the floor are drawn on it.
+study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
+    const std::string& quantity = shown.name;
+    study::Plot plot{.title = title_of(shown),
+                     .x_label = "time [microseconds]",
+                     .y_label = "|relative error|",
+                     .log_x = true,
+                     .log_y = true,
+                     .series = {}};
+    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .reference = true};
+    const std::vector<double> sustained = sustained_errors(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;
+        front.points.emplace_back(*points[i].time_us, std::max(sustained[i], floor));
+    }
+    std::sort(front.points.begin(), front.points.end());
+    bool below = false;
+    double largest_error = floor;
+    std::vector<double> times;
+    for (const std::string& scheme : scheme_names()) {
+        study::Series series{.label = scheme, .points = {}, .style = style_of(scheme)};
+        for (const study::Row& cells : rows) {
+            if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
+            const std::optional<double> error = cells[3].number(), time = cells[4].number();
+            if (!error || !time) continue;
+            if (scheme == "closed-form" && *error == 0) continue;  // the reference itself
+            below = below || std::abs(*error) < floor;
+            largest_error = std::max(largest_error, std::abs(*error));
+            times.push_back(*time);
+            series.points.emplace_back(*time, std::max(std::abs(*error), floor));
+        }
+        if (!series.points.empty()) plot.series.push_back(std::move(series));
+    }
+    if (!front.points.empty()) plot.series.push_back(std::move(front));
+    if (below) {
+        const auto [first, last] = std::minmax_element(times.begin(), times.end());
+        plot.y_range = study::PlotRange{floor / 3, 3 * largest_error};
+        plot.series.push_back({.label = "1e-14 or less",
+                               .points = {{*first, floor}, {*last, floor}},
+                               .markers = false,
+                               .reference = true});
+    }
+    return plot;
+}
+
+}  // namespace
+
+study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
+                     const std::vector<Point>& points) {
+    std::vector<Quantity> shown;
+    for (const Quantity& quantity : quantities) {
+        const bool drawn = std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
+            return cells[2].text() == quantity.name && cells[4].number().has_value();
+        });
+        if (!drawn) continue;
+        const bool chosen = quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
+        if (quantities.size() <= 3 || chosen) shown.push_back(quantity);
+    }
+    if (shown.empty()) shown.push_back(quantities.front());
+    study::Plot plot = panel(shown.front(), rows, points);
+    for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
+    return plot;
+}
+
+}  // namespace precision

@@ -1,0 +1,137 @@
+#include "tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "schemes.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
+
+namespace precision {
+
+namespace {
+
+constexpr std::size_t first_setting = 9,
+                      measured = 8;  // of the columns; --front does not need those after the first `measured`
+
+std::optional<double> read_cell(const std::string& text, const std::string& where) {
+    if (text.empty()) return std::nullopt;
+    const std::optional<double> value = study::detail::parse_number<double>(text);
+    if (!value || !std::isfinite(*value)) throw study::BadInput(where + " must be a number or empty: " + text);
+    return value;
+}
+
+}  // namespace
+
+const std::vector<std::string>& columns() {
+    static const std::vector<std::string> names{"scheme", "n",        "quantity",    "relative_error", "time_us",
+                                                "stable", "on_front", "model_error", "status",         "kernel",
+                                                "aspect", "poisson",  "size_ratio",  "epsilon"};
+    return names;
+}
+
+study::Row row(const Point& point) {
+    const auto flag = [](const std::optional<bool>& value) { return value ? study::Cell(int(*value)) : study::Cell(); };
+    study::Row cells{point.scheme,       study::Cell(point.n), point.quantity,    point.relative_error, point.time_us,
+                     flag(point.stable), flag(point.on_front), point.model_error, point.status};
+    cells.insert(cells.end(), point.setting.begin(), point.setting.end());
+    return cells;
+}
+
+std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities) {
+    study::Lines lines(options, "front");
+    const std::string header = study::join(columns(), ",");
+    const std::string short_header = study::join({columns().begin(), columns().begin() + measured}, ",");
+    std::size_t cells_expected = 0;
+    std::vector<Point> points;
+    while (lines.next()) {
+        const std::string where = lines.where();
+        const std::string& text = lines.text();
+        if (lines.number() == 1) {
+            const std::vector<std::string> names = study::cells_of(text, ',');
+            const std::string given = study::join(names, ",");
+            if (given != header && given != short_header) throw study::BadInput(where + " must be " + header);
+            cells_expected = names.size();
+            continue;
+        }
+        std::vector<std::string> cells = study::cells_of(text, ',');
+        const auto known = [](const auto& list, const auto& name, const auto& name_of) {
+            return std::any_of(list.begin(), list.end(), [&](const auto& item) { return name_of(item) == name; });
+        };
+        if (cells.size() != cells_expected) {
+            throw study::BadInput(where + " must have " + std::to_string(cells_expected) + " cells");
+        }
+        cells.resize(columns().size());
+        if (!known(scheme_names(), cells[0], [](const std::string& name) { return name; })) {
+            throw study::BadInput(where + " must name a scheme: " + cells[0]);
+        }
+        const auto name_of = [](const Quantity& quantity) { return quantity.name; };
+        if (!known(precision::quantities(), cells[2], name_of)) {
+            throw study::BadInput(where + " must name a quantity: " + cells[2]);
+        }
+        if (!known(quantities, cells[2], name_of)) continue;
+        const auto in_range = [&](std::size_t column, double low, double high) {
+            const std::optional<double> value = read_cell(cells[column], where);
+            if (value && !(*value >= low && *value <= high)) {
+                throw study::BadInput(where + ": " + columns()[column] + " = " + cells[column] + " must " +
+                                      study::between(low, high).text);
+            }
+            return value;
+        };
+        const std::optional<double> n = in_range(1, 1, largest_n), stable = in_range(5, 0, 1);
+        points.push_back({.scheme = cells[0],
+                          .n = n ? std::optional(std::lround(*n)) : std::nullopt,
+                          .quantity = cells[2],
+                          .relative_error = read_cell(cells[3], where),
+                          .time_us = in_range(4, 0, 1e15),
+                          .stable = stable ? std::optional(*stable != 0) : std::nullopt,
+                          .on_front = std::nullopt,
+                          .model_error = read_cell(cells[7], where),
+                          .status = cells[8],
+                          .setting = {cells.begin() + first_setting, cells.end()}});
+        // rows can only be compared for one contact
+        const auto other = std::find_if(points.begin(), points.end(), [&](const Point& point) {
+            const auto first = point.setting.begin();
+            return point.scheme == points.back().scheme ? point.setting != points.back().setting
+                                                        : !std::equal(first, first + 3, points.back().setting.begin());
+        });
+        if (other != points.end()) {
+            throw study::BadInput(where +
+                                  " must have the kernel, aspect, poisson, size_ratio and epsilon of the rows above");
+        }
+    }
+    if (points.empty()) throw study::BadInput(options.said("front") + " must have rows of the quantities asked for");
+    return points;
+}
+
+void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
+                    const std::vector<Quantity>& quantities) {
+    const std::vector<double> sustained = sustained_errors(points);
+    file.write(
+        study::csv_line({"quantity", "tolerance", "among", "scheme", "n", "relative_error", "time_us", "status"}));
+    for (const Quantity& quantity : quantities) {
+        for (int exponent = 2; exponent <= 12; ++exponent) {
+            for (const auto& [among, name] : {std::pair{Among::elements, "elements"},
+                                              {Among::stable_elements, "stable-elements"},
+                                              {Among::stable, "stable"},
+                                              {Among::all, "all"}}) {
+                const double tolerance = std::pow(10.0, -exponent);
+                const auto best = cheapest(points, sustained, quantity.name, tolerance, among);
+                const std::string text = "1e-" + std::to_string(exponent);
+                study::Row cells{quantity.name, text, name, {}, {}, {}, {}, "none"};
+                if (best) {
+                    const Point& point = points[*best];
+                    cells = {quantity.name,        text,          name, point.scheme, study::Cell(point.n),
+                             point.relative_error, point.time_us, "ok"};
+                }
+                file.write(study::csv_line(cells));
+            }
+        }
+    }
+    file.commit();
+}
+
+}  // namespace precision

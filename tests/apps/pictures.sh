@@ -1,0 +1,80 @@
+#!/bin/sh
+# The pictures of the studies, as SVG: curves, names of axes and curves, and ticks.
+# Usage: pictures.sh FOLDER-OF-PROGRAMS
+. "$(dirname "$0")/functions.sh"
+command -v gnuplot >/dev/null || { echo "no gnuplot: nothing to check"; exit 0; }
+steady=$programs/steady_study traction=$programs/traction_study
+
+# draws PROGRAM ARG...: draws p.svg, and writes its texts to the file words, one on each line, as plain text.
+draws() {
+    rm -f p.svg
+    "$@" --plot p.svg >out 2>err || fail "$*: $(cat err)"
+    sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' p.svg | sed 's/<[^>]*>//g' >words
+}
+says() { grep -qxF -e "$1" words || fail "no '$1' in: $(tr '\n' ';' <words)"; }
+says_not() { ! grep -qF -e "$1" words || fail "'$1' in: $(tr '\n' ';' <words)"; }
+curves() { [ "$(grep -c 'id="gnuplot_plot_' p.svg)" -eq "$1" ] || fail "not $1 curves: $(tr '\n' ';' <words)"; }
+
+# ticks at the numbers of elements, even if there is no power of ten between them; as many as there is room for
+draws $steady --n 40,50,60,80 --alpha-T 0.5,0.63
+for n in 40 50 60 80; do says $n; done
+draws $steady --n "$(seq -s, 40 80)"
+for n in 40 80; do says $n; done
+[ "$(grep -cx '[4-8][0-9]' words)" -ge 5 ] && [ "$(grep -cx '[4-8][0-9]' words)" -lt 30 ] || fail "ticks: $(cat words)"
+draws $steady --n 40
+says 40
+# no ticks at measured times
+draws "$programs/precision_study" --schemes cosine --quantity c11 --n 10,20,40
+! grep -Ex '[0-9]+\.[0-9]{2,}' words || fail "ticks at times: $(cat words)"
+# and powers of ten for many frequencies
+draws "$programs/frequency_study" --n 10 --omega-min 0.01 --omega-max 10 --points 20
+for omega in 0.01 0.1 1 10; do says $omega; done
+
+# at most twelve curves, and a note; exact values are always drawn
+alphas=$(seq -s, 0.4 0.02 0.68)
+draws $traction --n 10 --alpha-T "$alphas"
+says 'Traction in steady rolling, n = 10, αL = 0: the first 12 of 15 curves'
+curves 13
+says 'αT = 0.62' && says_not 'αT = 0.64' && says Carter
+draws $traction --n 10 --alpha-T 0.5,0.6
+says_not 'the first'
+curves 3
+
+# Greek letters, with spaces after subscripts, in a font that every browser has
+draws $traction --n 10 --poisson 0,0.25
+says 'ν = 0.25' && says 'Carter, ν = 0.25'
+draws $steady --n 10,20 --mesh geometric --size-ratio 1,2 --aspect 10,100
+says 'b/a = 10, dxT/dxL = 2'
+draws "$programs/stability_study" --n 10 --alpha-T 0.5,0.9
+says 'αT' && says_not alpha
+draws "$programs/stability_study" --n 10,20 --critical
+says 'critical αT' && says_not alpha
+draws "$programs/transient_study" --step 1 --n 10 --until 1
+says '-F / (a G ξref)' && says '|F - Fexact| / (a G ξref)'
+grep -q 'font-family="sans-serif"' p.svg && ! grep -q Symbol p.svg || fail 'fonts'
+! grep '<text>' p.svg || fail 'texts without xml:space'
+[ "$(grep -c '<text xml:space="preserve">' p.svg)" -gt 10 ] || fail 'texts with xml:space'
+# no legend for a single curve, a long title in two lines
+draws $steady --n 10,20
+says 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63'
+[ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
+draws "$programs/friction_study" --transient --n 10 --sine 1,1 --until 2 --derivative analytic --mesh modified-knothe
+grep -q '^Rolling with friction, .*,$' words && says_not 'analytic, modified-knothe, n = 10, αL = 0.5, αT = 0.5, λ = 1' ||
+    fail "a long title: $(cat words)"
+
+# a panel of errors beside curves that coincide, unless there is no exact value
+draws "$programs/frequency_study" --n 10,20 --omega 0.1,1,5
+curves 11
+[ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "no errors: $(cat words)"
+draws "$programs/frequency_study" --n 10 --omega 0.1,1,5 --aspect 0.1
+says_not 'c11,exact'
+# tractions near the trailing edge do not dwarf all others, and the title says so
+draws $traction --n 80 --mesh cosine --alpha 0.5
+says 'Traction in steady rolling, n = 80, αL = 0.5, αT = 0.5; down to -64.4 at the trailing edge'
+says_not '-20'
+
+# several panels as PNG, too
+for study in "friction_study --n 10" "precision_study --n 4,8" "frequency_study --n 10"; do
+    "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "$study as PNG: $(cat err)"
+done
+finish
