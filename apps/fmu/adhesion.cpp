@@ -1,12 +1,12 @@
 // rollbem_adhesion: a contact in full adhesion, by Chebyshev states, in one direction of creepage.
 //
 // With y the unknowns of the library's Chebyshev system, which stand for the traction, and a the half-length, the
-// coefficients U of the displacement over x/a follow from (s the rigid slip velocity, V that of rolling)
+// Chebyshev coefficients U of the displacement obey (s the rigid slip velocity, V the rolling velocity)
 //     U = a (y - S ln(a/a_0) (w.y) e_0),   dU/dt = (V + da/dt Z) A y - s e_0,   F = 2b G a w.y,
 // where a_0 is the half-length that the system was made for, S the strength of the kernel's logarithm, and Z multiplies
-// by x/a. No creepage s/V is ever formed, so that V = 0 is a rigid shift. Model exchange hands out U and its
-// derivative. Co-simulation takes the exponential of the matrix where a stays, exact for slip and speed that do not
-// change within a step, and sdirk2 where it follows the load.
+// by x/a. The creepage s/V is never formed, so that V = 0 is a rigid shift. Model exchange has U as its states.
+// Co-simulation uses the matrix exponential if a is constant, exact for slip and speed that are constant within a step,
+// and sdirk2 if a follows the load.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -51,68 +51,72 @@ public:
              .value = &direction_,
              .description = "Direction of slip velocity and force",
              .items = &directions});
-        add({.name = "contact_length", .value = &length_, .description = "What the half-length is", .items = &lengths});
+        add({.name = "contact_length",
+             .value = &length_,
+             .description = "Half-length during the simulation",
+             .items = &lengths});
         add({.name = "initial_state",
              .value = &initial_state_,
-             .description = "Where the simulation begins",
+             .description = "State at the start",
              .items = &initial_states});
         add({.name = "slip_velocity",
              .value = &slip_.value,
              .unit = "m/s",
-             .description = "Velocity of the wheel, as a rigid body, against the rail; creepage times rolling_speed",
+             .description = "Velocity of the wheel relative to the rail, as rigid bodies; creepage times rolling_speed",
              .causality = Causality::input,
              .rate = &slip_.rate});
         add({.name = "rolling_speed",
              .value = &speed_.value,
              .unit = "m/s",
-             .description = "V, at which the contact moves along the rail; not negative",
+             .description = "V, the speed of the contact along the rail; not negative",
              .causality = Causality::input,
              .rate = &speed_.rate});
         add({.name = "normal_load",
              .value = &load_.value,
              .unit = "N",
-             .description = "N over the width 2b, of co-simulation at the end of a step; for a contact that follows it",
+             .description = "N over the width 2b, in co-simulation at the end of a step; used where contact_length is "
+                            "follows_load",
              .causality = Causality::input,
              .rate = &load_.rate});
         add({.name = "normal_load_rate",
              .value = &load_rate_.value,
              .unit = "N/s",
-             .description = "dN/dt, for model exchange of a contact that follows the load",
+             .description = "dN/dt, in model exchange; used where contact_length is follows_load",
              .causality = Causality::input,
              .rate = &load_rate_.rate});
         add({.name = "force",
              .value = &force_,
              .unit = "N",
-             .description = "Force on the wheel, over the width 2b; against the slip velocity in steady rolling",
+             .description = "Force on the wheel, over the width 2b; opposes the slip velocity in steady rolling",
              .causality = Causality::output,
              .depends_on = {"displacement", "normal_load"}});
         add({.name = "contact_half_length",
              .value = &half_length_,
              .unit = "m",
-             .description = "a that the contact has",
+             .description = "a",
              .causality = Causality::output,
              .depends_on = {"normal_load"}});
         add({.name = "status",
              .value = &status_,
-             .description = "What became of the last step or evaluation",
+             .description = "Status of the last step or evaluation",
              .causality = Causality::output,
              .items = &step_statuses});
         int first_state = 0;
         for (Eigen::Index k = 0; k < state_count; ++k) {
-            const int place = add(
-                {.name = state_name(k),
-                 .value = &displacement_[k],
-                 .unit = "m",
-                 .description = "Displacement of wheel against rail, coefficient of T_" + std::to_string(k) + "(x/a)",
-                 .causality = Causality::state,
-                 .nominal = 1e-6});
+            const int place = add({.name = state_name(k),
+                                   .value = &displacement_[k],
+                                   .unit = "m",
+                                   .description = "Displacement of the wheel relative to the rail, coefficient of T_" +
+                                                  std::to_string(k) + "(x/a)",
+                                   .causality = Causality::state,
+                                   .nominal = 1e-6});
             if (k == 0) first_state = place;
         }
         for (Eigen::Index k = 0; k < state_count; ++k) {
             add({.name = "der(" + state_name(k) + ")",
                  .value = &rates_[k],
                  .unit = "m/s",
-                 .description = "Its derivative by time",
+                 .description = "Its time derivative",
                  .causality = Causality::derivative,
                  .state = first_state + static_cast<int>(k)});
         }
@@ -172,7 +176,7 @@ public:
         if (status != StepStatus::ok) return outcome_of(status);
         half_length_ = half_length_at(load_.value);
         const Scalar growth = growth_rate();
-        // an edge that does not roll forward; a contact so long that Lambda of the plane model is not positive
+        // an edge moves as fast as the material, or the contact is so long that Lambda is not positive
         if (growth != 0 && std::abs(growth) >= speed_.value) status = StepStatus::needs_fixed_mesh;
         if (!(softening() > 0)) status = StepStatus::invalid_load;
         status_ = value_of(status);
@@ -205,7 +209,7 @@ public:
 private:
     using Transient = rollbem::TransientModel<Scalar>;
 
-    // What a step of co-simulation was made of.
+    // A step of co-simulation.
     struct Past {
         Scalar duration = 0;                // [s]
         Scalar shift = 0;                   // [m]
@@ -251,7 +255,7 @@ private:
         return speed_.value < 0 ? StepStatus::invalid_step : StepStatus::ok;
     }
 
-    // The slip of a step is even along the way: of second order in its duration where it is not.
+    // The slip is taken as constant along a step: an error of second order in its duration if it varies.
     StepStatus advance(const Transient::State& from, Past& step, Transient::State& to) {
         if (!rollbem::detail::is_finite(step.distance)) return StepStatus::not_finite;
         const auto motion = rollbem::RigidMotion<Scalar>::shift(step.shift);
@@ -270,13 +274,13 @@ private:
         return result.status;
     }
 
-    // 1 - S ln(a/a_0) w_0: U_0 is a times it times y_0. Only the first weight is not zero where a may change.
+    // 1 - S ln(a/a_0) w_0, so that U_0 = a (this) y_0: where a may change, only the first weight is not zero.
     Scalar softening() const {
         if (half_length_ == first_half_length_) return 1;
         return 1 - strength_ * std::log(half_length_ / first_half_length_) * weights_[0];
     }
 
-    // y of U.
+    // y from U.
     const Vector& unknowns() {
         unknowns_ = displacement_ / half_length_;
         unknowns_[0] /= softening();
@@ -290,7 +294,7 @@ private:
         force_ = model_->force(state);
     }
 
-    // Z v: the coefficients of x/a times a polynomial, but for the highest.
+    // Z v: the coefficients of x/a times a polynomial, without the highest.
     static Vector by_position(const Vector& v) {
         Vector result = Vector::Zero(v.size());
         for (Eigen::Index k = 0; k < v.size(); ++k) {
@@ -311,7 +315,7 @@ private:
         return &variable.real() - first;
     }
 
-    // Of model exchange, at what update() saw last; none for variables that are neither.
+    // In model exchange, at the present states and inputs; none for variables that are neither.
     std::optional<Scalar> partial_now(const Variable& unknown, const Variable& known) {
         const bool of_force = &unknown.real() == &force_, of_length = &unknown.real() == &half_length_;
         if (!of_force && !of_length && unknown.causality != Causality::derivative) return std::nullopt;
@@ -322,7 +326,7 @@ private:
         const Scalar by_half_length = by_load ? half_length_by_load(load_.value) : Scalar(0);  // of a
         if (of_length) return by_half_length;
 
-        // what y owes to the known
+        // dy by the known
         Vector change = Vector::Zero(state_count);
         if (known.causality == Causality::state) {
             const Eigen::Index k = coefficient(known);
@@ -343,8 +347,8 @@ private:
         return rates[coefficient(unknown)];
     }
 
-    // By slip velocity and load exactly; by the rolling speed, for which the library has no tangent, by central
-    // differences of the step itself, or one-sided ones of the same order where there is no room.
+    // Exact by slip velocity and load. By the rolling speed, for which the library has no tangent, by central differences
+    // of the step, or one-sided ones of the same order near zero.
     Scalar partial_of_step(const Variable& known) {
         if (past_.duration == 0 || &known.real() == &load_rate_.value) return 0;
         if (&known.real() == &slip_.value) return past_.tangent_by_shift * past_.duration;
@@ -381,19 +385,19 @@ private:
     Scalar first_half_length_ = 0;    // that the system was made for [m]
     rollbem::MatrixX<Scalar> A_;      // d u / d(q/a)
     Vector weights_, force_weights_;  // w [-] and 2b G w [N/m]
-    Scalar strength_ = 0;             // S, of a kernel that may breathe [-]
+    Scalar strength_ = 0;             // S, if a may change [-]
     Scalar unit_traction_ = 0;        // G [Pa]
 
     Transient::State now_, from_, next_;  // from_: where the last step began
     Past past_;
-    std::optional<Transient::Prepared> prepared_;  // the last distance rolled, for the next is likely to be the same
+    std::optional<Transient::Prepared> prepared_;  // for the last distance rolled, as the next is often the same
 };
 
 }  // namespace
 
 const Identity identity{.identifier = "rollbem_adhesion",
                         .description =
-                            "Tangential rolling contact in full adhesion that remembers, exact but for "
+                            "Non-steady tangential rolling contact in full adhesion, exact but for "
                             "fronts shorter than a few per cent of the contact's length",
                         .model_exchange = true,
                         .stop_time = 0.01,

@@ -1,4 +1,4 @@
-// What the FMUs of contacts have in common.
+// What both FMUs have in common.
 #include "contact_variables.hpp"
 
 #include <numbers>
@@ -10,13 +10,13 @@ namespace fmu {
 
 namespace {
 
-const Enumeration half_length_sources{
-    "HalfLengthFrom",
-    {{"half_length", "as it is given"}, {"nominal_load", "Hertz's of the nominal load, combined_radius and material"}}};
+const Enumeration half_length_sources{"HalfLengthFrom",
+                                      {{"half_length", "the parameter half_length"},
+                                       {"nominal_load", "by Hertz from nominal_load, combined_radius and material"}}};
 
 const Enumeration kernels{"Kernel", {{"plane", "much wider than long"}, {"strip", "of finite width"}}};
 
-/// All of rollbem::StepStatus: its enumerators count from 0, and name() calls not_finite whatever lies beyond them.
+/// All of rollbem::StepStatus, counted from 0; name() returns not_finite for every value beyond them.
 Enumeration enumerate_statuses() {
     using rollbem::StepStatus;
     Enumeration result{"StepStatus", {}};
@@ -47,18 +47,18 @@ std::vector<Variable> ContactParameters::variables() {
         {.name = "half_length",
          .value = &half_length,
          .unit = "m",
-         .description = "a, in the rolling direction, under nominal_load; where it is given"},
+         .description = "a, in the rolling direction, under nominal_load; used where half_length_from is half_length"},
         {.name = "combined_radius",
          .value = &combined_radius,
          .unit = "m",
-         .description = "R of 1/R = 1/R_wheel + 1/R_rail, where a is Hertz's"},
+         .description = "R of 1/R = 1/R_wheel + 1/R_rail; used where half_length_from is nominal_load"},
         {.name = "nominal_load",
          .value = &nominal_load,
          .unit = "N",
-         .description = "Normal force that half_length belongs to, or that Hertz's is taken of"},
+         .description = "Normal force under which the contact has its half-length a"},
         {.name = "kernel",
          .value = &kernel,
-         .description = "How displacements follow from tractions",
+         .description = "Relation of displacements to tractions",
          .items = &kernels},
     };
 }

@@ -1,4 +1,4 @@
-// What the FMUs of contacts have in common: the contact's parameters, and how the status of a step is told.
+// What both FMUs have in common: the contact's parameters, and how the status of a step is reported.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ enum class KernelName { plane = 1, strip };
 /// Where a simulation begins.
 enum class InitialState { rest = 1, steady };
 
-/// Sizes and material of a contact. Names are those of the library, which its messages use.
+/// Sizes and material of a contact, with the library's names, as its messages use them.
 struct ContactParameters {
     double shear_modulus = 8e10;  // steel
     double poisson_ratio = 0.28;
@@ -34,8 +34,8 @@ struct ContactParameters {
     /// Their rows of the table.
     std::vector<Variable> variables();
 
-    /// Hertz's line contact under the nominal load, and the contact that it makes; where the half-length is given, the
-    /// radius follows. Throw std::invalid_argument, naming the parameter that is out of range.
+    /// Hertz's line contact under the nominal load, and the contact that results; a given half-length determines the
+    /// radius. Both throw std::invalid_argument, naming the parameter that is out of range.
     rollbem::HertzLine<double> line() const;
     rollbem::Contact<double> contact() const;
     /// The same with another half-length [m].
@@ -50,7 +50,7 @@ extern const Enumeration initial_states;
 /// The statuses of a step, ok first.
 extern const Enumeration step_statuses;
 
-/// What a variable of that enumeration is set to.
+/// The value of a variable of that enumeration.
 inline int value_of(rollbem::StepStatus status) { return static_cast<int>(status) + 1; }
 
 Outcome outcome_of(rollbem::StepStatus status);

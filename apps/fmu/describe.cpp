@@ -1,5 +1,5 @@
-// describe: prints the modelDescription.xml of the FMU that it is linked with; describe --table: its variables for the
-// documentation.
+// describe: prints the modelDescription.xml of the FMU that it is linked with; describe --table: the table of its
+// variables for the documentation.
 #include <cstdio>
 #include <string_view>
 

@@ -104,7 +104,7 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
                        attribute("valueReference", text_of(place)) + attribute("description", variable.description) +
                        attribute("causality", causality_of(variable)) +
                        attribute("variability", variability_of(variable));
-    // an input's start value is exact without being told
+    // FMI takes an input's start value as exact
     if (variable.causality != Causality::input) {
         text += attribute("initial", has_start(variable) ? "exact" : "calculated");
     }
@@ -118,7 +118,7 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
     return text + "/></ScalarVariable>\n";
 }
 
-/// The variables for which `belongs` holds, as a list of unknowns.
+/// The variables that `belongs` selects, as a list of unknowns.
 template <class Predicate>
 std::string unknowns(const char* name, const std::vector<Variable>& variables, const Predicate& belongs,
                      bool with_dependencies) {
@@ -214,7 +214,7 @@ std::string table_of_variables() {
         std::string what = causality_of(variable);
         if (variable.causality == Causality::calculated_parameter) what = "calculated";
         if (variable.causality == Causality::state) what = "state";
-        // one row for all states; each has its der(...) besides
+        // one row for all states, none for their der(...)
         if (variable.causality == Causality::derivative) continue;
         if (variable.causality == Causality::state && !variable.name.ends_with("[0]")) continue;
         std::string start;

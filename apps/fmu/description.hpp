@@ -8,8 +8,8 @@ namespace fmu {
 /// The text of modelDescription.xml.
 std::string model_description();
 
-/// The GUID in it: a hash of everything else in it, so that a library and a description belong together if and only if
-/// they tell the same.
+/// The GUID in it: a hash of everything else in it, so that a library and a description match if and only if they say
+/// the same.
 const std::string& guid();
 
 /// The variables as a table in Markdown.

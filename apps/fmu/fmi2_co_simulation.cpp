@@ -13,7 +13,7 @@ using fmu::Instance;
 
 constexpr unsigned can_tell = fmu::stepping | fmu::terminated | fmu::failed;
 
-/// What no step ever has to tell, as no step goes on in the background.
+/// What is asked about steps that run in the background, of which there are none.
 fmi2Status nothing_to_tell(fmi2Component component, const char* function) {
     return call(component, function, can_tell, [](Instance&) { return fmi2Discard; });
 }
@@ -67,7 +67,7 @@ fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind,
 fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Boolean* value) {
     return call(component, "fmi2GetBooleanStatus", can_tell, [&](Instance& instance) {
         if (kind != fmi2Terminated) return fmi2Discard;
-        // after a refused step, for importing programs that would repeat it for ever
+        // after a refused step, as some importing programs would otherwise repeat it for ever
         *value = instance.refused ? fmi2True : fmi2False;
         return fmi2OK;
     });

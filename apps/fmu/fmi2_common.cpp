@@ -20,7 +20,7 @@ using fmu::Instance;
 
 using Bytes = std::vector<std::byte>;
 
-/// Serialised states end with a hash, for they may come from a file.
+/// Serialised states end with a hash, because they may come from a damaged file.
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const std::byte value : bytes) hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u;
@@ -97,7 +97,7 @@ void fmi2FreeInstance(fmi2Component component) { delete static_cast<Instance*>(c
 fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::size_t count,
                                const fmi2String categories[]) {
     return call(component, "fmi2SetDebugLogging", fmu::any, [&](Instance& instance) {
-        // messages about errors are no debugging: without categories they stay on
+        // messages about errors are not debugging output: without categories they stay on
         instance.set_logging(on ? std::span(categories, count) : std::span<const fmi2String>());
         return fmi2OK;
     });
@@ -155,7 +155,7 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference referen
 fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           fmi2Integer values[]) {
     return call(component, "fmi2GetInteger", fmu::any, [&](Instance& instance) {
-        // a status is there to be read where the rest cannot be calculated
+        // the status can be read even if nothing else can be calculated
         if (calculated(instance, references, count, false)) instance.refresh();
         get(instance, references, count, values, false);
         return fmi2OK;

@@ -1,4 +1,4 @@
-// The functions of FMI 2.0 for model exchange. There are no events: nothing jumps but what the inputs do.
+// The functions of FMI 2.0 for model exchange. There are no events: only inputs can jump.
 #include <cmath>
 #include <stdexcept>
 
@@ -65,7 +65,7 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean /*no
 fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {
     return call(component, "fmi2SetTime", in_time, [&](Instance& instance) {
         if (!std::isfinite(time)) throw std::invalid_argument("time must be finite");
-        instance.time = time;  // on which nothing depends
+        instance.time = time;  // nothing depends on it
         return fmi2OK;
     });
 }

@@ -1,7 +1,7 @@
 // rollbem_friction: a contact with Coulomb friction in both directions under a load that varies, on elements.
 //
 // Co-simulation alone: stick and slip change element by element. A step of duration h rolls by V h and shifts the wheel
-// by s h, both even along the way, so that V = 0 is a rigid shift; the load goes evenly to what it is at the end.
+// by s h, both at a constant rate, so that V = 0 is a rigid shift; the load varies linearly over the step.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -44,7 +44,7 @@ public:
         for (Variable& variable : parameters_.variables()) add(std::move(variable));
         add({.name = "friction_coefficient", .value = &friction_coefficient_, .description = "mu"});
         add({.name = "elements", .value = &elements_, .description = "Number of elements, 1 to 1000"});
-        add({.name = "mesh", .value = &mesh_, .description = "How the elements are spaced", .items = &meshes});
+        add({.name = "mesh", .value = &mesh_, .description = "Spacing of the elements", .items = &meshes});
         add({.name = "mesh_length",
              .value = &mesh_length_,
              .description = "What the mesh covers",
@@ -52,27 +52,27 @@ public:
         add({.name = "largest_load",
              .value = &largest_load_,
              .unit = "N",
-             .description = "The largest normal_load that a fixed mesh has to bear"});
+             .description = "The largest normal_load that a fixed mesh can take"});
         add({.name = "initial_state",
              .value = &initial_state_,
-             .description = "Where the simulation begins",
+             .description = "State at the start",
              .items = &initial_states});
         add_input(
             slip_[0], "longitudinal_slip_velocity", "m/s",
-            "Velocity of the wheel, as a rigid body, against the rail along the rolling direction; creepage times "
+            "Velocity of the wheel relative to the rail along the rolling direction, as rigid bodies; creepage times "
             "rolling_speed");
         add_input(slip_[1], "lateral_slip_velocity", "m/s", "The same across the rolling direction");
-        add_input(speed_, "rolling_speed", "m/s", "V, at which the contact moves along the rail; not negative");
-        add_input(load_, "normal_load", "N", "N at the end of a step, over the width 2b; not negative");
+        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative");
+        add_input(load_, "normal_load", "N", "N over the width 2b at the end of a step; not negative");
         add_output(&force_[0], "longitudinal_force", "N",
-                   "Force on the wheel, over the width 2b; against the slip velocity in steady rolling");
+                   "Force on the wheel, over the width 2b; opposes the slip velocity in steady rolling");
         add_output(&force_[1], "lateral_force", "N", "The same across the rolling direction");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
-        add_output(&half_length_, "contact_half_length", "m", "a that the contact has under normal_load");
+        add_output(&half_length_, "contact_half_length", "m", "a under normal_load");
         add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick");
         add({.name = "status",
              .value = &status_,
-             .description = "What became of the last step",
+             .description = "Status of the last step",
              .causality = Causality::output,
              .items = &step_statuses});
     }
@@ -196,7 +196,7 @@ private:
     using State = CombinedModel::State;
     using Step = CombinedModel::LoadedStep;
 
-    // What a step was made of.
+    // A step.
     struct Past {
         Scalar duration = 0;                // [s]
         rollbem::Creepage<Scalar> shift{};  // [m]
@@ -252,8 +252,8 @@ private:
                                *workspace_);
     }
 
-    // The library has no tangent by the distance rolled: central differences of the step itself, or one-sided ones of
-    // the same order where there is no room.
+    // The library has no tangent by the distance rolled: central differences of the step, or one-sided ones of the same
+    // order near zero.
     template <class Component>
     Scalar partial_by_speed(const Component& component) {
         const auto force_at = [&](Scalar distance) {
@@ -297,7 +297,7 @@ private:
     int status_ = value_of(StepStatus::ok);
 
     std::optional<rollbem::HertzLoad<Scalar>> hertz_;
-    rollbem::NormalLoad<Scalar> end_load_;  // of the step at work
+    rollbem::NormalLoad<Scalar> end_load_;  // of the present step
     std::optional<CombinedModel> model_;
     std::optional<rollbem::CombinedFrictionWorkspace<Scalar>> workspace_;
     State now_, from_, next_;  // from_: where the last step began

@@ -17,7 +17,7 @@ std::string text_of(double value) {
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
-/// What a saved state begins with.
+/// The beginning of a saved state.
 struct Header {
     std::array<char, 38> guid{};
     Interface interface {};
@@ -168,7 +168,7 @@ void Instance::restore(std::span<const std::byte> bytes) {
     const bool same_parameters = keep_variables(archive);
     built_ = built_ && same_parameters;
     if (header.built && !built_) {
-        build();  // which sets variables
+        build();  // sets variables
         Archive again(variables);
         keep_variables(again);
     }

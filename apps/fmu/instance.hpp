@@ -1,5 +1,5 @@
-// An instance of an FMU: a model, where it is in the order of calls that FMI prescribes, and whom it tells what went
-// wrong.
+// An instance of an FMU: a model, its place in the order of calls that FMI prescribes, and the importing program's
+// logger.
 #pragma once
 
 #include <exception>
@@ -15,7 +15,7 @@
 
 namespace fmu {
 
-/// Where an instance is in the order of calls; sets of them say when a function may be called.
+/// The place of an instance in the order of calls; sets of them tell when a function may be called.
 enum Mode : unsigned {
     instantiated = 1,
     initialization = 2,
@@ -23,7 +23,7 @@ enum Mode : unsigned {
     continuous_time = 8,  // model exchange
     stepping = 16,        // co-simulation, between steps
     terminated = 32,
-    failed = 64,  // after an error: only a saved state or a reset helps
+    failed = 64,  // after an error; left by a saved state or a reset
     running = event | continuous_time | stepping,
     any = 127,
 };
@@ -34,31 +34,31 @@ public:
 
     /// Sends a message to the importing program.
     void log(fmi2Status status, const std::string& message) const;
-    /// Which categories are logged: all of them where none is named. Throws std::invalid_argument for an unknown one.
+    /// Chooses the categories to log, all of them if none is named. Throws std::invalid_argument for an unknown one.
     void set_logging(std::span<const fmi2String> categories);
 
-    /// Back to what was instantiated.
+    /// Back to the state after instantiation.
     void reset();
 
     Interface used() const { return interface_; }
     const std::vector<Variable>& variables() const { return model_->variables(); }
-    /// Throws std::invalid_argument where there is no such variable of that type.
+    /// Throws std::invalid_argument if there is no such variable of that type.
     const Variable& variable(fmi2ValueReference reference, bool real) const {
         if (reference >= variables().size() || variables()[reference].is_real() != real) refuse_reference(reference);
         return variables()[reference];
     }
-    /// For writing. Throws std::invalid_argument where the variable may not be set in this mode.
+    /// For writing. Throws std::invalid_argument if the variable may not be set in this mode.
     const Variable& settable(fmi2ValueReference reference, bool real);
 
     /// Builds the model unless it is built for the present parameters and initial inputs. Throws std::invalid_argument.
     void build();
-    /// Makes what can be read agree with what was set.
+    /// Brings outputs and derivatives up to date with states and inputs.
     fmi2Status refresh();
     fmi2Status step(double time, double duration);
     double partial(fmi2ValueReference unknown, fmi2ValueReference known);
 
     void save(std::vector<std::byte>& bytes);
-    /// Throws std::invalid_argument where the bytes are not of this FMU.
+    /// Throws std::invalid_argument if the bytes are not those of this FMU.
     void restore(std::span<const std::byte> bytes);
 
     Mode mode = instantiated;
@@ -68,8 +68,8 @@ public:
 
 private:
     [[noreturn]] void refuse_reference(fmi2ValueReference reference) const;
-    fmi2Status tell(Outcome outcome, std::string message) const;  // of an outcome that is not ok
-    bool keep_variables(Archive& archive);                        // whether parameters are read as they were
+    fmi2Status tell(Outcome outcome, std::string message) const;  // for an outcome that is not ok
+    bool keep_variables(Archive& archive);                        // whether reading left the parameters unchanged
 
     std::string name_;
     Interface interface_;
@@ -79,8 +79,8 @@ private:
     bool built_ = false;
 };
 
-/// Calls body(instance) for a function of the C interface that is allowed in the given modes. No exception leaves it:
-/// one becomes a message and an error.
+/// Calls body(instance) for a function of the C interface that is allowed in the given modes. An exception becomes a
+/// message and an error.
 template <class Body>
 fmi2Status call(fmi2Component component, const char* function, unsigned allowed, const Body& body) noexcept {
     auto* const instance = static_cast<Instance*>(component);

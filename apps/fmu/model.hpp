@@ -1,5 +1,5 @@
-// What an FMU simulates, as the FMI functions see it: a table of variables and what can be done with them.
-// The table is the only list of the variables: modelDescription.xml and the documentation are written from it.
+// What an FMU simulates, as the FMI functions see it: a table of variables, and steps or derivatives.
+// The table is the only list of variables: modelDescription.xml and the documentation are written from it.
 #pragma once
 
 #include <cstddef>
@@ -28,18 +28,18 @@ struct Enumeration {
 /// As in FMI; a state is a local variable that has a derivative.
 enum class Causality { parameter, calculated_parameter, input, output, state, derivative };
 
-/// One variable. Its value reference is its place in the table, its start value what it is when it enters the table.
+/// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
 struct Variable {
     std::string name;
     std::variant<double*, int*> value;
     std::string unit = "";  ///< one of known_units(); empty: a pure number
     std::string description = "";
     Causality causality = Causality::parameter;
-    const Enumeration* items = nullptr;  ///< of an int that stands for one of them
-    double* rate = nullptr;              ///< of an input: its derivative by time during the next step
-    int state = -1;                      ///< of a derivative: the place in the table of what it is the rate of
-    double nominal = 1;                  ///< of a state: its usual size
-    /// Of an output: what it depends on at the same instant, states by what their names begin with; empty: everything.
+    const Enumeration* items = nullptr;  ///< of an int that is one of them
+    double* rate = nullptr;              ///< of an input: its time derivative during the next step
+    int state = -1;                      ///< of a derivative: the place of its state in the table
+    double nominal = 1;                  ///< of a state: its typical size
+    /// Of an output: what it depends on at the same instant, states by the beginning of their names; empty: everything.
     std::vector<std::string> depends_on = {};
 
     bool is_real() const { return std::holds_alternative<double*>(value); }
@@ -56,25 +56,25 @@ std::span<const Unit> known_units();
 
 enum class Interface { model_exchange, co_simulation };
 
-/// What became of a step, or of an evaluation of derivatives.
+/// Result of a step, or of an evaluation of derivatives.
 enum class Outcome {
     ok,
-    refused,       ///< outside the model's domain: another step or other inputs may do
+    refused,       ///< outside the model's domain: another step or other inputs may be possible
     not_a_number,  ///< an input or a state is infinite or not a number
 };
 
-/// What an instance has to remember, as bytes. One function names what is kept, for writing and for reading.
+/// The memory of an instance as bytes. One function names what is kept, for writing and for reading.
 class Archive {
 public:
-    /// Writes; what `bytes` holds is lost.
+    /// Writes; the contents of `bytes` are lost.
     explicit Archive(std::vector<std::byte>& bytes) : bytes_(&bytes) { bytes.clear(); }
-    /// Reads. Throws std::invalid_argument, in keep(), where more is asked for than there is.
+    /// Reads. keep() throws std::invalid_argument if fewer bytes are left than it needs.
     explicit Archive(std::span<const std::byte> source) : source_(source) {}
 
     template <class Value>
     requires std::is_trivially_copyable_v<Value>
     void keep(Value& value) { keep(&value, sizeof value); }
-    /// All the numbers of a vector, an array or a matrix that owns them. Their count is the model's business.
+    /// All numbers of a vector, an array or a matrix that owns them. The model knows their count.
     template <class Derived>
     void keep(Eigen::PlainObjectBase<Derived>& values) {
         keep(values.data(), sizeof(*values.data()) * static_cast<std::size_t>(values.size()));
@@ -85,7 +85,7 @@ public:
     }
 
     bool reads() const { return bytes_ == nullptr; }
-    std::size_t left() const { return source_.size(); }  ///< bytes that were not read yet
+    std::size_t left() const { return source_.size(); }  ///< bytes not yet read
 
 private:
     void keep(void* data, std::size_t size);
@@ -94,8 +94,8 @@ private:
     std::span<const std::byte> source_;
 };
 
-/// One contact. The FMI functions construct it, set variables, and call initialise(); then step() or update(), and
-/// archive() whenever they like.
+/// One contact. The FMI functions construct it, set variables and call initialise(), then step() or update(), and
+/// archive() at any time.
 class Model {
 public:
     explicit Model(Interface used) : interface_(used) {}
@@ -105,25 +105,25 @@ public:
 
     const std::vector<Variable>& variables() const { return variables_; }
 
-    /// Builds what the parameters ask for, and its first state at the inputs that are set. Throws
-    /// std::invalid_argument, naming the parameter.
+    /// Builds the contact of the parameters and its first state at the present inputs. Throws std::invalid_argument,
+    /// naming the parameter.
     virtual void initialise() = 0;
 
-    /// Co-simulation: goes on by `duration` > 0 [s] and sets the outputs, or leaves all as it was but a status.
+    /// Co-simulation: advances by `duration` > 0 [s] and sets the outputs, or changes nothing but the status.
     virtual Outcome step(double duration) = 0;
 
     /// Model exchange: sets derivatives and outputs at the present states and inputs.
     virtual Outcome update() { return Outcome::ok; }
 
-    /// d unknown / d known. Model exchange: at the present states and inputs. Co-simulation: what an output at the end
-    /// of the last step owes to an input during it. Throws std::invalid_argument where there is none.
+    /// d unknown / d known. Model exchange: at the present states and inputs. Co-simulation: of an output at the end of
+    /// the last step by an input during it. Throws std::invalid_argument if there is none.
     virtual double partial(const Variable& unknown, const Variable& known) = 0;
 
-    /// Names what is remembered besides the variables.
+    /// Names what an instance keeps in addition to the variables.
     virtual void archive(Archive& archive) = 0;
 
 protected:
-    /// An input and its derivative by time, which holds for the next step.
+    /// An input and its time derivative during the next step.
     struct Input {
         double value;
         double rate = 0;
@@ -143,12 +143,12 @@ private:
     std::vector<Variable> variables_;
 };
 
-/// What an FMU is, apart from its variables.
+/// All of an FMU but its variables.
 struct Identity {
-    const char* identifier;  ///< of the file and the shared library
+    const char* identifier;  ///< name of the file and the shared library
     const char* description;
-    bool model_exchange;          ///< besides co-simulation
-    double stop_time, step_size;  ///< of an experiment to begin with [s]
+    bool model_exchange;          ///< in addition to co-simulation
+    double stop_time, step_size;  ///< of the default experiment [s]
 };
 
 // Each FMU defines these two.

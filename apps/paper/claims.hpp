@@ -1,6 +1,6 @@
-// What the paper says in its sections 5 to 7: a few of its words, how that is measured here, and whether it holds.
-// Each statement counts once, where it is first made. What is found here beside the paper is an addition, told apart.
-// Thresholds are fixed in claims/ and told in the remarks; none depends on the result.
+// The statements of the paper's sections 5 to 7: a few of its words, how they are measured here, and whether they hold.
+// Each statement counts once, where it is first made. Results that the paper does not have are marked as additions.
+// Thresholds are fixed in claims/ and given in the remarks; none depends on the result.
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@ struct Claim {
     std::string figure;
     std::string quote;   ///< the paper's words; empty for an addition
     std::string claim;   ///< what is judged
-    bool expected;       ///< whether it is known to hold
+    bool expected;       ///< to hold
     std::string remark;  ///< how it is judged, or why it does not hold
     std::function<Finding(const Results&)> judge;
-    bool timed = false;  ///< to be judged while nothing else runs
+    bool timed = false;  ///< judged while nothing else runs
 
     bool is_addition() const { return quote.empty(); }
 };

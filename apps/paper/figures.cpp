@@ -37,13 +37,13 @@ std::vector<Curve> densities(const std::vector<Eigen::Index>& numbers, Case sche
 }
 const std::vector<Eigen::Index> fine{40, 60, 80}, coarse{20, 40, 60};
 
-// Panels of one kind: what differs is told by the arguments.
+// Panels of one kind: the arguments say what differs.
 
 Panel ratio_over_alpha(const std::string& figure, const std::string& title, std::vector<Curve> curves, Axes axes) {
     return {figure,
             title,
             Quantity::c11_ratio,
-            fractions(0, 200, 200),  // holds the multiples of 0.05, and 0.63
+            fractions(0, 200, 200),  // contains the multiples of 0.05, and 0.63
             std::move(curves),
             "alpha",
             "alpha by 0.005; the data say where tractions are inconsistent with full adhesion, as near alpha = 0",

@@ -1,5 +1,5 @@
-// The figures of the paper as one table: what each panel shows, over what, for which discretisations.
-// The figures themselves are not printed with the text, so axes and ranges are chosen to show what the text says.
+// The figures of the paper as one table: what each panel shows, over what, for which discretisations. Axes and ranges
+// are chosen to show what the text says.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace paper {
 
 enum class Quantity { displacement, slope, c11_ratio, traction, unstable_fraction, argand, response };
 
-/// What a curve takes its x values for.
+/// The variable that a curve's x values stand for.
 enum class Vary { nothing, both_alphas, alpha_L, alpha_T, n, grading, lambda };
 
 struct Curve {
@@ -31,7 +31,7 @@ struct Range {
 struct Axes {
     int log_base = 0;  ///< of a logarithmic x axis; 0 for a linear one
     bool markers = false;
-    std::optional<Range> x{}, y{};  ///< drawn; the data go on
+    std::optional<Range> x{}, y{};  ///< the range drawn; the data may exceed it
 };
 
 struct Panel {
@@ -44,7 +44,7 @@ struct Panel {
     Axes axes{};
 };
 
-/// "05a" as the paper prints it, "5A".
+/// "05a" in the paper's form, "5A".
 inline std::string printed(const std::string& figure) {
     return std::to_string(std::stoi(figure)) + char(figure.back() - 'a' + 'A');
 }

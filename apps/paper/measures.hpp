@@ -1,5 +1,5 @@
-// What claims are judged by: optima, crossings, rates and oscillation of computed curves.
-// All work on points (x, y) with ascending x.
+// Measures of computed curves by which claims are judged: optima, crossings, rates, oscillation.
+// All take points (x, y) with ascending x.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline Points within(const Points& points, double low, double high) {
     return result;
 }
 
-/// y at x; not a number where there is no such point.
+/// y at x; not a number if there is no such point.
 inline double value_at(const Points& points, double x) {
     const Points there = within(points, x, x);
     return there.empty() ? std::numeric_limits<double>::quiet_NaN() : there.front().second;
@@ -44,7 +44,7 @@ inline double value_at(const Points& points, double x) {
 /// Deviation from 1 at x, signed.
 inline double error_at(const Points& points, double x) { return value_at(points, x) - 1; }
 
-/// The point whose y is nearest to 1; points that are not numbers are passed over.
+/// The point whose y is nearest to 1; values that are not numbers are skipped.
 inline std::pair<double, double> best(const Points& points) {
     std::pair<double, double> result{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
     for (const auto& point : points) {
@@ -78,7 +78,7 @@ inline double largest_difference(const Points& first, const Points& second) {
     return result;
 }
 
-/// Largest y less smallest y.
+/// Largest minus smallest y.
 inline double spread(const Points& points) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& point : points) {
@@ -92,7 +92,7 @@ inline double spread(const Points& points) {
 inline std::vector<double> crossings(const Points& points) {
     std::vector<double> result;
     double before = 0, x_before = 0;  // the last point that is not on 1
-    std::optional<double> met;        // a point on 1 since then
+    std::optional<double> met;        // a point on 1 after it
     for (const auto& [x, y] : points) {
         const double here = y - 1;
         if (here == 0) {
@@ -129,15 +129,15 @@ inline double power(const Points& points) {
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// How much a distribution runs to and fro: its total variation over largest less smallest value, less 1. Zero for any
-/// monotone distribution, such as Carter's; each reversal adds twice its height.
+/// Oscillation of a distribution: total variation over the difference of largest and smallest value, minus 1. Zero for
+/// a monotone distribution such as Carter's; each reversal adds twice its height.
 inline double oscillation(const Eigen::Ref<const Eigen::ArrayXd>& values) {
     const Eigen::Index steps = values.size() - 1;
     const double variation = (values.tail(steps) - values.head(steps)).abs().sum();
     return variation / (values.maxCoeff() - values.minCoeff()) - 1;
 }
 
-/// Where |f - 1| is least in [low, high]: the best of 41 points, then of 41 around it, until known to 1e-6.
+/// The x in [low, high] with the smallest |f - 1|: the best of 41 points, then of 41 around it, to within 1e-6.
 template <class Function>
 double true_optimum(const Function& f, double low, double high) {
     double optimum = low;

@@ -183,7 +183,7 @@ study::Row claim_row(const Judged& judged) {
 
 std::string page(const Results& results, const std::vector<Judged>& claims,
                  const std::map<std::string, std::string>& drawings, const std::string& note) {
-    // 1. The claims by what they are about.
+    // 1. The claims by subject.
     Rows failing, additions, general;
     std::map<int, Rows> of_figure;
     for (const Judged& judged : claims) {
@@ -196,7 +196,7 @@ std::string page(const Results& results, const std::vector<Judged>& claims,
         (number > 0 ? of_figure[number] : general).push_back(&judged);
     }
 
-    // 2. The sections: what does not hold, what is added, each figure with its claims, the rest.
+    // 2. The sections: what does not hold, additions, each figure with its claims, the rest.
     std::vector<Section> sections;
     sections.push_back({"not-as-printed", "Statements that do not hold as printed", std::to_string(failing.size()),
                         claim_table(failing)});

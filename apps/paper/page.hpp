@@ -17,11 +17,11 @@ struct Judged {
     Finding finding;
 
     bool as_expected() const { return finding.holds == claim.expected; }
-    /// The remark, or that the finding differs from what is expected.
+    /// The remark, or a note that the finding differs from what is expected.
     std::string reason() const;
 };
 
-/// How many claims there are of each sort.
+/// Number of claims of each sort.
 struct Tallies {
     std::size_t statements = 0, holding = 0;  ///< of the paper
     std::size_t additions = 0, additions_holding = 0;

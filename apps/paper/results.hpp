@@ -1,5 +1,4 @@
-// A panel of the table computed: its rows as CSV and its curves as a plot.
-// Everything numerical is asked of the library through evaluate.hpp.
+// The panels computed: rows for the CSV file and curves for the plot. All numbers come from evaluate.hpp.
 #pragma once
 
 #include <complex>
@@ -19,7 +18,7 @@ inline constexpr Eigen::Index polynomial_order = 20;  ///< of the reference in F
 
 struct CurveResult {
     std::vector<study::Row> rows;
-    std::vector<study::Series> series;  ///< what is drawn; of the first one, claims use the points
+    std::vector<study::Series> series;  ///< what is drawn; claims use the points of the first
 };
 
 struct PanelResult {
@@ -49,7 +48,7 @@ private:
     std::vector<PanelResult> panels_;
 };
 
-/// Labels are written in ASCII for the CSV files; where they are shown, they get Greek letters.
+/// Labels are ASCII in the CSV files; where they are shown they get Greek letters.
 std::string with_greek(std::string text);
 
 /// The polynomial approach with the factor of d(x/a)^l/dx, which Eqs. (24) to (26) lack; z = omega a/V.

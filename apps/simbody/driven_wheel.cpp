@@ -10,7 +10,7 @@ namespace driven_wheel {
 
 namespace {
 
-/// What the contact was like when the integrator last accepted a step.
+/// The contact at the last step that the integrator accepted.
 struct Memory {
     double distance = 0, creepage = 0;  // the vehicle's [m], [-]
     Contact::Tractions tractions{};
@@ -18,12 +18,12 @@ struct Memory {
 
 /// The rail force on the lowest point of a wheel.
 ///
-/// The contact remembers, and Simbody evaluates forces in trials: several times within a step, in any order, and in
-/// steps that it rejects. So the memory is a discrete variable of Simbody's State of the kind that updates itself. Each
-/// evaluation rolls the contact from the memory, which it leaves alone, to wherever the trial is and puts the result
-/// into the variable's update; the integrator makes that the new memory when it has accepted a step and starts the
-/// next, and at no other time. The force is that of the update, so it does not jump there. (Events at fixed times would
-/// serve too, but each restarts the integrator, and the contact's steps would not follow the integrator's.)
+/// The contact has memory, and Simbody evaluates forces in trials: several times within a step, in any order, and in
+/// steps that it rejects. The memory is therefore an auto-update discrete variable of Simbody's State. Each evaluation
+/// rolls the contact from the memory, which it does not change, to the trial and stores the result in the variable's
+/// update value; the integrator makes that the new memory when it has accepted a step, and at no other time. The force
+/// is that of the update value, so that it does not jump there. (Events at fixed times would also do, but each restarts
+/// the integrator, and the contact's steps would differ from the integrator's.)
 class RailForce : public SimTK::Force::Custom::Implementation {
 public:
     RailForce(const SimTK::GeneralForceSubsystem& forces, const SimTK::MobilizedBody& wheel, double radius,
@@ -49,7 +49,7 @@ public:
         if (!forces_.isDiscreteVarUpdateValueRealized(state, memory_)) {
             const Memory& memory = SimTK::Value<Memory>::downcast(forces_.getDiscreteVariable(state, memory_));
             const double dq = motion.distance - memory.distance;
-            // What the contact refuses, such as rolling backwards, throws: Simbody then rejects the trial.
+            // The contact throws for what it refuses, such as rolling backwards; Simbody then rejects the trial.
             update.tractions =
                 dq == 0 ? memory.tractions : contact_.advance(memory.tractions, dq, memory.creepage, motion.creepage);
             update.distance = motion.distance;
@@ -135,8 +135,8 @@ Response roll(const Wheel& wheel, const Contact& contact, const Start& start, co
     system.realize(state, Stage::Velocity);
     rail->remember(state, start.tractions);
 
-    // 4. Time. Each accepted step is one of the contact's too, which takes the creepage as linear over it: the error is
-    // of second order in the largest step, whatever the integrator's own order.
+    // 4. Time. Each accepted step is also a step of the contact, which takes the creepage as linear over it: the error
+    // is of second order in the largest step, whatever the integrator's order.
     std::unique_ptr<Integrator> integrator;
     for (const Named& one : known) {
         if (one.name == integration.integrator) integrator = one.make(system);

@@ -1,5 +1,5 @@
-// A driven wheel under a vehicle, in Simbody, whose rail force comes from a contact that remembers.
-// Plain C++17: Simbody 3.7's headers do not compile as C++20, which rollbem's need, so the two meet here.
+// A driven wheel under a vehicle, in Simbody, whose rail force comes from a contact with memory.
+// C++17, an interface between both: Simbody 3.7's headers do not compile as C++20, which rollbem needs.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace driven_wheel {
 
-/// The contact as the force element sees it. Its memory is a plain value that the force element keeps.
+/// The contact as the force element sees it. Its memory is a plain value, kept by the force element.
 class Contact {
 public:
     using Tractions = std::vector<double>;  ///< [Pa], trailing to leading
@@ -19,7 +19,7 @@ public:
 
     /// Force on the wheel [N].
     virtual double force(const Tractions& tractions) const = 0;
-    /// Rolls on by dq > 0 [m] while the creepage [-] goes from `start` to `end`. Throws where that is not possible.
+    /// Rolls on by dq > 0 [m] while the creepage [-] goes from `start` to `end`. Throws if that is not possible.
     virtual Tractions advance(const Tractions& from, double dq, double start, double end) const = 0;
 };
 
@@ -40,7 +40,7 @@ struct Start {
 
 struct Integration {
     std::string integrator;  ///< one of integrators()
-    double accuracy;         ///< Simbody's relative one [-]
+    double accuracy;         ///< relative, of Simbody's integrator [-]
     double largest_step;     ///< [s]
     double sample_interval;  ///< [s]
     int samples;
@@ -50,13 +50,13 @@ struct Response {
     std::vector<double> sliding{};  ///< V - R omega after each sample interval [m/s]
     int steps = 0;                  ///< accepted by the integrator
     int rejected = 0;               ///< steps tried and not accepted
-    int trials = 0;                 ///< evaluations of the contact's force, several a step
+    int trials = 0;                 ///< evaluations of the contact's force, several in each step
 };
 
-/// Names of Simbody's integrators that are known here.
+/// Names of the Simbody integrators that can be chosen.
 std::vector<std::string> integrators();
 
-/// Throws std::runtime_error where Simbody gives up.
+/// Throws std::runtime_error if Simbody fails.
 Response roll(const Wheel& wheel, const Contact& contact, const Start& start, const Integration& integration);
 
 }  // namespace driven_wheel

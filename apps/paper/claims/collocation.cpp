@@ -12,8 +12,8 @@ namespace {
 
 constexpr Derivative analytic = Derivative::analytic;
 
-/// Whether the error of `better` is the smaller one at every x, or larger by no more than `tolerance`. Both curves must
-/// have all their points.
+/// Whether at every x the error of `better` is smaller, or larger by at most `tolerance`. Both curves must have all
+/// their points.
 bool smaller_everywhere(const Points& better, const Points& worse, double tolerance = 0) {
     if (better.size() != worse.size()) return false;
     for (std::size_t i = 0; i < better.size(); ++i) {
@@ -22,7 +22,7 @@ bool smaller_everywhere(const Points& better, const Points& worse, double tolera
     return true;
 }
 
-/// The least n of a curve from which on the error stays below 0.1 %; not a number where there is none.
+/// The smallest n of a curve from which the error stays below 0.1 %; not a number if there is none.
 double elements_needed(const Points& curve) {
     double needed = curve.front().first;
     for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -32,11 +32,11 @@ double elements_needed(const Points& curve) {
     return needed;
 }
 
-/// Oscillation of a steady traction: how far it is from monotone, which Carter's is. Anything above rounding counts.
+/// Oscillation of a steady traction; Carter's is monotone. Anything above rounding counts.
 constexpr double oscillation_threshold = 1e-9;
 double oscillation_of(const Case& c) { return oscillation(tractions(c).value); }
 
-/// The smallest alpha = alpha_L = alpha_T from 0.5 on, by 0.01, whose traction is not monotone; infinite without one.
+/// The smallest alpha_L = alpha_T >= 0.5, by 0.01, whose traction is not monotone; infinite if there is none.
 double oscillation_onset(Derivative derivative) {
     for (const double alpha : fractions(50, 100, 100)) {
         const Case c{.derivative = derivative, .alpha_L = alpha, .alpha_T = alpha};

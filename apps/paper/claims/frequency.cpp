@@ -1,4 +1,4 @@
-// Section 6.2, response to harmonic creepage: Fig. 22 and Eqs. (24) to (26), and the last conclusion.
+// Section 6.2, response to harmonic creepage: Fig. 22 and Eqs. (24) to (26), and the last of the conclusions.
 #include <algorithm>
 #include <complex>
 #include <limits>
@@ -42,7 +42,7 @@ double largest_c11_error(const Function& c11, const std::vector<double>& z) {
     return result;
 }
 
-/// c11 from Eqs. (25) to (27) exactly as printed, that is without the factor l of d(x/a)^l/dx.
+/// c11 from Eqs. (25) to (27) as printed, without the factor l of d(x/a)^l/dx.
 std::complex<double> c11_as_printed(double z, Eigen::Index order) {
     const Eigen::MatrixXcd B = rollbem::displacement_matrix(order, poisson_ratio, aspect).cast<std::complex<double>>();
     Eigen::MatrixXcd equations(order + 1, order + 1);
@@ -72,7 +72,7 @@ std::vector<Claim> claims_of_frequency() {
              });
              return {holds, "largest difference " + text};
          }},
-        {"22", "alpha_L = 1 and alpha_T = 0", "The caption's scheme gives these results", false,
+        {"22", "alpha_L = 1 and alpha_T = 0", "The scheme of the caption gives these results", false,
          "the indices are swapped: 0/0.63 is meant, as elsewhere",
          [](const Results&) -> Finding {
              const double error = harmonic_error({.n = 60, .alpha_L = 1, .alpha_T = 0}, frequencies_of_fig_22());

@@ -16,7 +16,7 @@ constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = an
 /// Time of a steady problem over that of collocation.
 double cost_ratio(const Case& c) {
     double own = std::numeric_limits<double>::infinity(), collocation = own;
-    for (int run = 0; run < 5; ++run) {  // alternating, the shortest of each: calm on a busy machine
+    for (int run = 0; run < 5; ++run) {  // alternating, the shortest of each: robust on a busy machine
         collocation = std::min(collocation, steady_time_us({.n = c.n}));
         own = std::min(own, steady_time_us(c));
     }
@@ -25,7 +25,7 @@ double cost_ratio(const Case& c) {
 
 std::string times(double ratio) { return number(ratio, 2) + " times the time of collocation"; }
 
-/// How many of the 7 coincidences of a Gauss point with an element's edge show as a dip of c11, and the deepest.
+/// How many of the 7 coincidences of a Gauss point with an element's edge cause a dip of c11, and the deepest dip.
 Finding dips() {
     int dips = 0;
     double largest = 0;
@@ -34,7 +34,7 @@ Finding dips() {
         gsl_integration_glfixed_table* const table = gsl_integration_glfixed_table_alloc(7);
         gsl_integration_glfixed_point(-1, 1, i, &node, &weight, table);
         gsl_integration_glfixed_table_free(table);
-        const double alpha = 0.5 + node / 2;  // this point meets the leading edge of its element
+        const double alpha = 0.5 + node / 2;  // this point lies on the leading edge of its element
         const auto ratio = ratio_over({.method = Method::galerkin_7, .derivative = analytic}, Vary::both_alphas);
         const double left = ratio(alpha - 0.01), here = ratio(alpha), right = ratio(alpha + 0.01);
         const double dip = std::abs(here - (left + right) / 2);

@@ -11,7 +11,7 @@ constexpr Case on(Topology mesh, double alpha_L, double alpha_T) {
     return {.alpha_L = alpha_L, .alpha_T = alpha_T, .mesh = mesh};
 }
 
-/// Where the three curves of a panel over the mesh's grading come nearest to 1.
+/// The grading at which each of the three curves of a panel is nearest to 1.
 std::function<Finding(const Results&)> best_grading(const std::string& panel, double claimed, const Case& scheme,
                                                     Range search) {
     return [=](const Results& r) {
@@ -85,7 +85,7 @@ std::vector<Claim> gradings() {
 /// The cases of Fig. 17.
 Case traction_case(Topology mesh) { return {.alpha_L = 0.5, .alpha_T = 0.5, .mesh = mesh, .grading = 0.4}; }
 
-/// Difference of the leading element's traction from Carter's at its centre, over the latter.
+/// Relative difference of the leading element's traction from Carter's at its centre.
 double leading_excess(const Case& c) {
     const Tractions t = tractions(c);
     return t.value[c.n - 1] / t.carter[c.n - 1] - 1;
@@ -97,8 +97,8 @@ double leading_error(const Case& c) {
     return std::abs(t.value[c.n - 1] - t.carter[c.n - 1]);
 }
 
-/// Whether Knothe and Gross-Thebing's mesh, whose leading element lies nearest to the edge, errs more there than the
-/// uniform one while it overestimates Carter, as the paper says of the same curves.
+/// Whether Knothe and Gross-Thebing's mesh, whose leading element lies nearest to the edge, has a larger error there
+/// than the uniform one and overestimates Carter, as the paper says of the same curves.
 Finding farthest_is_best(const Results&) {
     bool holds = false;
     for (const auto& [alpha_L, alpha_T] : {std::pair{0.5, 0.5}, {0.0, 0.63}}) {

@@ -7,7 +7,7 @@ namespace paper {
 
 namespace {
 
-/// Whether nothing is unstable below `limit`, less `reading`, in the curves of all n of all panels.
+/// Whether the curves of all n in all panels are stable below `limit` - `reading`.
 std::function<Finding(const Results&)> stable_below(const std::vector<std::string>& panels, double limit,
                                                     double reading = 0) {
     return [=](const Results& r) -> Finding {
@@ -25,7 +25,7 @@ std::function<Finding(const Results&)> stable_below(const std::vector<std::strin
     };
 }
 
-/// Whether instability sets in earlier for each finer mesh.
+/// Whether instability begins at a smaller alpha on each finer mesh.
 std::function<Finding(const Results&)> finer_is_worse(const std::vector<std::string>& panels) {
     return [panels](const Results& r) -> Finding {
         bool holds = true;
@@ -53,7 +53,7 @@ double coarse_onset(Eigen::Index n) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Number of unstable cases of all with lambda < 0.5 on a mesh: alphas from {0, 0.25, 0.5, 0.75, 1} but not both 0.
+/// Number of unstable cases with lambda < 0.5 on a mesh: alphas from {0, 0.25, 0.5, 0.75, 1}, not both 0.
 struct Tally {
     int unstable = 0, all = 0;
 };
@@ -142,8 +142,8 @@ std::vector<Claim> positions() {
              });
              return {holds, text};
          }},
-        {"19B", "", "The unstable alpha_T are no interval: there are islands (n = 40, fd)", true,
-         "judged by the curve's changes between 0 and more",
+        {"19B", "", "The unstable alpha_T do not form an interval: there are islands (n = 40, fd)", true,
+         "judged by where the curve leaves 0 and returns to it",
          [](const Results& r) -> Finding {
              const Points& curve = r.curve("19b", 1);
              std::string text;

@@ -1,0 +1,27 @@
+#include <iostream>
+#include <utility>
+
+#include <rollbem/rollbem.hpp>
+
+using namespace rollbem;
+
+int main() {
+    // a steel wheel of radius 0.46 m with 60 kN on a contact 24 mm wide: half-length and pressure by Hertz
+    const ElasticBody<double> steel{.young_modulus = 2.1e11, .poisson_ratio = 0.28};
+    const HertzLine<double> line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+    const Contact<double> contact = line.contact(12e-3);
+    const Mesh<double> mesh = cosine_mesh(40);
+    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const auto system = rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact));
+    const FrictionModel<double> model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
+    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<double> now = model.at_rest(), next = now;
+    double heat = 0;  // by slip [J]
+    for (int k = 0; k < 200; ++k, std::swap(now, next)) {
+        const auto step = model.advance(now, 0.2e-3, 2e-3, next, workspace);  // rolls on by 0.2 mm, creepage 2e-3
+        if (step.status != StepStatus::ok) return 1;
+        heat += 2 * contact.half_width() * step.slip_work_per_width;
+    }
+    std::cout << "F = " << model.force(now) << " N, heat " << heat << " J, elastic energy " << model.elastic_energy(now)
+              << " J\n";
+}

@@ -1,0 +1,27 @@
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+#include <rollbem/rollbem.hpp>
+
+int main() {
+    using namespace rollbem;
+    const ElasticBody<double> steel{2.1e11, 0.28};
+    const HertzLine<double> line({.load_per_width = 1e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
+    const Contact<double> contact = line.contact(0.5);  // half-width [m]
+    const Mesh<double> mesh = cosine_mesh(40);
+    const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
+    NormalLoad<double> load = hertz.at(1e6);
+    const auto system =
+        rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact));
+    const FrictionModel<double> model(contact, system, judge_stability(system), {0.3, load.normal_pressure});
+    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<double> now = model.at_rest(), next = now;
+    for (int k = 1; k <= 100; ++k) {
+        hertz.set(1e6 * (1 + 0.5 * std::sin(0.1 * k)), load);
+        const auto step = model.advance(now, 0.1 * contact.half_length(), 1e-3, load, next, workspace);
+        if (step.status != StepStatus::ok) return 1;
+        std::swap(now, next);
+        std::cout << step.force_per_width << '\n';
+    }
+}
