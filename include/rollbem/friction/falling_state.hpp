@@ -46,6 +46,12 @@ CoulombFriction<Scalar> checked_pressure(const char* who, const FallingFriction<
     return {1, friction.normal_pressure};
 }
 
+/// The same without pressures, which a state knows.
+template <class Law, class Scalar>
+FallingFriction<Law, Scalar> without_pressure(const FallingFriction<Law, Scalar>& friction) {
+    return {friction.law, friction.memory, {}, friction.with_tangents};
+}
+
 /// Whether these are coefficients: as many as there are elements, finite and not negative.
 template <class State>
 bool fits_friction(const State& from, const State& to, Eigen::Index size) noexcept {

@@ -47,24 +47,20 @@ public:
     SteadyFallingModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                        const Kernel& kernel, const FallingFriction<Law, Scalar>& friction)
         : model_(contact, mesh, scheme, kernel, detail::checked_pressure("SteadyFallingModel", friction)),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {}
+          friction_(detail::without_pressure(friction)) {}
 
     /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a).
     SteadyFallingModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                        const FallingFriction<Law, Scalar>& friction)
         : model_(contact, std::move(G_prime), widths, detail::checked_pressure("SteadyFallingModel", friction)),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {}
+          friction_(detail::without_pressure(friction)) {}
 
     Eigen::Index size() const { return model_.size(); }                 ///< number of unknown elements
     std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< of G', widths, contact and pressures
 
     /// No traction anywhere, everything sticks at mu_s(0).
     State at_rest() const {
-        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(law_(Scalar(0))))};
+        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(friction_.law(Scalar(0))))};
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -78,9 +74,9 @@ public:
         if (possible == StepStatus::ok && !detail::is_finite(creepage)) possible = StepStatus::not_finite;
         if (possible == StepStatus::ok && !(detail::is_finite(speed) && speed > 0)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
-        detail::FallingStages<Law, detail::ActiveSetSlip<Scalar>> stages(law_, memory_, from.friction_coefficient,
-                                                                         speed, model_.core_.widths(), from.half_length,
-                                                                         with_tangents_, workspace.scratch_);
+        detail::FallingStages<Law, detail::ActiveSetSlip<Scalar>> stages(
+            friction_.law, friction_.memory, from.friction_coefficient, speed, model_.core_.widths(), from.half_length,
+            friction_.with_tangents, workspace.scratch_);
         const Step step = model_.solve(stages, from, creepage, to, workspace);
         detail::hand_over(step, from, workspace.scratch_.friction, to);
         return step;
@@ -90,9 +86,7 @@ private:
     using Core = detail::FrictionCore<Scalar>;
 
     SteadyFrictionModel<Scalar> model_;
-    Law law_;
-    SlipMemory<Scalar> memory_;
-    bool with_tangents_;
+    FallingFriction<Law, Scalar> friction_;  // without pressures
 };
 
 template <class Scalar, class Scheme, class Kernel, class Law>

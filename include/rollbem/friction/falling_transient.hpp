@@ -51,9 +51,7 @@ public:
                          const FallingFriction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : model_(contact, std::move(system), verdict, detail::checked_pressure("FallingFrictionModel", friction),
                  integrator),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {
+          friction_(detail::without_pressure(friction)) {
         require_points();
     }
 
@@ -62,9 +60,7 @@ public:
                          const FallingFriction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : model_(contact, std::move(system), unchecked, detail::checked_pressure("FallingFrictionModel", friction),
                  integrator),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {
+          friction_(detail::without_pressure(friction)) {
         require_points();
     }
 
@@ -74,7 +70,7 @@ public:
 
     /// No traction anywhere, everything sticks at mu_s(0).
     State at_rest() const {
-        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(law_(Scalar(0))))};
+        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(friction_.law(Scalar(0))))};
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -128,8 +124,8 @@ private:
     using Stages = detail::FallingStages<Law, detail::ActiveSetSlip<Scalar>>;
 
     void require_points() const {
-        detail::require(memory_.distance == 0 || model_.system_.points().has_value(), "FallingFrictionModel",
-                        "distance of the memory", memory_.distance,
+        detail::require(friction_.memory.distance == 0 || model_.system_.points().has_value(), "FallingFrictionModel",
+                        "distance of the memory", friction_.memory.distance,
                         "be 0 for a system that does not know the points of its equations");
     }
 
@@ -143,9 +139,9 @@ private:
         using Result = std::conditional_t<loaded, LoadedStep, Step>;
         if (possible != StepStatus::ok) return Result{Core::failed(possible)};
         const Scalar unit = model_.core_.half_length();
-        Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.system_.points() : nullptr,
-                      from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, with_tangents_,
-                      workspace.scratch_);
+        Stages stages(friction_.law, friction_.memory,
+                      friction_.memory.distance > 0 ? &*model_.system_.points() : nullptr, from.friction_coefficient,
+                      unit, dq / unit, duration, from.half_length / unit, friction_.with_tangents, workspace.scratch_);
         if constexpr (loaded) {
             model_.core_.begin_tangents(*pressure_rate, model_.system_.log_strength() && dq > 0, workspace);
         }
@@ -161,8 +157,8 @@ private:
         if (possible == StepStatus::ok && !detail::is_finite(creepage)) possible = StepStatus::not_finite;
         if (possible == StepStatus::ok && !positive(speed)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
-        Stages stages(law_, memory_, from.friction_coefficient, speed, model_.core_.widths(), load.half_length,
-                      with_tangents_, workspace.scratch_);
+        Stages stages(friction_.law, friction_.memory, from.friction_coefficient, speed, model_.core_.widths(),
+                      load.half_length, friction_.with_tangents, workspace.scratch_);
         const Step step =
             model_.core_.solve_steady(stages, from, creepage, model_.system_.G_prime(), load, to, workspace);
         detail::hand_over(step, from, workspace.scratch_.friction, to);
@@ -172,9 +168,7 @@ private:
     static bool positive(Scalar value) { return detail::is_finite(value) && value > 0; }
 
     FrictionModel<Scalar> model_;
-    Law law_;
-    SlipMemory<Scalar> memory_;
-    bool with_tangents_;
+    FallingFriction<Law, Scalar> friction_;  // without pressures
 };
 
 }  // namespace rollbem

@@ -20,34 +20,12 @@
 #include "../law.hpp"
 #include "../state.hpp"
 #include "../workspace.hpp"
+#include "constant_stages.hpp"
 #include "rolling_stage.hpp"
 #include "slip_work.hpp"
+#include "unchanged_steps.hpp"
 
 namespace rollbem::detail {
-
-/// How the bounds of a stage come about: here they are what the pressures and a constant coefficient say. FallingStages
-/// is another way.
-template <class Scalar>
-struct ConstantStages {
-    static constexpr bool bounds_are_given = true;
-
-    /// Told of each stage before it is solved: where it lies in its step, and what it does to the contact.
-    void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
-    typename ActiveSet<Scalar>::Outcome solve(ActiveSet<Scalar>& solver, const VectorX<Scalar>& bound,
-                                              const std::vector<Zone>& zones) noexcept {
-        return solver.solve(bound, zones);
-    }
-    /// dp by a change dc of the stage solved last, and by `share` of one of its bounds.
-    void respond(ActiveSet<Scalar>& solver, const VectorX<Scalar>& change, Scalar, VectorX<Scalar>& traction_change,
-                 std::size_t, const VectorX<Scalar>* bound_change, Scalar share) noexcept {
-        solver.respond(change, *bound_change, traction_change, share);
-    }
-    void respond_to_half_length(ActiveSet<Scalar>& solver, const VectorX<Scalar>& change,
-                                VectorX<Scalar>& traction_change, std::size_t) noexcept {
-        solver.respond(change, traction_change);
-    }
-    void carry_response(std::size_t) noexcept {}
-};
 
 /// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
 /// in G, lengths in a_0, the contact's half-length.
@@ -68,6 +46,7 @@ public:
           shear_modulus_(contact.shear_modulus()),
           widths_(widths.matrix()),
           slip_work_(widths, points),
+          unchanged_steps_(widths.size(), half_length_),
           ones_(VectorX<Scalar>::Ones(widths_.size())),
           fingerprint_(fingerprint_of(contact, system) ^ fingerprint_of_law(friction)),
           friction_(std::move(friction)) {}
@@ -165,10 +144,7 @@ public:
     /// by `distance`.
     void remember(const State& from, const RollingSystem<Scalar>& system, Scalar half_length, bool grows,
                   Scalar distance, Workspace& workspace) const noexcept {
-        const int unchanged = grows ? 0 : unchanged_steps(from, distance);
-        workspace.solver_.begin(unchanged < transform_from()    ? Effort::equations
-                                : unchanged == transform_from() ? Effort::transform_check
-                                                                : Effort::transform);
+        workspace.solver_.begin(grows ? Effort::equations : unchanged_steps_.effort(from, distance));
         workspace.memory_.begin(system, 1 / shear_modulus_ * from.traction, half_length, grows);
     }
     /// After the first of two stages.
@@ -249,7 +225,8 @@ public:
         to.traction = shear_modulus_ * solver.traction();
         to.normal_pressure = load.pressure.head(size());
         to.half_length = load.half_length;
-        count_unchanged(from, workspace, to);
+        const bool rolls = workspace.stage_.distance != steadily;
+        unchanged_steps_.count(from, workspace.stage_, rolls && solver.unchanged(), to);
         Step step;
         step.stick_count = solver.stick_count();
         step.force_per_width = force_per_width;
@@ -307,28 +284,6 @@ public:
 private:
     static constexpr Scalar steadily = -1;  // in place of a distance rolled, which is 0 for a rigid shift
 
-    // How many unchanged steps make the transform worth its while. It costs about n/2 products of matrix and vector, and
-    // saves one or two a step.
-    int transform_from() const { return 1 + static_cast<int>(size() / 2); }
-    static constexpr int check_period = 64;
-
-    // Those that a state claims, for stages that roll by `distance`; 0 where it claims what no step leaves.
-    int unchanged_steps(const State& from, Scalar distance) const {
-        const bool known = from.unchanged_distance == half_length_ * distance && from.unchanged_steps > 0 &&
-                           from.unchanged_steps < transform_from() + check_period;
-        return known ? from.unchanged_steps : 0;
-    }
-
-    void count_unchanged(const State& from, const Workspace& workspace, State& to) const {
-        const RollingStage<Scalar>& stage = workspace.stage_;
-        to.unchanged_steps = 0;
-        to.unchanged_distance = 0;
-        if (stage.distance < 0 || stage.growth != 0 || !workspace.solver_.unchanged()) return;
-        const int steps = unchanged_steps(from, stage.distance) + 1;
-        to.unchanged_steps = steps < transform_from() + check_period ? steps : transform_from();
-        to.unchanged_distance = half_length_ * stage.distance;
-    }
-
     // stick leaves rounding behind, and so may the border of slip
     static void set_slip(Workspace& workspace) {
         const ActiveSet<Scalar>& solver = workspace.solver_;
@@ -360,6 +315,7 @@ private:
     Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
     VectorX<Scalar> widths_;
     SlipWork<Scalar> slip_work_;
+    UnchangedSteps<Scalar> unchanged_steps_;
     VectorX<Scalar> ones_;
     std::uint64_t fingerprint_;
     CoulombFriction<Scalar> friction_;
