@@ -394,7 +394,7 @@ struct CombinedWheel {
     void run(benchmark::State& state, const Model& model, const Advance& advance) const {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < 2500; ++i) {
             advance(now, next, workspace);
             std::swap(now, next);
         }
