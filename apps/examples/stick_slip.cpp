@@ -1,0 +1,305 @@
+// A driven wheel whose friction falls with slip, in SI units: a motor turns it through a shaft that twists. Below the
+// peak of the creep curve the wheel pulls steadily. Beyond the peak the falling friction feeds a torsional vibration,
+// which grows until the wheel sticks and slips by turns; then a controller detects the slip, reduces the torque and
+// ends it. Every joule is accounted for. A small vibration grows or decays as the slope of the steady creep curve
+// predicts, so that the least damping that prevents it is known beforehand.
+//
+//     ./examples/stick_slip
+//
+//     at a slip velocity of 0.3 m/s: F/N = 0.2907, dF/d(slip velocity) = -15866 N s/m; least damping 2591.4
+//     damping N m s/rad     growth 1/s, linear   frequency Hz, linear  a omega/V
+//                   0.0     15.690      15.549     27.253      27.284       0.10
+//                2073.2      3.163       3.110     27.380      27.391       0.10
+//                3109.7     -3.052      -3.110     27.380      27.391       0.10
+//                5182.9    -15.482     -15.549     27.273      27.283       0.10
+//     the simulated vibration neither grows nor decays at 2600.7, +0.36 % off the linear limit
+//       n    driven J     train J  damper J kinetic J   twist J elastic J    heat J  gap/heat
+//      30    480801.7    472802.0     87.07    820.85     56.42    0.4641    7037.8  4.11e-04
+//                                  slip m/s         shaft kN m   mean F/N  stick, time
+//     grips      up to 0.3 s  0.033 to 0.033   16.58 to   16.68     0.3322       100.0%
+//     vibrates   up to 1.0 s -0.018 to 0.962   -5.30 to   30.18     0.2584        14.1%
+//     caught     up to 1.7 s  0.034 to 0.034   16.80 to   16.80     0.3359       100.0%
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/friction/falling.hpp>
+#include <rollbem/normal/hertz.hpp>
+
+namespace {
+
+using Law = rollbem::ExponentialFall<double>;
+using Model = rollbem::FallingFrictionModel<Law>;
+
+// 1. Motor, shaft and wheel of a train so heavy that its speed V does not change. The shaft transmits the moment
+// M = k twist + c (w_m - w): J_m d(w_m)/dt = T - M, J dw/dt = M - R F. The torque T = T_d - K (w_m - V/R) falls with
+// the speed of the motor, so that the wheel does not run away on the falling branch.
+constexpr double speed = 10, radius = 0.5, load = 100e3, half_width = 8e-3;  // V [m/s], R [m], N [N], b [m]
+constexpr double wheel_inertia = 100, motor_inertia = 500;                   // J, J_m [kg m^2]
+constexpr double stiffness = 2.5e6, droop = 6000;                            // k [N m/rad], K [N m s/rad]
+constexpr Law friction_law{.mu_0 = 0.35, .mu_k = 0.2, .half_velocity = 0.4};
+constexpr rollbem::SlipMemory<double> memory{.distance = 10e-6, .least_velocity = 1e-3};
+constexpr rollbem::ElasticBody<double> steel{2.1e11, 0.28};
+
+double slip_velocity(double rotation) { return radius * rotation - speed; }  // [m/s], of the wheel on the rail
+double creepage(double rotation) { return -slip_velocity(rotation) / speed; }
+double rotation(double slip_velocity) { return (speed + slip_velocity) / radius; }
+
+Model contact_model(Eigen::Index n) {
+    const rollbem::HertzLine<double> hertz(
+        {.load_per_width = load / (2 * half_width), .combined_radius = radius, .body_1 = steel, .body_2 = steel});
+    const rollbem::Contact<double> contact = hertz.contact(half_width);
+    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
+    const auto system = rollbem::rolling_system(mesh, rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+                                                rollbem::PlaneKernel<double>::longitudinal(contact));
+    return {contact, system, rollbem::judge_stability(system), {friction_law, memory, hertz.mean_pressure(mesh)}};
+}
+
+struct State {
+    double motor, wheel;  // w_m, w [rad/s]
+    double twist = 0;     // [rad]
+    double force = 0;     // F [N]
+    Model::State contact;
+
+    double kinetic_energy() const { return (motor_inertia * motor * motor + wheel_inertia * wheel * wheel) / 2; }
+    double twist_energy() const { return stiffness * twist * twist / 2; }
+};
+
+// 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method with the tangent of the
+// contact. Its status is not ok if the contact refuses the step or Newton's method does not converge.
+Model::Step advance(const Model& model, double demand, double damping, double dq, const State& now, State& next,
+                    Model::Workspace& workspace) {
+    next.motor = now.motor;
+    next.wheel = now.wheel;
+    const double dt = dq / speed;
+    for (int trial = 0; trial < 30; ++trial) {
+        const auto motion = rollbem::RigidMotion<double>::linear(creepage(now.wheel), creepage(next.wheel));
+        const Model::Step step = model.advance(now.contact, dq, dt, motion, next.contact, workspace);
+        if (step.status != rollbem::StepStatus::ok) return step;
+        next.force = step.force;
+
+        const double motor = (now.motor + next.motor) / 2, wheel = (now.wheel + next.wheel) / 2;
+        next.twist = now.twist + dt * (motor - wheel);
+        const double moment = stiffness * (now.twist + next.twist) / 2 + damping * (motor - wheel);
+        const double moment_by_motor = stiffness / 4 * dt + damping / 2;  // and less that by the wheel
+        const double torque = demand - droop * (motor - speed / radius);
+        const Eigen::Vector2d residual(
+            motor_inertia * (next.motor - now.motor) - dt * (torque - moment),
+            wheel_inertia * (next.wheel - now.wheel) - dt * (moment - radius * (now.force + next.force) / 2));
+        const double force_by_wheel = -step.tangent * radius / speed;
+        Eigen::Matrix2d jacobian;
+        jacobian << motor_inertia + dt * (droop / 2 + moment_by_motor), -dt * moment_by_motor, -dt * moment_by_motor,
+            wheel_inertia + dt * (moment_by_motor + radius * force_by_wheel / 2);
+        const Eigen::Vector2d change = -jacobian.inverse() * residual;
+        next.motor += change[0];
+        next.wheel += change[1];
+        if (change.cwiseAbs().maxCoeff() < 1e-12 * now.motor) return step;
+    }
+    return {};
+}
+
+// 3. The linear limit. About steady rolling at a slip velocity the contact is the slope of its creep curve, as long as
+// the vibration is slow compared with the passage of the contact, a omega/V << 1. States twist, w_m, w.
+Eigen::Matrix3d linear(double slope, double damping) {  // slope: dF/d(slip velocity) [N s/m]
+    Eigen::Matrix3d A;
+    A << 0, 1, -1,                                                                                //
+        -stiffness / motor_inertia, -(droop + damping) / motor_inertia, damping / motor_inertia,  //
+        stiffness / wheel_inertia, damping / wheel_inertia, -(damping + radius * radius * slope) / wheel_inertia;
+    return A;
+}
+
+struct Mode {
+    std::complex<double> rate;  // growth [1/s] and frequency [rad/s]
+    Eigen::Vector3d shape;
+};
+
+Mode torsion(double slope, double damping) {
+    const Eigen::EigenSolver<Eigen::Matrix3d> solver(linear(slope, damping));
+    Eigen::Index k = 0;
+    solver.eigenvalues().imag().maxCoeff(&k);
+    return {solver.eigenvalues()[k], solver.eigenvectors().col(k).real()};
+}
+
+/// The damping [N m s/rad] at which the torsional vibration neither grows nor decays; by bisection.
+double least_damping(double slope) {
+    double low = 0, high = 2e4;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        (torsion(slope, middle).rate.real() > 0 ? low : high) = middle;
+    }
+    return low;
+}
+
+// 4. What the contact makes of it: growth and frequency of a small vibration about steady rolling, over eight periods.
+std::complex<double> simulated(const Model& model, const Model::State& rolling, double force, double slip_velocity,
+                               double damping, const Mode& mode, double dq) {
+    const double w = rotation(slip_velocity), demand = radius * force + droop * (w - speed / radius);
+    const Eigen::Vector3d kick = mode.shape * (1e-5 * w / mode.shape.norm());
+    State now{w + kick[1], w + kick[2], radius * force / stiffness + kick[0], force, rolling}, next = now;
+    Model::Workspace workspace = model.workspace();
+    const double dt = dq / speed;
+    const int period = int(2 * std::numbers::pi / mode.rate.imag() / dt), steps = 8 * period;
+    Eigen::VectorXd turning(steps);
+    for (int k = 0; k < steps; ++k) {
+        if (advance(model, demand, damping, dq, now, next, workspace).status != rollbem::StepStatus::ok) return NAN;
+        std::swap(now, next);
+        turning[k] = now.motor - now.wheel;
+    }
+    // x_{k+2h} = t x_{k+h} - d x_k + constant by least squares, e^{2 growth h dt} = d
+    const int h = period / 6, first = period, count = steps - first - 2 * h;
+    Eigen::MatrixX3d samples(count, 3);
+    samples << turning.segment(first + h, count), -turning.segment(first, count), Eigen::VectorXd::Ones(count);
+    const Eigen::Vector3d td =
+        (samples.transpose() * samples).inverse() * (samples.transpose() * turning.segment(first + 2 * h, count));
+    return std::log(td[0] / 2 + std::sqrt(std::complex<double>(td[0] * td[0] / 4 - td[1]))) / (h * dt);
+}
+
+bool onset(Eigen::Index n) {
+    const Model model = contact_model(n);
+    Model::Workspace workspace = model.workspace();
+    const double slip = 0.3, dq = 0.1 * model.at_rest().half_length;
+    Model::State now = model.at_rest(), next = now;
+    Model::Step step = model.steady(now, -slip / speed, speed, next, workspace);
+    const double slope = -step.tangent / speed;
+    for (int k = 0; k < 200; ++k) {  // steady rolling in steps of this length
+        std::swap(now, next);
+        step = model.advance(now, dq, dq / speed, -slip / speed, next, workspace);
+    }
+    const double limit = least_damping(slope);
+    std::printf("at a slip velocity of %.1f m/s: F/N = %.4f, dF/d(slip velocity) = %.0f N s/m; least damping %.1f\n",
+                slip, step.force / load, slope, limit);
+    const double a = now.half_length, hertz = 1 / (2 * std::numbers::pi);
+    std::printf("%16s %22s %22s %10s\n", "damping N m s/rad", "growth 1/s, linear", "frequency Hz, linear",
+                "a omega/V");
+    bool agree = true;
+    double growing = 0, decaying = 0;  // [1/s]
+    for (const double part : {0.0, 0.8, 1.2, 2.0}) {
+        const Mode mode = torsion(slope, part * limit);
+        const std::complex<double> rate = simulated(model, next, step.force, slip, part * limit, mode, dq);
+        std::printf("%17.1f %10.3f %11.3f %10.3f %11.3f %10.2f\n", part * limit, rate.real(), mode.rate.real(),
+                    std::abs(rate.imag()) * hertz, mode.rate.imag() * hertz, a * mode.rate.imag() / speed);
+        agree = agree && std::abs(rate.real() / mode.rate.real() - 1) < 0.03 &&
+                std::abs(std::abs(rate.imag()) / mode.rate.imag() - 1) < 0.003;
+        if (part == 0.8) growing = rate.real();
+        if (part == 1.2) decaying = rate.real();
+    }
+    const double found = limit * (0.8 + 0.4 * growing / (growing - decaying));
+    std::printf("the simulated vibration neither grows nor decays at %.1f, %+.2f %% off the linear limit\n", found,
+                100 * (found / limit - 1));
+    return agree && growing > 0 && decaying < 0 && std::abs(found / limit - 1) < 0.01;
+}
+
+// 5. The ride: the driver demands more and more torque. After 1 s a controller is switched on. While the wheel slips,
+// and for 50 ms after, it reduces the torque; then it restores it, to 7 % less than what made the wheel slip.
+double driver_demand(double time) {  // T_d [N m]: below the peak until 0.3 s, then beyond
+    return std::min(17e3, 17e3 / 0.15 * time) + std::clamp(30e3 * (time - 0.3), 0.0, 1500.0);
+}
+
+struct Controller {
+    static constexpr double most_slip = 0.15, patience = 0.05, take = 60e3, give = 60e3;  // [m/s], [s], [N m/s]
+    double demand = 0, ceiling = 1e9, since_slip = 1;                                     // [N m], [s]
+
+    void update(double driver, bool on, double slip, double dt) {
+        if (!on) {
+            demand = driver;
+            return;
+        }
+        if (slip > most_slip && since_slip >= patience) ceiling = 0.93 * demand;
+        since_slip = slip > most_slip ? 0 : since_slip + dt;
+        demand = since_slip < patience ? demand - take * dt : std::min({driver, ceiling, demand + give * dt});
+    }
+};
+
+/// The last 0.1 s of a part of the ride.
+struct Part {
+    const char* name;
+    double end;                                     // [s]
+    double least_slip = 1e9, most_slip = -1e9;      // slip velocity [m/s]
+    double least_moment = 1e9, most_moment = -1e9;  // in the shaft [N m]
+    double mean_force = 0, stuck = 0;               // F/N; share of the time in which some elements stick
+};
+
+struct Account {
+    double driven = 0, train = 0, damped = 0, kinetic = 0, twist = 0, elastic = 0, heat = 0;  // [J]
+    std::array<Part, 3> parts{Part{"grips", 0.3}, Part{"vibrates", 1.0}, Part{"caught", 1.7}};
+    bool complete = false;
+
+    double gap() const { return driven - train - damped - kinetic - twist - elastic - heat; }
+};
+
+Account ride(const Model& model, double damping, double dq_over_a) {
+    State now{rotation(0), rotation(0), 0, 0, model.at_rest()}, next = now;
+    const double dq = dq_over_a * now.contact.half_length, dt = dq / speed;
+    Model::Workspace workspace = model.workspace();
+    Controller controller;
+    Account account;
+    account.kinetic = -now.kinetic_energy();
+    for (double time = 0; time < account.parts.back().end; time += dt) {
+        controller.update(driver_demand(time), time > account.parts[1].end, slip_velocity(now.wheel), dt);
+        const Model::Step step = advance(model, controller.demand, damping, dq, now, next, workspace);
+        if (step.status != rollbem::StepStatus::ok) return account;
+        const double motor = (now.motor + next.motor) / 2, turning = (next.twist - now.twist) / dt;
+        account.driven += (controller.demand - droop * (motor - speed / radius)) * motor * dt;
+        account.train += (now.force + next.force) / 2 * dq;
+        account.damped += damping * turning * turning * dt;
+        account.heat += 2 * half_width * step.slip_work_per_width;
+        for (Part& part : account.parts) {
+            if (time > part.end || time < part.end - 0.1) continue;
+            const double slip = slip_velocity(next.wheel), moment = stiffness * next.twist + damping * turning;
+            part.least_slip = std::min(part.least_slip, slip);
+            part.most_slip = std::max(part.most_slip, slip);
+            part.least_moment = std::min(part.least_moment, moment);
+            part.most_moment = std::max(part.most_moment, moment);
+            part.mean_force += next.force / load * dt / 0.1;
+            part.stuck += step.stick_count > 0 ? dt / 0.1 : 0;
+        }
+        std::swap(now, next);
+    }
+    account.kinetic += now.kinetic_energy();
+    account.twist = now.twist_energy();
+    account.elastic = model.elastic_energy(now.contact);
+    account.complete = true;
+    return account;
+}
+
+}  // namespace
+
+int main() {
+    bool right = onset(20);
+
+    // 6. The energies balance the better the finer mesh and steps are. Then the three parts of the ride.
+    std::printf("%3s %11s %11s %9s %9s %9s %9s %9s %9s\n", "n", "driven J", "train J", "damper J", "kinetic J",
+                "twist J", "elastic J", "heat J", "gap/heat");
+    double before = 0;
+    Account account;
+    for (const Eigen::Index n : {10, 20, 30}) {
+        account = ride(contact_model(n), 300, 2.0 / double(n));
+        const double gap = std::abs(account.gap() / account.heat);
+        std::printf("%3d %11.1f %11.1f %9.2f %9.2f %9.2f %9.4f %9.1f %9.2e\n", int(n), account.driven, account.train,
+                    account.damped, account.kinetic, account.twist, account.elastic, account.heat, gap);
+        right = right && account.complete && (n != 20 || gap < 2e-3) && (before == 0 || gap < before / 2);
+        before = gap;
+    }
+    std::printf("%22s %14s %18s %10s %12s\n", "", "slip m/s", "shaft kN m", "mean F/N", "stick, time");
+    for (const Part& part : account.parts) {
+        std::printf("%-10s up to %.1f s %6.3f to %5.3f %7.2f to %7.2f %10.4f %11.1f%%\n", part.name, part.end,
+                    part.least_slip, part.most_slip, part.least_moment / 1e3, part.most_moment / 1e3, part.mean_force,
+                    100 * part.stuck);
+    }
+    const auto& [grips, vibrates, caught] = account.parts;
+    const bool grip = grips.most_slip < 0.04 && grips.stuck > 0.999;
+    const bool stick_slip = vibrates.least_slip < 0 && vibrates.most_slip > 0.9 && vibrates.stuck > 0.05 &&
+                            vibrates.stuck < 0.5 && vibrates.most_moment > 1.5 * grips.most_moment;
+    const bool ended = caught.most_slip < 0.04 && caught.stuck > 0.999 &&
+                       caught.mean_force > 1.2 * vibrates.mean_force && caught.most_moment - caught.least_moment < 50;
+    return right && grip && stick_slip && ended ? EXIT_SUCCESS : EXIT_FAILURE;
+}
