@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/falling.hpp>
 
 #include "falling_scene.hpp"
 #include "support/catch.hpp"

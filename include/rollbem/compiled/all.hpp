@@ -5,6 +5,7 @@
 
 #include "assembly.hpp"
 #include "chebyshev.hpp"
+#include "falling.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
 #include "polynomial.hpp"
