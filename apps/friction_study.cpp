@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
                 "than V0, in V mu_0 p0/G (dimensionless)");
     options.add(
         "sweep", "up|down",
-        "with --falling: each point starts from its neighbour in the order of the creepage ratios, not from rest");
+        "with --falling: each point starts from its neighbour in the order of the creepage ratios, of each lateral one "
+        "by itself, not from rest");
     options.add_table("tractions",
                       "besides, a CSV file with one row per element of every scheme and creepage, and FILE.toml");
     options.add_flag(
@@ -119,8 +120,9 @@ int main(int argc, char** argv) {
         "no\n"
         "solution is found to rounding, status is no_solution, and complementarity_residual tells what mu is off by.\n"
         "Without memory a steep law has several steady solutions on a mesh: --sweep up and --sweep down differ there,\n"
-        "the less the finer the mesh, and --plot draws both. rounds: of all solutions. --tractions: bound is that of\n"
-        "mu_0, friction_ratio mu/mu_0.\n"
+        "the less the finer the mesh, and --plot draws both (in one direction). rounds: of all solutions. "
+        "--tractions:\n"
+        "bound is that of mu_0, friction_ratio mu/mu_0. --shift takes the time of a step.\n"
         "\n"
         "--fit-border is for pressures that leave one slip zone at the trailing edge, as Hertz's does. Where that\n"
         "holds, mesh = fitted: the force is exact to rounding, or to 1e-6 mu N under a --pressure without jumps, and\n"

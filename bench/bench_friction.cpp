@@ -374,6 +374,68 @@ BENCHMARK(BM_CombinedStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_CombinedStepSdirk2(benchmark::State& state) { combined_steps(state, Integrator::sdirk2); }
 BENCHMARK(BM_CombinedStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
+// The wheel of falling_steps_unchanged in both directions: steps of a steady state with constant friction, and where mu
+// falls with slip.
+struct CombinedWheel {
+    static constexpr double a = 4e-3, dq = 0.05 * a, duration = dq / 45;
+
+    explicit CombinedWheel(Eigen::Index n)
+        : mesh(cosine_mesh<double>(n)),
+          contact({.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28}),
+          pressure(495.169e6 * mean_hertz_pressure(mesh)) {}
+
+    ElementSystem<double> along() const {
+        return rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact));
+    }
+    ElementSystem<double> across() const {
+        return rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::lateral(contact));
+    }
+    template <class Model, class Advance>
+    void run(benchmark::State& state, const Model& model, const Advance& advance) const {
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        for (int i = 0; i < 2500; ++i) {
+            advance(now, next, workspace);
+            std::swap(now, next);
+        }
+        double rounds = 0;
+        for (auto _ : state) {
+            rounds += advance(now, next, workspace).rounds;
+            std::swap(now, next);
+        }
+        state.counters["n"] = static_cast<double>(state.range(0));
+        state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    }
+
+    Mesh<double> mesh;
+    Contact<double> contact;
+    ArrayX<double> pressure;
+    Creepage<double> creepage{8e-4, 6e-4};
+};
+void BM_CombinedStepUnchanged(benchmark::State& state) {
+    const CombinedWheel wheel(state.range(0));
+    const CombinedFrictionModel<double> model(wheel.contact, wheel.along(), wheel.across(), unchecked,
+                                              {0.3, wheel.pressure}, Integrator::implicit_euler);
+    wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
+        return model.advance(from, wheel.dq, wheel.creepage, to, workspace);
+    });
+}
+BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void combined_falling_steps(benchmark::State& state, bool with_tangents) {
+    using Law = ExponentialFall<double>;
+    const CombinedWheel wheel(state.range(0));
+    const CombinedFallingModel<Law> model(wheel.contact, wheel.along(), wheel.across(), unchecked,
+                                          {{0.3, 0.18, 0.1}, {10e-6, 1e-3}, wheel.pressure, with_tangents},
+                                          Integrator::implicit_euler);
+    wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
+        return model.advance(from, wheel.dq, wheel.duration, wheel.creepage, to, workspace);
+    });
+}
+void BM_CombinedStepFalling(benchmark::State& state) { combined_falling_steps(state, false); }
+BENCHMARK(BM_CombinedStepFalling)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_CombinedStepFallingTangent(benchmark::State& state) { combined_falling_steps(state, true); }
+BENCHMARK(BM_CombinedStepFallingTangent)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+
 }  // namespace
 
 BENCHMARK_MAIN();

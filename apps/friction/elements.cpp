@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,13 +62,16 @@ struct OneDirection {
     }
 };
 
-struct Falling : OneDirection {
-    using Model = SteadyFalling;
+/// In either: the coefficients.
+template <class Directions, class Model_>
+struct WithFalling : Directions {
+    using Model = Model_;
 
-    static void fill(const Model::State& state, const Eigen::VectorXd& slip, Profile& profile) {
-        OneDirection::fill(state, slip, profile);
+    template <class Slip>
+    static void fill(const typename Model::State& state, const Slip& slip, Profile& profile) {
+        Directions::fill(state, slip, profile);
         profile.friction = Eigen::VectorXd::Ones(profile.traction.size());
-        profile.friction.head(slip.size()) = state.friction_coefficient.matrix();
+        profile.friction.head(slip.rows()) = state.friction_coefficient.matrix();
     }
 };
 
@@ -97,22 +101,36 @@ struct BothDirections {
     }
 };
 
+using Falling = WithFalling<OneDirection, SteadyFalling>;
+using CombinedFalling = WithFalling<BothDirections, SteadyCombinedFalling>;
+
+/// The points of a curve in the order of a sweep: a lateral ratio after the other.
+std::vector<std::size_t> sweep_order(const CreepCurve& curve, bool up) {
+    std::vector<std::size_t> order(curve.points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const CreepPoint &x = curve.points[up ? i : j], &y = curve.points[up ? j : i];
+        return x.lateral != y.lateral ? x.lateral < y.lateral : x.longitudinal < y.longitudinal;
+    });
+    return order;
+}
+
 /// The states that the points of a curve start from in a sweep, the solutions of their neighbours; `see` is told of
-/// the steps in its order.
+/// the steps in its order. Each lateral ratio has a sweep of its own, unless it has one point only.
 template <class Directions, class See>
 std::vector<typename Directions::Model::State> sweep(const CreepCurve& curve, const study::Scene& scene,
                                                      const typename Directions::Model& model, bool up, const See& see) {
     const auto rest = model.at_rest();
     std::vector<typename Directions::Model::State> starts(curve.points.size(), rest);
-    std::vector<std::size_t> order(curve.points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        const double x = curve.points[i].longitudinal, y = curve.points[j].longitudinal;
-        return up ? x < y : y < x;
+    const bool along = std::any_of(curve.points.begin(), curve.points.end(), [&](const CreepPoint& point) {
+        return point.longitudinal != curve.points.front().longitudinal;
     });
     auto state = rest, next = rest;
     auto workspace = model.workspace();
-    for (const std::size_t i : order) {
+    std::optional<double> lateral;
+    for (const std::size_t i : sweep_order(curve, up)) {
+        if (along && curve.points[i].lateral != lateral) state = rest;
+        lateral = curve.points[i].lateral;
         starts[i] = state;
         const auto step = model.solve(state, Directions::creepage(scene, curve.points[i]), next, workspace);
         if (step.status != rollbem::StepStatus::ok) continue;
@@ -206,11 +224,17 @@ void combined_rows(const CreepCurve& curve, const study::Scene& scene, std::size
     const auto [along, widths] = surface.gradient(Direction::longitudinal);
     const Eigen::MatrixXd across = surface.gradient(Direction::lateral).first;
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
-    rows_of<BothDirections>(curve, scene, task, range, emit, surface.combined_model({1, means}), means,
-                            is_consistent(along, widths) && is_consistent(across, widths), [&] {
-                                return surface.gradient(Direction::longitudinal).first(0, 0) +
-                                       surface.gradient(Direction::lateral).first(0, 0);
-                            });
+    const bool consistent = is_consistent(along, widths) && is_consistent(across, widths);
+    const auto assemble = [&] {
+        return surface.gradient(Direction::longitudinal).first(0, 0) + surface.gradient(Direction::lateral).first(0, 0);
+    };
+    if (curve.falling) {
+        rows_of<CombinedFalling>(curve, scene, task, range, emit, surface.combined_falling_model(*curve.falling, means),
+                                 means, consistent, assemble);
+    } else {
+        rows_of<BothDirections>(curve, scene, task, range, emit, surface.combined_model({1, means}), means, consistent,
+                                assemble);
+    }
 }
 
 }  // namespace friction

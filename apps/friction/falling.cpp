@@ -27,9 +27,7 @@ std::optional<FallingLaw> read_falling(const study::Options& options) {
         for (const char* name : {"memory", "sweep"}) options.ignored(name, "without --falling");
         return std::nullopt;
     }
-    for (const char* name : {"lateral-ratio", "fit-border", "shift"}) {
-        options.ignored(name, "with --falling, which is for rolling in one direction, by elements");
-    }
+    options.ignored("fit-border", "with --falling, which is solved by elements");
     const auto law = read_pair(options, "falling");
     if (!law || law->first < 0 || !(law->second > 0)) {
         throw study::BadInput(options.said("falling") + " must be K,VH with K >= 0 and VH > 0, both finite");

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include <rollbem/friction/combined_falling.hpp>
 #include <rollbem/friction/falling.hpp>
 
 #include "support/options.hpp"
@@ -20,44 +21,50 @@ struct FallingLaw {
 /// --falling and --memory; nothing without. Throws BadInput, also for what does not go with them.
 std::optional<FallingLaw> read_falling(const study::Options& options);
 
-/// SteadyFallingModel with the signatures of SteadyFrictionModel, V = 1.
-class SteadyFalling {
+/// A steady model of falling friction with the signatures of the one for constant friction, V = 1.
+template <class Model_, class Creepage>
+class SteadyFallingOf {
 public:
-    using Model = rollbem::SteadyFallingModel<rollbem::ExponentialFall<double>>;
-    using State = Model::State;
-    using Step = Model::Step;
+    using Model = Model_;
+    using State = typename Model::State;
+    using Step = typename Model::Step;
 
-    explicit SteadyFalling(Model model) : model_(std::move(model)) {}
+    explicit SteadyFallingOf(Model model) : model_(std::move(model)) {}
 
     State at_rest() const { return model_.at_rest(); }
-    Model::Workspace workspace() const { return model_.workspace(); }
-    Step solve(const State& from, double creepage, State& to, Model::Workspace& workspace) const {
+    typename Model::Workspace workspace() const { return model_.workspace(); }
+    Step solve(const State& from, const Creepage& creepage, State& to, typename Model::Workspace& workspace) const {
         return model_.solve(from, creepage, 1, to, workspace);
     }
 
 private:
     Model model_;
 };
+using SteadyFalling = SteadyFallingOf<rollbem::SteadyFallingModel<rollbem::ExponentialFall<double>>, double>;
+using SteadyCombinedFalling =
+    SteadyFallingOf<rollbem::SteadyCombinedFallingModel<rollbem::ExponentialFall<double>>, rollbem::Creepage<double>>;
 
-/// FallingFrictionModel with the signatures of FrictionModel, V = 1; a rigid shift, which would need a duration, is not
-/// offered.
-class FallingInTime {
+/// The same in time. A rigid shift takes as long as a step of `dq`.
+template <class Model_, class Creepage>
+class FallingInTimeOf {
 public:
-    using Model = rollbem::FallingFrictionModel<rollbem::ExponentialFall<double>>;
-    using State = Model::State;
-    using Step = Model::Step;
-    using Workspace = Model::Workspace;
-    using Motion = rollbem::RigidMotion<double>;
+    using Model = Model_;
+    using State = typename Model::State;
+    using Step = typename Model::Step;
+    using Workspace = typename Model::Workspace;
+    using Motion = rollbem::RigidMotion<Creepage>;
     using Load = rollbem::NormalLoad<double>;
 
-    explicit FallingInTime(Model model) : model_(std::move(model)) {}
+    FallingInTimeOf(Model model, double dq) : model_(std::move(model)), dq_(dq) {}
 
     State at_rest() const { return model_.at_rest(); }
     Workspace workspace() const { return model_.workspace(); }
-    Step steady(const State& from, double creepage, State& to, Workspace& workspace) const {
+    Step steady(const State& from, const Creepage& creepage, State& to, Workspace& workspace) const {
         return model_.steady(from, creepage, 1, to, workspace);
     }
-    Step shift(const State&, double, State&, Workspace&) const { return {}; }
+    Step shift(const State& from, const Creepage& shift, State& to, Workspace& workspace) const {
+        return model_.shift(from, shift, dq_, to, workspace);
+    }
     Step advance(const State& from, double dq, const Motion& motion, State& to, Workspace& workspace) const {
         return model_.advance(from, dq, dq, motion, to, workspace);
     }
@@ -68,6 +75,10 @@ public:
 
 private:
     Model model_;
+    double dq_;
 };
+using FallingInTime = FallingInTimeOf<rollbem::FallingFrictionModel<rollbem::ExponentialFall<double>>, double>;
+using CombinedFallingInTime =
+    FallingInTimeOf<rollbem::CombinedFallingModel<rollbem::ExponentialFall<double>>, rollbem::Creepage<double>>;
 
 }  // namespace friction

@@ -43,6 +43,10 @@ struct BothDirections {
     }
 };
 
+struct CombinedFalling : BothDirections {
+    using Model = CombinedFallingInTime;
+};
+
 template <class Directions>
 class RollingOf : public Rolling {
 public:
@@ -116,7 +120,7 @@ private:
 std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
                                            const Pressure& pressure, const std::optional<LoadHistory>& load,
                                            bool both_directions, const std::optional<FallingLaw>& falling,
-                                           rollbem::Integrator integrator) {
+                                           rollbem::Integrator integrator, double dq) {
     const bool fixed = load && !load->breathing;
     const Surface surface{scene, read_layer(options), fixed ? load->largest_half_length() : 1};
     rollbem::ElementSystem<double> system = surface.system(Direction::longitudinal);
@@ -136,6 +140,14 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
     if (both_directions) {
         rollbem::ElementSystem<double> across = surface.system(Direction::lateral);
         study::require_steppable(options, scene, across);
+        if (falling) {
+            return std::make_unique<MakerOf<CombinedFalling>>(
+                CombinedFallingInTime(CombinedFallingInTime::Model(
+                                          surface.contact(), std::move(system), std::move(across), rollbem::unchecked,
+                                          {falling->law, falling->memory, law.normal_pressure}, integrator),
+                                      dq),
+                hertz, first_load_ratio, unit);
+        }
         return std::make_unique<MakerOf<BothDirections>>(
             rollbem::CombinedFrictionModel<double>(surface.contact(), std::move(system), std::move(across),
                                                    rollbem::unchecked, law, integrator),
@@ -144,7 +156,8 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
     if (falling) {
         return std::make_unique<MakerOf<Falling>>(
             FallingInTime(FallingInTime::Model(surface.contact(), std::move(system), rollbem::unchecked,
-                                               {falling->law, falling->memory, law.normal_pressure}, integrator)),
+                                               {falling->law, falling->memory, law.normal_pressure}, integrator),
+                          dq),
             hertz, first_load_ratio, unit);
     }
     return std::make_unique<MakerOf<OneDirection>>(

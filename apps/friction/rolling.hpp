@@ -54,10 +54,11 @@ public:
     virtual std::unique_ptr<Rolling> start() const = 0;
 };
 
-/// Throws BadInput where the scene's scheme is not fit to be stepped, or to breathe.
+/// For steps of `dq` [a_0], whose time a rigid shift takes where friction falls with slip. Throws BadInput where the
+/// scene's scheme is not fit to be stepped, or to breathe.
 std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
                                            const Pressure& pressure, const std::optional<LoadHistory>& load,
                                            bool both_directions, const std::optional<FallingLaw>& falling,
-                                           rollbem::Integrator integrator);
+                                           rollbem::Integrator integrator, double dq);
 
 }  // namespace friction

@@ -58,7 +58,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     if (tractions || options.given("plot")) curve.profiles = &profiles;
 
     OtherBranch other;
-    if (!curve.sweep.empty() && options.given("plot")) curve.other = &other;
+    if (!curve.sweep.empty() && !both && options.given("plot")) curve.other = &other;
 
     study::Table table;
     table.columns = creep_columns();

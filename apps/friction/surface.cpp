@@ -75,6 +75,16 @@ rollbem::SteadyCombinedModel<double> Surface::combined_model(const rollbem::Coul
         Direction::longitudinal, Direction::lateral);
 }
 
+SteadyCombinedFalling Surface::combined_falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const {
+    return visit(
+        *this,
+        [&](const auto&... parts) {
+            return SteadyCombinedFalling(
+                SteadyCombinedFalling::Model(contact(), parts..., {law.law, law.memory, pressure}));
+        },
+        Direction::longitudinal, Direction::lateral);
+}
+
 double read_layer(const study::Options& options) {
     const double layer = options.number(
         "layer", {[](double value) { return std::isfinite(value) && value >= 0; }, "be finite and not negative"});

@@ -35,6 +35,7 @@ struct Surface {
     rollbem::SteadyFrictionModel<double> steady_model(const rollbem::CoulombFriction<double>& law) const;
     SteadyFalling falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
     rollbem::SteadyCombinedModel<double> combined_model(const rollbem::CoulombFriction<double>& law) const;
+    SteadyCombinedFalling combined_falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
 };
 
 /// --layer. Throws BadInput, also where a scene's scheme takes a derivative that does not exist with a layer.

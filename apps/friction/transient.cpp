@@ -225,8 +225,8 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     study::Progress checking(options.program(), scenes.size(), study::shows_progress(options), "schemes checked");
     for (const study::Scene& scene : scenes) {
         checking.doing(scene.label());
-        makers.push_back(
-            make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling, integrator));
+        makers.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling,
+                                      integrator, steps.dq));
         checking.update(makers.size());
     }
     checking.clear();

@@ -374,4 +374,52 @@ TEST_CASE("Two directions with friction do not allocate, under any load and by a
     CHECK(after == before);
 }
 
+TEST_CASE("Friction that falls with slip in two directions does not allocate, wherever its search leads",
+          "[friction]") {
+    using Law = ExponentialFall<double>;
+    using Motion = RigidMotion<Creepage<double>>;
+    for (const double distance : {0.0, 2e-6}) {
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            for (const Eigen::Index n : {1, 40, 80}) {
+                const Contact<double> contact(
+                    {.half_length = 4e-3, .half_width = 4, .shear_modulus = 82e9, .poisson_ratio = 0.28});
+                const Mesh<double> mesh = cosine_mesh<double>(n);
+                const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+                const CombinedFallingModel<Law> model(
+                    contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
+                    rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact)), unchecked,
+                    {{0.3, 0.18, 0.1}, {distance, 1e-3}, 495e6 * mean_hertz_pressure(mesh)}, integrator);
+                CombinedFallingState<double> now = model.at_rest(), next = now;
+                CombinedFallingWorkspace<double> workspace = model.workspace();
+                NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
+                bool ok = true;
+                int most_rounds = 0;
+                const long before = allocations;
+                for (int k = 0; k < (n == 80 ? 50 : 120); ++k) {
+                    load.half_length = 4e-3 * (1 + 0.01 * std::sin(0.1 * k));
+                    const double dq = k % 40 == 39 ? 0 : 4e-4, duration = 4e-4 / 45, size = k < 30 ? 2e-3 : 5e-3;
+                    const Creepage<double> creepage{0.8 * size, 0.6 * size};
+                    const Motion motion = dq == 0 ? Motion::shift({1e-6, 1e-6}) : Motion(creepage);
+                    CombinedFrictionStep<double> step;
+                    if (k % 30 == 20) {
+                        step = model.steady(now, creepage, 45, next, workspace);
+                    } else if (k % 3 == 0 && dq > 0) {
+                        step = model.advance(now, dq, duration, motion, load, next, workspace);
+                    } else {
+                        step = model.advance(now, dq, duration, motion, next, workspace);
+                    }
+                    ok = ok && step.status == StepStatus::ok;
+                    most_rounds = std::max(most_rounds, step.rounds);
+                    std::swap(now, next);
+                }
+                const long after = allocations;
+                CAPTURE(distance, name(integrator), n, most_rounds);
+                CHECK(ok);
+                CHECK((most_rounds > 30 || n == 1));
+                CHECK(after == before);
+            }
+        }
+    }
+}
+
 }  // namespace

@@ -82,8 +82,7 @@ bad '--falling = 0.5 must be K,VH with K >= 0 and VH > 0, both finite' $study --
 for value in 0.5,0 -0.1,1 0.5,nan inf,1 0.5,; do bad 'must be K,VH' $study --falling=$value --output x.csv; done
 for value in 0.5 0,1 -1,1 1,-1 nan,1 1,inf; do bad 'must be D,V0' $study --falling 0.5,1 --memory=$value; done
 for option in '--memory 1,1' '--sweep up'; do bad 'has no effect without --falling' $study $option; done
-for option in '--lateral-ratio 1' --fit-border; do bad 'has no effect with --falling' $study --falling 0.5,1 $option; done
-bad '--shift = 1 has no effect with --falling' $short --falling 0.5,1 --shift 1
+bad '--fit-border = true has no effect with --falling' $study --falling 0.5,1 --fit-border
 bad '--sweep = up has no effect with --transient' $short --falling 0.5,1 --sweep up
 bad '--sweep = left must be one of up, down' $study --falling 0.5,1 --sweep left
 
@@ -217,6 +216,30 @@ good 9 $branches --sweep down
 awk -F, 'NR == FNR { up[FNR] = $8; next } FNR > 1 { d = up[FNR] - $8; if (d < -1e-9) bad = 1; if (d > largest) largest = d; if ($30 != "down" || $21 != "ok") bad = 1 }
     END { exit bad || !(largest > 0.05) }' up out || fail "branches of a falling curve: $(cut -d, -f7,8 up out)"
 shards $branches --sweep down
+# in both directions: the same along, by the size of the creepage where both are alike, each lateral ratio a sweep
+falls="$steady --falling 0.6,1.23 --memory 0.276,0.0123"
+good 5 $falls --n 30 --poisson 0 --creepage-ratio 0.25,0.5,1,2
+mv out line
+good 17 $falls --n 30 --poisson 0 --creepage-ratio 0.15,0.3,0.6,1.2 --lateral-ratio 0.2,0.4,0.8,1.6 --tractions t
+awk -F, 'NR == FNR { if (FNR > 1) force[$7] = $8; next }
+    FNR > 1 && ($7 / $15 - 0.75) ^ 2 < 1e-20 { size = sprintf("%.17g", $7 / 0.6) + 0; ++count
+        if (($8 / 0.6 - force[size]) ^ 2 + ($16 / 0.8 - force[size]) ^ 2 > 1e-18 || $21 != "ok" || $9 $22 != "" || $26 != 0.6) bad = 1 }
+    END { exit bad || count != 4 }' line out || fail "falling friction in both directions: $(cut -d, -f7,8,15,16 out)"
+awk -F, 'NR > 1 { size = sqrt($4 ^ 2 + $16 ^ 2); bound = $5 * $19; slip = sqrt($7 ^ 2 + $17 ^ 2)
+    if (size > bound * (1 + 1e-9) || ($6 == 0 && (size < bound * (1 - 1e-9) || ($4 * $7 + $16 * $17) > -size * slip * (1 - 1e-8)))) bad = 1
+    if ($19 < 0.8) fallen = 1 }
+    END { exit bad || !fallen || NR != 481 }' t || fail 'tractions of falling friction against their slip'
+good 17 $branches --lateral-ratio 0,0.1 --sweep up
+awk -F, 'NR == FNR { up[FNR] = $8; next } FNR > 1 && $15 == 0 { if ((up[2 + i++] - $8) ^ 2 > 1e-18 || $16 != 0) bad = 1 }
+    END { exit bad || i != 8 }' up out || fail 'a sweep of each lateral ratio'
+awk -F, 'NR > 1 && $15 > 0 && !($21 == "ok" && ($16 > 0 || $7 == 3)) { bad = 1 } END { exit bad }' out || fail 'a sweep aside'
+across="$study --kernel plane --n 40 --falling 0,0.0245 --creepage-ratio 0 --lateral-ratio 0.1,0.2,0.3,0.4,0.5,3"
+good 7 $across --sweep up
+mv out up
+good 7 $across --sweep down
+awk -F, 'NR == FNR { up[FNR] = $16; next } FNR > 1 { d = up[FNR] - $16; if (d < -1e-9) bad = 1; if (d > largest) largest = d }
+    END { exit bad || !(largest > 0.05) }' up out || fail "a sweep across: $(cut -d, -f15,16 up out)"
+shards $branches --lateral-ratio 0,0.1 --sweep down
 
 # --- rolling in time
 good 201 $rolling --creepage-ratio 0.5
@@ -284,6 +307,26 @@ awk -F, 'NR > 1 { if (last - $4 > 0.1 && last > 0.8 && $4 < 0.7) ++falls; last =
 shards $fallen --creepage-ratio 0.5 --until 1
 good 9 $rolling --creepage-ratio 0.5 --until 4 --dq 0.5 --load-sine 0.5,8 --breathing --falling 0.6,1 --memory 0.3,0.01
 check 'falling friction under a load' '$12 == "ok" && $4 > 0 && $4 < $22'
+good 9 $rolling --creepage-ratio 0.5 --lateral-ratio 0.4 --until 4 --dq 0.5 --load-sine 0.5,8 --breathing --falling 0.6,1 --memory 0.3,0.01
+check 'in both directions' '$12 == "ok" && $4 > 0 && $24 > 0 && $4 ^ 2 + $24 ^ 2 < $22 ^ 2 && $27 == 0.6'
+good 201 $fallen --memory 1.37998,0.0122663 --creepage-ratio 0.4 --lateral-ratio 0.3 --from steady --dq 0.1 --until 20
+mv out limit
+good 2 $study --n 40 --mesh uniform --falling $fall --memory 1.37998,0.0122663 --creepage-ratio 0.4 --lateral-ratio 0.3
+awk -F, 'NR == FNR { along = $4; across = $24; next } END { exit !((along - $8) ^ 2 + (across - $16) ^ 2 < 3e-3 ^ 2 && $8 > 0.2 && $16 > 0.2) }' limit out ||
+    fail 'falling friction in both directions in time'
+# a rigid shift takes the time of a step
+for lateral in '' '--lateral-ratio 0.2'; do
+    good 22 $rolling --creepage-ratio 0.5 --shift 2 --until 1 $lateral
+    mv out constant
+    good 22 $rolling --creepage-ratio 0.5 --shift 2 --until 1 --falling 1,1 $lateral
+    awk -F, 'NR == FNR { f[FNR] = $4; g[FNR] = $24; next } FNR > 1 && (($4 / f[FNR] - 1) ^ 2 > 1e-18 || ($24 - g[FNR]) ^ 2 > 1e-18) { bad = 1 } END { exit bad }' constant out ||
+        fail "a shift under a law that is constant $lateral"
+    good 2 $rolling --creepage-ratio 0.5 --shift 20 --until 1 --dq 1 --falling 0.5,20 --shard 1/2 $lateral
+    mv out slow
+    good 2 $rolling --creepage-ratio 0.5 --shift 20 --until 1 --dq 0.1 --falling 0.5,20 --shard 1/11 $lateral
+    awk -F, 'NR == FNR { slow = $4; next } END { exit !($8 == "" && $12 == "ok" && $4 > 0.5 && $4 < 0.52 && slow > 0.7 && slow < 0.8) }' slow out ||
+        fail "a shift that takes its time $lateral"
+done
 
 # --- a load that varies
 vary="$study --transient --kernel plane --creepage-ratio 0.5 --load-sine 0.5,8 --from steady --until 8 --dq 0.1"
@@ -338,6 +381,8 @@ if command -v gnuplot >/dev/null; then
     grep -q 'Longitudinal force' b.svg && grep -q 'Lateral force' b.svg || fail 'both forces in the plot'
     good 9 $branches --sweep up --plot f.svg
     grep -q 'sweep down' f.svg && ! grep -q Carter f.svg || fail 'both branches in the plot'
+    good 17 $branches --lateral-ratio 0,0.1 --sweep up --plot g.svg
+    grep -q 'Lateral force' g.svg && ! grep -q Carter g.svg || fail 'falling friction in both directions in the plot'
     good 41 $rolling --sine 1,1 --until 2 --plot l.svg
     grep -q Hysteresis l.svg || fail 'hysteresis in the plot'
 fi

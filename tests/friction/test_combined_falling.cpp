@@ -485,6 +485,32 @@ TEST_CASE("In two directions and with memory, rolling in time tends to steady ro
     }
 }
 
+TEST_CASE("In two directions steady forces tend to a limit that meshes share", "[friction]") {
+    for (const double distance : {0.0, 10e-6}) {
+        const auto solve = [&](Mesh<double> mesh) {
+            const Scene scene(std::move(mesh), distance);
+            const SteadyCombinedFallingModel<Law> model = scene.steady();
+            Workspace workspace = model.workspace();
+            const State rest = model.at_rest();
+            State state = rest;
+            const Step step = model.solve(rest, {4e-4, 5e-4}, rolling_speed, state, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            return Creepage<double>{-step.force_per_width.longitudinal / full_force,
+                                    -step.force_per_width.lateral / full_force};
+        };
+        const Creepage<double> limit = solve(cosine_mesh<double>(160));
+        std::vector<double> differences;
+        for (const Eigen::Index n : {20, 40, 80}) {
+            const Creepage<double> force = solve(uniform_mesh<double>(n));
+            differences.push_back(std::hypot(force.longitudinal - limit.longitudinal, force.lateral - limit.lateral));
+        }
+        CAPTURE(distance, differences);
+        CHECK(std::abs(differences[0] / differences[1] - 2) < 0.4);  // of first order
+        CHECK(std::abs(differences[1] / differences[2] - 2) < 0.4);
+        CHECK(differences[2] < 3e-3);
+    }
+}
+
 TEST_CASE("In two directions sdirk2 is of second order with a memory", "[friction]") {
     const Scene scene(uniform_mesh<double>(16), 20e-6);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {

@@ -9,7 +9,6 @@
 #include "../normal/load.hpp"
 #include "../normal/pressure_table.hpp"
 #include "combined.hpp"
-#include "combined_falling.hpp"
 #include "falling.hpp"
 #include "steady.hpp"
 #include "stick_border.hpp"
