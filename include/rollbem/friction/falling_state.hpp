@@ -16,50 +16,50 @@
 
 namespace rollbem {
 
-/// The law |p| <= mu p_n with mu = mu_s(v) of the slip velocity, or with a memory of it.
+/// The law |p| <= mu p_n, where mu = mu_s(v) follows the slip velocity at once or, with a memory, gradually.
 template <class Law, class Scalar = double>
 struct FallingFriction {
     Law law;                         ///< mu_s(v) [-] of v [m/s]: a SlipLaw
     SlipMemory<Scalar> memory;       ///< {} for none
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa] as in CoulombFriction
-    /// Whether results come with their tangent by the creepage: a factorisation for the elements that slip, in time of
-    /// order n^3, in each stage. Without, it is not a number.
+    /// Whether results include tangents. Each stage then factorises a matrix of the slipping elements, at a cost of
+    /// order n^3, unless the slip velocities are those of the stage before. Without tangents they are NaN.
     bool with_tangents = true;
 };
 
-/// What the next step needs of the past: besides tractions, zones and load the coefficients of friction.
+/// Everything that the next step needs to know about the past: FrictionState and the coefficients of friction.
 template <class Scalar_ = double>
 struct FallingFrictionState : FrictionState<Scalar_> {
     using Scalar = Scalar_;
 
-    /// mu [-] of each unknown element, finite and not negative. Without memory it is mu_s(v), and the next solution is
-    /// sought from it.
+    /// mu [-] of each unknown element, finite and not negative. Without memory it is mu_s(v), and only the starting
+    /// point of the next solution.
     ArrayX<Scalar> friction_coefficient;
 };
 
 namespace detail {
 
-/// Throws std::invalid_argument where law or memory is out of range; the pressures under a coefficient of 1.
+/// The pressures with a coefficient of 1. Throws std::invalid_argument if law or memory is out of range.
 template <class Law, class Scalar>
 CoulombFriction<Scalar> checked_pressure(const char* who, const FallingFriction<Law, Scalar>& friction) {
     check_slip_law<Scalar>(who, friction.law, friction.memory);
     return {1, friction.normal_pressure};
 }
 
-/// The same without pressures, which a state knows.
+/// The same without the pressures, which are part of the state.
 template <class Law, class Scalar>
 FallingFriction<Law, Scalar> without_pressure(const FallingFriction<Law, Scalar>& friction) {
     return {friction.law, friction.memory, {}, friction.with_tangents};
 }
 
-/// Whether these are coefficients: as many as there are elements, finite and not negative.
+/// Whether there is one coefficient per element, finite and not negative.
 template <class State>
 bool fits_friction(const State& from, const State& to, Eigen::Index size) noexcept {
     return from.friction_coefficient.size() == size && to.friction_coefficient.size() == size &&
            all_finite(from.friction_coefficient) && !(from.friction_coefficient.minCoeff() < 0);
 }
 
-/// The coefficients at the end of a step; those of its start where it has come to nothing.
+/// Writes the coefficients at the end of a step; those of its start if the step failed.
 template <class Step, class State>
 void hand_over(const Step& step, const State& from, const VectorX<typename State::Scalar>& friction,
                State& to) noexcept {

@@ -20,13 +20,13 @@
 
 namespace rollbem {
 
-/// SteadyFrictionModel with mu of the slip velocity. Const and free of caches: threads may share it, as far as they may
-/// share the law.
+/// SteadyFrictionModel with a coefficient of friction that depends on the slip velocity. Immutable: threads may share
+/// it if they may share the law.
 ///
-/// Where mu falls steeply and has no memory, there may be several solutions at one creepage, which differ in where slip
-/// begins. The one returned is as a rule the nearest to `from`, so that a creep curve that starts each point from the
-/// one before follows its branch until that ends. From at_rest(), where mu = mu_s(0) everywhere, it is the branch of
-/// high friction.
+/// If mu falls steeply and has no memory, several solutions may exist at one creepage, which differ in where slip
+/// begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from their
+/// predecessors follows its branch until the branch ends. From at_rest(), where mu = mu_s(0) everywhere, it finds the
+/// branch of high friction.
 ///
 ///     const SteadyFallingModel model(contact, mesh, scheme, kernel, FallingFriction<ExponentialFall<>>{law, memory, p});
 ///     FallingFrictionWorkspace<double> workspace = model.workspace();
@@ -42,14 +42,14 @@ public:
     using Workspace = FallingFrictionWorkspace<Scalar>;
     static_assert(SlipLaw<Law, Scalar>);
 
-    /// Throws std::invalid_argument as SteadyFrictionModel, and where mu_s(0) or the memory is negative or not finite.
+    /// Throws std::invalid_argument if SteadyFrictionModel does, or if mu_s(0) or the memory is negative or not finite.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
     SteadyFallingModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                        const Kernel& kernel, const FallingFriction<Law, Scalar>& friction)
         : model_(contact, mesh, scheme, kernel, detail::checked_pressure("SteadyFallingModel", friction)),
           friction_(detail::without_pressure(friction)) {}
 
-    /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a).
+    /// From a given matrix G' (in units of 1/G) and the widths of its elements (in units of a).
     SteadyFallingModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                        const FallingFriction<Law, Scalar>& friction)
         : model_(contact, std::move(G_prime), widths, detail::checked_pressure("SteadyFallingModel", friction)),
@@ -58,16 +58,17 @@ public:
     Eigen::Index size() const { return model_.size(); }                 ///< number of unknown elements
     std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< of G', widths, contact and pressures
 
-    /// No traction anywhere, everything sticks at mu_s(0).
+    /// No traction, all elements stick, mu = mu_s(0).
     State at_rest() const {
         return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(friction_.law(Scalar(0))))};
     }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// The solution at a creepage [-] and a speed V > 0 [m/s], sought from zones and coefficients of `from`. As
-    /// SteadyFrictionModel::solve; besides, the status is invalid_step where the speed is not positive and finite, and
-    /// no_solution where coefficients and slip did not come to agree: then complementarity_residual is no less than what
-    /// a coefficient is off by. Tangents are by the creepage at this speed.
+    /// The solution at a creepage [-] and a speed V > 0 [m/s], starting from zones and coefficients of `from`. As
+    /// SteadyFrictionModel::solve; in addition, the status is invalid_step if the speed is not positive and finite,
+    /// wrong_state if a coefficient of `from` is negative or not finite, and no_solution if coefficients and slip do
+    /// not come to agree: complementarity_residual is then at least the error of a coefficient. The tangent holds the
+    /// speed constant.
     Step solve(const State& from, Scalar creepage, Scalar speed, State& to, Workspace& workspace) const noexcept {
         StepStatus possible = model_.check(from, to, workspace);
         if (possible == StepStatus::ok && !detail::fits_friction(from, to, size())) possible = StepStatus::wrong_state;

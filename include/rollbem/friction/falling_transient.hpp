@@ -23,17 +23,17 @@
 
 namespace rollbem {
 
-/// FrictionModel with mu of the slip velocity, which a step takes from its duration: v = |slip of the step| / duration.
-/// Const and free of caches: threads may share it, as far as they may share the law.
+/// FrictionModel with a coefficient of friction that depends on the slip velocity, v = |slip in a stage| / its
+/// duration. Immutable: threads may share it if they may share the law.
 ///
-/// With a memory, mu belongs to the particles of the surfaces, which roll through the contact: each element goes on from
-/// the coefficient of the particle that comes to it. A particle enters with mu_s(0), and leaves its memory where there
-/// is no pressure.
+/// With a memory, mu belongs to the particles of the surfaces, which roll through the contact: each element starts from
+/// the coefficient of the particle that arrives there. A particle enters with mu_s(0), and its memory is reset where
+/// there is no pressure.
 ///
-/// A step may have several solutions, and the nearest may vanish: then the force jumps within the step, however short
-/// it is. Without memory and with little of it such jumps belong to the equations, not to the steps. The solution found
-/// is one that the coefficients of `from` lead to. Steps must be short enough to follow the memory: a particle forgets
-/// within a distance of slip.
+/// A step may have several solutions, and the nearest one may vanish; the force then jumps within the step, however
+/// short it is. Without memory, or with a short one, such jumps are a property of the equations, not of the steps. The
+/// solution found is one to which the coefficients of `from` lead. Steps must resolve the memory: the slip in a step
+/// should be shorter than the memory's distance.
 template <class Law_, class Scalar_ = double>
 class FallingFrictionModel {
 public:
@@ -45,8 +45,8 @@ public:
     using Workspace = FallingFrictionWorkspace<Scalar>;
     static_assert(SlipLaw<Law, Scalar>);
 
-    /// Throws std::invalid_argument as FrictionModel, where mu_s(0) or the memory is negative or not finite, and where
-    /// there is a memory, but the system does not know the points of its equations.
+    /// Throws std::invalid_argument if FrictionModel does, if mu_s(0) or the memory is negative or not finite, or if
+    /// there is a memory but the system does not know its collocation points.
     FallingFrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, const StabilityVerdict& verdict,
                          const FallingFriction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : model_(contact, std::move(system), verdict, detail::checked_pressure("FallingFrictionModel", friction),
@@ -55,7 +55,7 @@ public:
         require_points();
     }
 
-    /// The same whatever the eigenvalues, and whether the scheme converges or not.
+    /// The same without checks of the eigenvalues and of convergence.
     FallingFrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
                          const FallingFriction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : model_(contact, std::move(system), unchecked, detail::checked_pressure("FallingFrictionModel", friction),
@@ -68,23 +68,23 @@ public:
     std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< as of FrictionModel: not of the law
     Integrator integrator() const { return model_.integrator(); }
 
-    /// No traction anywhere, everything sticks at mu_s(0).
+    /// No traction, all elements stick, mu = mu_s(0).
     State at_rest() const {
         return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(friction_.law(Scalar(0))))};
     }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// As of FrictionModel.
+    /// As in FrictionModel.
     Scalar force(const State& state) const { return model_.force(state); }
     Scalar elastic_energy_per_width(const State& state) const { return model_.elastic_energy_per_width(state); }
     Scalar elastic_energy(const State& state) const { return model_.elastic_energy(state); }
 
-    /// Steady rolling at a creepage [-] and a speed V > 0 [m/s] under the load of `from`: what SteadyFallingModel::solve
-    /// does, with states of this model,
+    /// Steady rolling at a creepage [-] and a speed V > 0 [m/s] under the load of `from`: SteadyFallingModel::solve for
+    /// states of this model.
     Step steady(const State& from, Scalar creepage, Scalar speed, State& to, Workspace& workspace) const noexcept {
         return settle(from, creepage, speed, {from.normal_pressure, from.half_length}, to, workspace);
     }
-    /// or under another load. Where the half-length is not the contact's, the system must be one that can breathe.
+    /// The same under another load. If its half-length is not the contact's, the system must be able to breathe.
     Step steady(const State& from, Scalar creepage, Scalar speed, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept {
         const StepStatus possible = load.check(model_.system_.element_count());
@@ -92,19 +92,20 @@ public:
         return settle(from, creepage, speed, {load.normal_pressure, load.half_length}, to, workspace);
     }
 
-    /// Rolls on by dq [m] in `duration` [s], positive and finite; dq = 0 is a rigid shift, which has a duration too. As
-    /// FrictionModel::advance; besides, the status is invalid_step where the duration is not positive and finite,
-    /// wrong_state where a coefficient of `from` is negative or not finite, and no_solution where coefficients and slip
-    /// did not come to agree: then complementarity_residual is no less than what a coefficient is off by. The tangent is
-    /// by the creepage at this dq and duration.
+    /// Rolls by dq [m] in `duration` [s], positive and finite; dq = 0 is a rigid shift, which has a duration too. As
+    /// FrictionModel::advance; in addition, the status is invalid_step if the duration is not positive and finite,
+    /// wrong_state if a coefficient of `from` is negative or not finite, and no_solution if coefficients and slip do
+    /// not come to agree: complementarity_residual is then at least the error of a coefficient. The tangent holds dq
+    /// and the duration constant.
     Step advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, State& to,
                  Workspace& workspace) const noexcept {
         return roll<false>(from, dq, duration, motion, {from.normal_pressure, from.half_length}, nullptr, to,
                            workspace);
     }
 
-    /// The same under a load that goes evenly from that of `from` to this one, with the tangents of
-    /// FrictionModel::advance by it, at this dq and duration.
+    /// The same under a load that varies linearly from that of `from` to this one at the end of the step, as in
+    /// FrictionModel::advance. With a memory, the tangent by the half-length is one-sided if a particle arrives exactly
+    /// from a collocation point.
     LoadedStep advance(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion,
                        const NormalLoad<Scalar>& load, State& to, Workspace& workspace) const noexcept {
         const StepStatus possible = load.check(model_.system_.element_count());
@@ -129,7 +130,7 @@ private:
                         "be 0 for a system that does not know the points of its equations");
     }
 
-    // One that is loaded anew comes with the tangents by the load.
+    // If the step is loaded, the result includes the tangents by the load.
     template <bool loaded>
     auto roll(const State& from, Scalar dq, Scalar duration, const RigidMotion<Scalar>& motion, const Load& load,
               const ArrayX<Scalar>* pressure_rate, State& to, Workspace& workspace) const noexcept {

@@ -18,13 +18,13 @@ namespace rollbem {
 template <class Scalar>
 struct CoulombFriction {
     Scalar friction_coefficient;     ///< mu [-], finite and not negative
-    ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], the mean of each of the mesh's n elements, trailing to leading;
+    ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
 };
 
 namespace detail {
 
-/// The law on the unknown elements (the first `count` of the mesh), after all checks of it.
+/// The law for the unknown elements (the first `count` of the mesh). Throws std::invalid_argument if it is invalid.
 template <class Scalar>
 CoulombFriction<Scalar> checked_friction(const char* who, const CoulombFriction<Scalar>& friction,
                                          Eigen::Index mesh_size, Eigen::Index count) {
@@ -42,7 +42,7 @@ CoulombFriction<Scalar> checked_friction(const char* who, const CoulombFriction<
     return {friction.friction_coefficient, friction.normal_pressure.head(count)};
 }
 
-/// A state belongs to the pressures of its model, too: one of other pressures would go on under those it had.
+/// Includes the pressures: a state of another model would otherwise continue under the pressures of that model.
 template <class Scalar>
 std::uint64_t fingerprint_of_law(const CoulombFriction<Scalar>& friction) {
     Fingerprint fingerprint;

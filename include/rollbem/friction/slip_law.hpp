@@ -13,8 +13,8 @@
 
 namespace rollbem {
 
-/// A law of friction: the coefficient mu [-] at a slip velocity v >= 0 [m/s], finite and not negative. Continuous; it is
-/// called in every step, so that it must neither throw nor allocate.
+/// A friction law: the coefficient mu [-] as a continuous function of the slip velocity v >= 0 [m/s], finite and not
+/// negative. It is called in every step and must neither throw nor allocate.
 template <class Law, class Scalar = double>
 concept SlipLaw = requires(const Law& law, Scalar velocity) {
     { law(velocity) } -> std::convertible_to<Scalar>;
@@ -24,7 +24,7 @@ concept SlipLaw = requires(const Law& law, Scalar velocity) {
 template <class Scalar = double>
 struct ExponentialFall {
     Scalar mu_0, mu_k;     ///< mu at rest and at high velocity [-]
-    Scalar half_velocity;  ///< v_half [m/s], where half of the fall is done
+    Scalar half_velocity;  ///< v_half [m/s], at which mu is halfway between mu_0 and mu_k
 
     Scalar operator()(Scalar velocity) const noexcept {
         return mu_k + (mu_0 - mu_k) * std::exp2(-velocity / half_velocity);
@@ -39,7 +39,7 @@ struct RationalFall {
     Scalar operator()(Scalar velocity) const noexcept { return mu_k + (mu_0 - mu_k) / (1 + velocity / half_velocity); }
 };
 
-/// mu_0 - (mu_0 - mu_k) v/(2 v_half) down to mu_k, which it reaches at 2 v_half.
+/// mu_0 - (mu_0 - mu_k) v/(2 v_half) for v < 2 v_half, mu_k beyond.
 template <class Scalar = double>
 struct LinearFall {
     Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
@@ -49,14 +49,14 @@ struct LinearFall {
     }
 };
 
-/// Memory of the friction coefficient: that of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v)). A particle
-/// enters the contact with mu_s(0). Without memory mu = mu_s(v) at once, and there may be several solutions.
+/// Memory of the friction coefficient. The coefficient of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v));
+/// a particle enters the contact with mu_s(0). Without memory mu = mu_s(v), and several solutions may exist.
 template <class Scalar = double>
 struct SlipMemory {
     Scalar distance = 0;        ///< d [m], 0 for no memory
-    Scalar least_velocity = 0;  ///< v_0 [m/s]: how fast a particle forgets where it sticks
+    Scalar least_velocity = 0;  ///< v_0 [m/s]: v_0/d is the rate of relaxation during stick
 
-    /// Share of the old mu that is left after a time [s] at a velocity [m/s], implicitly.
+    /// Weight of the old mu after a time [s] at a velocity [m/s], by implicit Euler.
     Scalar kept(Scalar velocity, Scalar duration) const noexcept {
         return distance > 0 ? distance / (distance + duration * std::max(velocity, least_velocity)) : Scalar(0);
     }
@@ -64,7 +64,7 @@ struct SlipMemory {
 
 namespace detail {
 
-/// Throws std::invalid_argument where a memory is out of range, or a law is not a coefficient at rest.
+/// Throws std::invalid_argument if the memory is out of range or mu_s(0) is negative or not finite.
 template <class Scalar, SlipLaw<Scalar> Law>
 void check_slip_law(const char* who, const Law& law, const SlipMemory<Scalar>& memory) {
     const Scalar at_rest = law(Scalar(0));

@@ -12,58 +12,61 @@
 
 namespace rollbem {
 
-/// What an element does. The value is the sign of the slip s; the traction of a slipping element is -sign(s) mu p_n.
+/// Whether an element sticks or slips. The value is the sign of the slip s; the traction of a slipping element is
+/// -sign(s) mu p_n.
 enum class Zone : signed char { slip_negative = -1, stick = 0, slip_positive = 1 };
 
-/// All that the next step or solution needs of the past. A copy is a checkpoint; written to a file and read back, it
-/// goes on to the last bit as if nothing had happened.
+/// Everything that the next step or solution needs to know about the past. A copy is a checkpoint; a state written to a
+/// file and read back continues identically to the last bit.
 template <class Scalar_>
 struct FrictionState {
     using Scalar = Scalar_;
 
     VectorX<Scalar> traction;  ///< p on body 1 of each unknown element [Pa], trailing to leading
-    std::vector<Zone> zones;   ///< what each element does; after a step, at its end
-    /// p_n [Pa] of each unknown element and a [m] of the contact that it lives under: what a step without a load keeps.
+    std::vector<Zone> zones;   ///< stick or slip of each element, at the end of the step
+    /// The present load: p_n [Pa] of each unknown element and the half-length a [m]. A step without a load keeps it.
     ArrayX<Scalar> normal_pressure;
     Scalar half_length = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
-    /// Steps in a row in which no element has changed its zone, and the distance [m] that each rolled for one solution.
-    /// After many of them a step is cheaper, and the equations check its slip in every 64th only; the count then goes
-    /// round. Any other numbers cost time or a check, not the solution.
+    /// Number of consecutive steps in which no element changed its zone, and the distance [m] rolled in each of their
+    /// stages. After about n/2 of them a step becomes cheaper, and its slip is checked against the equations only once
+    /// in 64 steps, after which the count starts again from there. A count that no step has left costs time or a check,
+    /// but does not change the solution beyond round-off.
     int unchanged_steps = 0;
     Scalar unchanged_distance = 0;
 };
 
-/// Result of a steady solution, a step or a rigid shift. Per unit width of a contact that is plane across, y = 0.
-/// Forces and work are not a number where the status is neither ok nor no_solution.
+/// Result of a steady solution, a step or a rigid shift. "Per width" refers to the centre line, y = 0. Forces and work
+/// are NaN unless the status is ok or no_solution.
 template <class Scalar>
 struct FrictionStep {
     Scalar force_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< F_bar on body 1 [N/m]
     Scalar force = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift by the shift [N/m^2]. Not a
-    /// number where the matrix of the stick elements is singular.
+    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, d force_per_width / d shift
+    /// [N/m^2]. NaN if the matrix of the sticking elements is singular.
     Scalar tangent_per_width = std::numeric_limits<Scalar>::quiet_NaN();
-    Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();  ///< the same of the force: 2b times it; infinite with b
-    /// Work that slip turns into heat, never negative: of a step or a shift per unit width [J/m]; of a steady solution
-    /// per unit width and unit distance rolled [J/m^2]. The sum over the elements of tractions times the slip at their
-    /// centres, of second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3
-    /// at a creepage ratio of 0.5); for ready matrices times the slip of their own equation, of first order.
+    Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();  ///< 2b tangent_per_width; infinite for infinite b
+    /// Frictional heat, never negative: per unit width [J/m] for a step or a shift; per unit width and unit distance
+    /// rolled [J/m^2] for a steady solution. It is the sum over the elements of traction times slip at the centre, of
+    /// second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage
+    /// ratio of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order.
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
-    /// Largest violation of |p| <= mu p_n (over the largest mu p_n) and of s (over the largest slip there would be
-    /// without traction). 0 in a step whose slip is not checked (see FrictionState::unchanged_steps): its tractions and
-    /// its slip keep the law exactly, and the equations but for rounding that is not known.
+    /// Largest violation of |p| <= mu p_n (relative to the largest mu p_n) and of the conditions on the slip (relative
+    /// to the largest slip that would occur without traction). It is 0 in a step whose slip is not checked (see
+    /// FrictionState::unchanged_steps): tractions and slip satisfy the law exactly there, and the equations up to a
+    /// round-off error that is not measured.
     Scalar complementarity_residual = std::numeric_limits<Scalar>::quiet_NaN();
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< rounds of the active set
-    int pivots = 0;                ///< pivots of the fallback; 0 where the rounds settled
+    int pivots = 0;                ///< pivots of the fallback; 0 if the rounds converged
     StepStatus status = StepStatus::not_finite;
 };
 
-/// Result of a step under a load of its own, with the tangents by it: derivatives of the force at the end of the step.
-/// By the load, d force / d load is that at constant half-length, and not a number where NormalLoad has no
-/// pressure_rate; where the half-length depends on the load too, the whole is by_load + by_half_length da/d load. Not a
-/// number where the matrix of the stick elements is singular; by the half-length neither where the system knows one
-/// half-length only.
+/// Result of a step under a given load, with the derivatives of the force at the end of the step with respect to that
+/// load. tangent_by_load holds the half-length constant; if the half-length depends on the load, the total derivative
+/// is tangent_by_load + tangent_by_half_length da/d load. Both are NaN if the matrix of the sticking elements is
+/// singular; tangent_by_load also if NormalLoad has no pressure_rate, tangent_by_half_length also if the system cannot
+/// breathe and for a rigid shift.
 template <class Scalar>
 struct LoadedFrictionStep : FrictionStep<Scalar> {
     Scalar tangent_by_load_per_width = std::numeric_limits<Scalar>::quiet_NaN();         ///< [N/m per unit of the load]

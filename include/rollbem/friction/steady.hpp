@@ -1,5 +1,5 @@
-// Steady rolling with Coulomb friction: s/V = xi - G' p, stick and slip found by the solver.
-// One model for a whole creep curve; each point starts from the one before.
+// Steady rolling with Coulomb friction: s/V = xi - G' p, with stick and slip found by the solver.
+// One model serves for a whole creep curve; each point starts from the previous one.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -22,16 +22,17 @@
 
 namespace rollbem {
 
-/// Steady rolling of one contact, mesh, scheme and law of friction at any creepage. Const and free of caches: threads
-/// may share it. Creepage xi > 0 gives a negative force.
+/// Steady rolling of one contact, mesh, scheme and friction law at any creepage. Immutable: threads may share it.
+/// Creepage xi > 0 gives a negative force.
 ///
-/// The scheme must converge, which nothing here checks: the forces of one that does not (alpha < 0, or alpha > 1) are
-/// wrong wherever elements stick, whatever the status. Ask solve_steady(G_prime, widths) of steady.hpp before, whose
-/// status must not be inconsistent. Steady rolling asks for no stability in time.
+/// The scheme must be convergent, which is not checked here: a scheme that is not (alpha < 0, or alpha > 1) gives wrong
+/// forces wherever elements stick, whatever the status. solve_steady(G_prime, widths) of steady.hpp detects such
+/// schemes by the status inconsistent. Steady rolling does not require stability in time.
 ///
-/// Equations about the centres (alpha = 0) are a case of their own: inconsistent in full adhesion, right with friction.
-/// They lose no energy, and full adhesion, which loses it at the singular trailing edge, comes out without force. Slip
-/// is a loss they know: the force converges, of first order, from where several elements slip at the trailing edge.
+/// Collocation at the centres (alpha = 0) is a special case: inconsistent in full adhesion, but correct with friction.
+/// It dissipates no energy, whereas full adhesion loses energy at the singular trailing edge; the force of full
+/// adhesion is therefore zero. Dissipation by slip is represented: the force converges, with first order, once several
+/// elements slip at the trailing edge.
 ///
 ///     const SteadyFrictionModel<double> model(contact, mesh, scheme, kernel, friction);
 ///     FrictionWorkspace<double> workspace = model.workspace();
@@ -48,8 +49,8 @@ public:
     using Step = FrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// Throws std::invalid_argument as assemble_G_prime does, where the law breaks what CoulombFriction asks for, and
-    /// where the kernel's half-width is not the contact's.
+    /// Throws std::invalid_argument if assemble_G_prime refuses the scheme, if the law does not meet the requirements
+    /// of CoulombFriction, or if the kernel's half-width is not the contact's.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
     SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& kernel, const CoulombFriction<Scalar>& friction)
@@ -60,9 +61,10 @@ public:
         detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
     }
 
-    /// From a ready G' (in units of 1/G) and the widths of its elements (in units of a); the law has as many pressures.
-    /// Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width is not
-    /// positive. That G has not taken the place of G' cannot be seen here: ElementSystem, which has both, sees it.
+    /// From a given matrix G' (in units of 1/G) and the widths of its elements (in units of a); the law has one
+    /// pressure per element. Throws std::invalid_argument if the law does not meet the requirements of CoulombFriction,
+    /// sizes differ, an entry is not finite or a width is not positive. G passed in place of G' is not detected here,
+    /// but ElementSystem, which has both, detects it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const CoulombFriction<Scalar>& friction)
         : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths, std::nullopt,
@@ -72,13 +74,13 @@ public:
     Eigen::Index size() const { return core_.size(); }                 ///< number of unknown elements
     std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of G', widths, contact and pressures
 
-    /// No traction anywhere, everything sticks: the start of a first solution.
+    /// No traction, all elements stick: the starting point for a first solution.
     State at_rest() const { return core_.at_rest(); }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// The solution at a creepage [-], sought from the zones of `from`. `to` must be another state of as many elements;
-    /// it is left alone where the status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite.
-    /// `from` keeps the pressures that it lives under; its half-length must be the contact's. No allocation.
+    /// The solution at a creepage [-] under the pressures of `from`, starting from its zones; the half-length of `from`
+    /// must be the contact's. `to` must be another state with the same number of elements; it is not written if the
+    /// status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite. Does not allocate.
     Step solve(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
         const StepStatus possible = check(from, to, workspace);
         if (possible != StepStatus::ok) return Core::failed(possible);
@@ -104,7 +106,7 @@ private:
                                   workspace);
     }
 
-    struct Checked {};  // tells the constructor from the one whose law may come in braces
+    struct Checked {};  // distinguishes this constructor from the one whose law may be given in braces
 
     SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction)

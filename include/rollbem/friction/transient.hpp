@@ -1,4 +1,4 @@
-// Non-steady rolling with Coulomb friction step by step, and rigid shifts without rolling.
+// Non-steady rolling with Coulomb friction, step by step, and rigid shifts without rolling.
 // s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
@@ -18,22 +18,21 @@
 
 namespace rollbem {
 
-/// The contact as a force element with friction, stepped like TransientModel. Const and free of caches: threads may
-/// share it.
+/// The contact as a force element with friction, stepped like TransientModel. Immutable: threads may share it.
 ///
-/// Integrator::sdirk2 solves for stick and slip twice a step and is of second order in dq, forces and slip work alike;
-/// implicit_euler solves once and is of first order. Both keep Coulomb's law at each of these solutions, and slip never
-/// gains energy. Elements that begin to slip or stick within a step cost no order.
+/// Integrator::sdirk2 solves for stick and slip twice per step and is of second order in dq, for forces and slip work
+/// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies Coulomb's law, and slip
+/// never gains energy. Transitions between stick and slip within a step do not reduce the order.
 ///
-/// Asks of a scheme what TransientModel does: a verdict that its eigenvalues decay, and convergence to full adhesion.
-/// Friction bounds the tractions of any other, but they are wrong then, unless alpha = 0 and several elements slip at
-/// the trailing edge (see SteadyFrictionModel).
+/// The scheme must meet the requirements of TransientModel: a verdict that its eigenvalues decay, and convergence in
+/// full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and several
+/// elements slip at the trailing edge (see SteadyFrictionModel).
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel<double> model(contact, system, judge_stability(system), friction);
 ///     FrictionWorkspace<double> workspace = model.workspace();
 ///     FrictionState<double> now = model.at_rest(), next = now;
-///     const FrictionStep<double> step = model.advance(now, dq, creepage, next, workspace);  // now stays as it is
+///     const FrictionStep<double> step = model.advance(now, dq, creepage, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
 template <class Scalar_ = double>
 class FrictionModel {
@@ -44,18 +43,18 @@ public:
     using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// Throws std::invalid_argument unless the verdict is one of this system's eigenvalues and settles that none grows,
-    /// where steady rolling shows that the scheme does not converge (Status::inconsistent), where the contact's
-    /// half-width is infinite or not that of the system's kernel, where the law breaks what CoulombFriction asks for
-    /// (it has as many pressures as the mesh has elements), and for Integrator::matrix_exponential, which knows no
-    /// friction.
+    /// Throws std::invalid_argument if the verdict does not belong to this system or does not establish that no
+    /// eigenvalue grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), if the
+    /// contact's half-width is infinite or not that of the system's kernel, if the law does not meet the requirements
+    /// of CoulombFriction (one pressure per element of the mesh), and for Integrator::matrix_exponential, which cannot
+    /// treat friction.
     FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, const StabilityVerdict& verdict,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : FrictionModel(contact, std::move(system), unchecked, friction, integrator) {
         detail::require_usable_in_time("FrictionModel", system_, verdict);
     }
 
-    /// The same whatever the eigenvalues, and whether the scheme converges or not.
+    /// The same without checks of the eigenvalues and of convergence.
     FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
                   const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
@@ -69,35 +68,34 @@ public:
     }
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
-    /// Of the system, the contact and the law's pressures, not of the coefficient of friction: a state goes on under
-    /// another load by the load that a step is given, never by a model of another pressure.
+    /// Of the system, the contact and the pressures of the law, but not of the coefficient of friction. To continue a
+    /// state under another load, pass the load to a step; a model with other pressures refuses the state.
     std::uint64_t fingerprint() const { return core_.fingerprint(); }
     Integrator integrator() const { return integrator_; }
 
-    /// No traction anywhere, everything sticks.
+    /// No traction, all elements stick.
     State at_rest() const { return core_.at_rest(); }
     Workspace workspace() const { return Workspace(size()); }
 
     /// 2b F_bar of a state [N]. The state must have size() elements.
     Scalar force(const State& state) const { return core_.force(state); }
 
-    /// Elastic energy of both bodies, E = 1/2 int p u dx, per unit width [J/m] and in all [J]: of the tractions alone,
-    /// whatever the load and the motion. Positive, but for tractions that change sign from element to element; of second
-    /// order in 1/n on cosine meshes at alpha = 0.5. The state must have size() elements; not a number under a
-    /// half-length that the system does not know.
+    /// Elastic energy of the tangential tractions in both bodies, E = 1/2 int p u dx, per unit width [J/m] and in total
+    /// [J]. Positive, except for tractions that alternate from element to element; of second order in 1/n on cosine
+    /// meshes at alpha = 0.5. The state must have size() elements; NaN if the system cannot represent its half-length.
     ///
-    /// What the rigid bodies lose in the contact, -F times the rigid slip (creepage times the distance rolled), becomes
-    /// heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE, by any
-    /// scheme. The sum of slip_work_per_width agrees with it to the orders of both in n and dq.
+    /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
+    /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
+    /// for any scheme. The sum of slip_work_per_width agrees with it to the orders of both in n and dq.
     Scalar elastic_energy_per_width(const State& state) const { return core_.elastic_energy(state, system_); }
     Scalar elastic_energy(const State& state) const { return core_.width() * elastic_energy_per_width(state); }
 
-    /// Steady rolling at a creepage [-] under the load of `from`, to start from: what SteadyFrictionModel::solve does,
-    /// with states of this model.
+    /// Steady rolling at a creepage [-] under the load of `from`, e.g. as an initial state: SteadyFrictionModel::solve
+    /// for states of this model.
     Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
         return settle(from, creepage, {from.normal_pressure, from.half_length}, to, workspace);
     }
-    /// The same under another load. Where the half-length is not the contact's, the system must be one that can breathe.
+    /// The same under another load. If its half-length is not the contact's, the system must be able to breathe.
     Step steady(const State& from, Scalar creepage, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept {
         const StepStatus possible = load.check(system_.element_count());
@@ -105,11 +103,11 @@ public:
         return settle(from, creepage, {load.normal_pressure, load.half_length}, to, workspace);
     }
 
-    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling, under the load of `from`. `from`
-    /// is never written; `to` must be another state of as many elements. It is left alone where the status is
-    /// invalid_step, wrong_state, invalid_load or needs_fixed_mesh or the motion is not finite, and becomes a copy of
-    /// `from` where the result is not finite. The result depends on `from` and the motion alone, to the last bit. No
-    /// allocation; a new dq costs a factorisation.
+    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling, under the load of `from`. `to`
+    /// must be another state with the same number of elements. It is not written if the status is invalid_step,
+    /// wrong_state, invalid_load or needs_fixed_mesh or the motion is not finite; if the result is not finite, it
+    /// becomes a copy of `from`. The result depends on `from`, dq and the motion alone, to the last bit. Does not
+    /// allocate; a new dq costs a factorisation.
     Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to,
                  Workspace& workspace) const noexcept {
         const Load load{from.normal_pressure, from.half_length};
@@ -119,11 +117,12 @@ public:
         return roll<false>(stages, from, dq / core_.half_length(), motion, load, to, workspace);
     }
 
-    /// The same under a load that goes evenly from that of `from` to this one at the end of the step. Where a system can breathe (log_strength), the mesh
-    /// follows the half-length, |da| < dq; a new half-length costs a factorisation, new pressures cost none. Steps end
-    /// where the load has kinks, or they lose the second order of sdirk2. No status tells where a contact grows so far
-    /// that Lambda of the plane kernel, with b over the new half-length, is no longer positive: a mode grows in time then
-    /// until all slips, even with the creepage. a is then above 2.4b.
+    /// The same under a load that varies linearly from that of `from` to this one at the end of the step. If the system
+    /// can breathe (log_strength), the mesh follows the half-length, |da| < dq; a new half-length costs a
+    /// factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its second order. No
+    /// status warns if the contact grows so long (a > 2.4b) that Lambda of the plane kernel for the new half-length is
+    /// no longer positive: a mode then grows in time until all elements slip, possibly in the direction of the
+    /// creepage.
     LoadedStep advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const NormalLoad<Scalar>& load,
                        State& to, Workspace& workspace) const noexcept {
         StepStatus possible = load.check(system_.element_count());
@@ -152,8 +151,8 @@ private:
     static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
 
-    // A step whose arguments have been checked; dq in a_0. One that is loaded anew comes with the tangents by the load
-    // that have been begun. `stages` know how the bounds come about.
+    // A step whose arguments have been checked; dq in a_0. If it is loaded, the result includes the tangents that
+    // begin_tangents() has asked for. `stages` determine the bounds.
     template <bool loaded, class Stages>
     auto roll(Stages& stages, const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load,
               State& to, Workspace& workspace) const noexcept {
@@ -203,7 +202,7 @@ private:
         return core_.solve_steady(stages, from, creepage, system_.G_prime(), load, to, workspace);
     }
 
-    // Whether a steady solution can be sought at all.
+    // Whether the arguments of a steady solution are valid,
     StepStatus check_steady(const State& from, const Load& load, const State& to,
                             const Workspace& workspace) const noexcept {
         if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
@@ -213,7 +212,7 @@ private:
         return detail::check_growth(system_, Scalar(0), a, a);
     }
 
-    // Whether a step can be made at all.
+    // and those of a step.
     StepStatus check(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load, const State& to,
                      const Workspace& workspace) const noexcept {
         if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
@@ -224,7 +223,7 @@ private:
         return detail::check_growth(system_, dq / unit, from.half_length / unit, load.half_length / unit);
     }
 
-    // The matrix of a stage, unless the workspace has it already.
+    // Assembles the matrix of a stage unless the workspace has it.
     void enter(const Stage& stage, Workspace& workspace) const noexcept {
         if (MatrixX<Scalar>* matrix = core_.claim(stage, workspace)) detail::fill_stage_matrix(system_, stage, *matrix);
     }

@@ -1,4 +1,4 @@
-// The factors and the scratch memory of a friction problem: what makes steps fast and changes no result.
+// Matrix factors and scratch memory of a friction problem. They make steps fast and never change a result.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -21,8 +21,9 @@ template <class Scalar>
 class FrictionCore;
 }
 
-/// Made by a model, and usable with any model of as many elements. Factors are kept for as long as the model and the
-/// distance rolled stay the same: contacts that take turns each want one of their own. Threads never share one at once.
+/// Made by a model; works with any model of the same number of elements. The factors are kept as long as the model and
+/// the distance rolled stay the same, so contacts that are stepped in turn should each have their own workspace. Two
+/// threads must not use one workspace at the same time.
 template <class Scalar_>
 class FrictionWorkspace {
 public:
@@ -42,21 +43,19 @@ public:
 
     Eigen::Index size() const { return slip_.size(); }
 
-    /// Slip of body 1 on body 2 in the equation of each element, where the scheme has its point, in what was solved
-    /// last: in a step or a rigid shift the distance slid meanwhile [m]; in a steady solution the slip velocity over
-    /// the rolling velocity, s/V [-].
+    /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance
+    /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
     const VectorX<Scalar>& slip() const { return slip_; }
 
-    /// The terms of slip_work_per_width that each element contributes to the sum, none negative: per unit width [J/m],
-    /// of a steady solution per unit width and unit distance rolled [J/m^2]. Over the element's width it is the work
-    /// per area of contact, which wear follows.
+    /// Contribution of each element to slip_work_per_width, never negative: [J/m], or [J/m^2] for a steady solution.
+    /// Divided by the element's width it is the work per area of contact, on which wear depends.
     const VectorX<Scalar>& slip_work() const { return work_; }
 
 private:
     friend class detail::FrictionCore<Scalar>;
 
     detail::ActiveSet<Scalar> solver_;
-    std::uint64_t system_ = 0;  // the solver's matrix is that of this model and stage
+    std::uint64_t system_ = 0;  // the solver holds the matrix of this model and this stage
     detail::RollingStage<Scalar> stage_{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
     VectorX<Scalar> slip_, work_;
     VectorX<Scalar> bound_;  // mu p_n / G of the present stage

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "complementary_path.hpp"
+#include "same_bits.hpp"
 #include "stick_equations.hpp"
 #include "stick_transform.hpp"
 
@@ -139,12 +139,6 @@ private:
     // pay; the fallback costs some products of matrix and vector a pivot, with about n pivots.
     static constexpr int patience = 10;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-
-    // Quicker than ==. Zeros of two signs or paddings that differ cost time, not more.
-    template <class Values>
-    static bool same_bits(const Values& x, const Values& y) {
-        return std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(*x.data())) == 0;
-    }
 
     bool sticks(Index i) const { return sign_[i] == 0; }
     void set_zone(Index i, Scalar sign) {

@@ -17,6 +17,7 @@
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../slip_law.hpp"
+#include "same_bits.hpp"
 
 namespace rollbem::detail {
 
@@ -130,7 +131,7 @@ public:
                  Vector& friction_change) {
         factorise(law, memory, passage, solver, friction);
         const bool constant_only = change.before == nullptr && change.bound == nullptr;
-        if (constant_only && answered_ && change.constant == asked_) {
+        if (constant_only && answered_ && same_bits(change.constant, asked_)) {
             traction_change = answer_;
             friction_change = friction_answer_;
             return;
@@ -287,8 +288,8 @@ private:
         }
         step_ = passage.velocity_per_slip * slip_.sense(solver).cwiseProduct(slope_);
         right_ = -slip_.sense(solver).cwiseProduct(passage.pressure);
-        if (newton_revision_ == slip_.revision() && is_steady_ == steady && newton_slope_ == step_ &&
-            newton_gain_ == right_ && newton_kept_ == kept_) {
+        if (newton_revision_ == slip_.revision() && is_steady_ == steady && same_bits(newton_slope_, step_) &&
+            same_bits(newton_gain_, right_) && (!steady || same_bits(newton_kept_, kept_))) {
             return;
         }
         answered_ = false;

@@ -81,6 +81,7 @@ public:
           dq_(dq),
           duration_(duration),
           half_length_(half_length),
+          per_half_length_(1 / half_length),
           scratch_(scratch) {
         scratch_.friction = friction.matrix();
         if (points == nullptr) scratch_.before.setZero();
@@ -177,7 +178,9 @@ private:
 
     AlongContact<Scalar> at_start() const { return {*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0)))}; }
     // Where the particle that a stage ends with was at the start of the step, x/a there,
-    Scalar origin(Index i) const { return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) / half_length_; }
+    Scalar origin(Index i) const {
+        return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) * per_half_length_;
+    }
     // and, in the second stage, at the end of the first.
     Scalar between(Index i) const {
         return (stage_half_length_ * (*points_)[i] + (1 - place_.part) * dq_) / first_half_length_;
@@ -225,8 +228,8 @@ private:
     bool steady_ = false, second_ = false;
     bool moves_paths_ = false;  // what the last tangent was taken by
     Scalar unit_ = 1, dq_ = 0, duration_ = 0;
-    Scalar half_length_ = 1, first_half_length_ = 1,
-           stage_half_length_ = 1;  // at the start; of the first; of this stage
+    Scalar half_length_ = 1, per_half_length_ = 1;          // at the start of the step, and its reciprocal
+    Scalar first_half_length_ = 1, stage_half_length_ = 1;  // at the end of the first stage, and of this one
     StagePlace<Scalar> place_{1, 1};
     Scalar velocity_per_slip_ = 0;  // [m/s] by the solver's slip
     const Vector* pressure_ = nullptr;

@@ -3,6 +3,7 @@
 
 #include "../../detail/language.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/Core>
