@@ -1,4 +1,4 @@
-// A user of rollbem::compiled: every header of it, whose templates the linker must find in the library.
+// A user of rollbem::compiled: every header of it, whose templates the linker finds in the library.
 #include <cmath>
 #include <complex>
 
@@ -23,10 +23,17 @@ int main() {
     auto rolling = rest;
     auto workspace = friction.workspace();
     const double creepage = 1e-9, force = friction.solve(rest, creepage, rolling, workspace).force;
-    // full adhesion in five ways
+    const SteadyFallingModel falling(
+        contact, mesh, scheme, kernel,
+        FallingFriction<ExponentialFall<double>>{{0.3, 0.2, 1}, {}, 1e9 * mean_hertz_pressure(mesh)});
+    auto falling_to = falling.at_rest();
+    auto falling_workspace = falling.workspace();
+    const double falling_force = falling.solve(falling.at_rest(), creepage, 20, falling_to, falling_workspace).force;
+    // full adhesion in six ways
     const double expected =
         -contact.half_length() * contact.shear_modulus() * 2 * contact.half_width() * c11 * creepage;
     const bool agree = std::abs(sweep(0).c11.real() - c11) < 1e-9 && std::abs(force / expected - 1) < 1e-3 &&
+                       std::abs(falling_force / expected - 1) < 1e-3 &&
                        std::abs(model.force(model.steady(creepage)) / expected - 1) < 1e-9;
     const bool states =
         std::abs(solve_steady(contact, Chebyshev{12}, creepage).force_per_width * 2 * contact.half_width() / expected -
