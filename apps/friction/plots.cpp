@@ -175,6 +175,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label, .series = {}};
         add(loop, "force_ratio", "");
         if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));
+        if (!shown.load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));
     } else if (shown.carter) {
         const double force = rollbem::carter_force_ratio(shown.ratio);

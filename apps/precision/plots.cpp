@@ -46,6 +46,7 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
         front.points.emplace_back(*points[i].time_us, std::max(sustained[i], floor));
     }
     std::sort(front.points.begin(), front.points.end());
+    front.markers = front.points.size() == 1;
     bool below = false;
     double largest_error = floor;
     std::vector<double> times;

@@ -167,8 +167,9 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     if (png) {
         const std::string pixels = one ? size(1200, 800) : size(900, 780);
         script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + pixels +
-                  "enhanced font 'sans,16' background '#ffffff'; else set terminal png " + pixels +
-                  "enhanced background '#ffffff'\n";
+                  "enhanced font 'sans,14' linewidth 1.3 dashlength 1.3 pointscale 1.4 background '#ffffff'; else set "
+                  "terminal png " +
+                  pixels + "enhanced background '#ffffff'\n";
     } else {
         script += "set terminal svg " + (one ? size(900, 600) : size(675, 585)) +
                   "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
