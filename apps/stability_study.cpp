@@ -92,6 +92,11 @@ study::Table count_table(const study::Options& options, const std::vector<study:
             if (name != x && !follows) selection.by.emplace_back(name);
         }
         study::add_series(plot, count_columns, rows, selection);
+        double largest = 0;
+        for (const study::Series& series : plot.series) {
+            for (const auto& [place, share] : series.points) largest = std::max(largest, share);
+        }
+        if (largest == 0) plot.y_range = study::PlotRange{0, 1};
         return plot;
     };
     return table;
