@@ -59,7 +59,7 @@ std::vector<std::string> shell_words(const std::string& line) {
     return words;
 }
 
-TEST_CASE("A cell with a comma, a quote or the end of a line stands in quotes, its own quotes twice", "[csv]") {
+TEST_CASE("A cell with a comma, a quote or a line break is quoted, and its own quotes are doubled", "[csv]") {
     CHECK(study::csv_line({"plain", 2, 0.5, study::Cell(), "a'b c\\d"}) == "plain,2,0.5,,a'b c\\d\n");
     CHECK(study::csv_line({"a,b", 1}) == "\"a,b\",1\n");
     CHECK(study::csv_line({"say \"no\""}) == "\"say \"\"no\"\"\"\n");
@@ -67,7 +67,7 @@ TEST_CASE("A cell with a comma, a quote or the end of a line stands in quotes, i
     CHECK(study::csv_line({"two\nlines", "r\rr"}) == "\"two\nlines\",\"r\rr\"\n");
 }
 
-TEST_CASE("A TOML reader and a shell get the command line back from a sidecar", "[csv]") {
+TEST_CASE("A TOML reader and a shell recover the command line from a sidecar", "[csv]") {
     const std::vector<std::vector<std::string>> lines{
         {"study", "--output", "plain.csv", "--n", "10,20"},
         {"study", "--output", "a\\z.csv"},

@@ -34,7 +34,7 @@ TEST_CASE("An error counts as the largest at this and every larger n", "[precisi
     CHECK(sustained[5] == 0.5);
 }
 
-TEST_CASE("The front: no other discretisation is as fast and as precise", "[precision]") {
+TEST_CASE("No other discretisation is as fast and as precise as one on the front", "[precision]") {
     std::vector<Point> points{point("cosine", 10, 1e-2, 10),
                               point("cosine", 20, 1e-3, 20),
                               point("knothe", 10, 1e-2, 10.5),      // slower, no better
@@ -68,7 +68,7 @@ TEST_CASE("The front: no other discretisation is as fast and as precise", "[prec
     CHECK(on_front(8) == true);  // of another quantity
 }
 
-TEST_CASE("The cheapest scheme for a tolerance", "[precision]") {
+TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[precision]") {
     const std::vector<Point> points{point("cosine", 10, 1e-2, 10),
                                     point("cosine", 20, 1e-3, 20),
                                     point("uniform-0/0.63", 10, 1e-5, 5, false),
