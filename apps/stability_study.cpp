@@ -85,6 +85,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                                     : x == "n"              ? scenes.front().n_label()
                                                             : study::shown_name(x),
                          .y_label = "share of unstable eigenvalues",
+                         .log_x = x == "n",
                          .series = {}};
         study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
         for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {

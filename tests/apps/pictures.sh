@@ -23,6 +23,8 @@ for n in 40 80; do says $n; done
 [ "$(grep -cx '[4-8][0-9]' words)" -ge 5 ] && [ "$(grep -cx '[4-8][0-9]' words)" -lt 30 ] || fail "ticks: $(cat words)"
 draws $steady --n 40
 says 40
+draws "$programs/stability_study" --n 10
+says 10 && says_not 9.9 && says_not 10.0
 # no ticks at measured times
 draws "$programs/precision_study" --schemes cosine --quantity c11 --n 10,20,40
 ! grep -Ex '[0-9]+\.[0-9]{2,}' words || fail "ticks at times: $(cat words)"
