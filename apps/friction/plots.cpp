@@ -59,8 +59,9 @@ study::Plot draw_tractions(const Profile& shown, bool carter) {
     const double sign = ratio < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .points = {}, .markers = false, .reference = true};
     study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .reference = true};
-    study::Series slip{.label = "slip", .points = {}, .line = false, .style = 1};
-    study::Series stick{.label = "stick", .points = {}, .line = false, .style = 0};
+    // other colours than those of the first creep curves
+    study::Series slip{.label = "slip", .points = {}, .line = false, .style = 7};
+    study::Series stick{.label = "stick", .points = {}, .line = false, .style = 6};
     for (Eigen::Index i = 0; i < shown.mesh.size(); ++i) {
         const double x = shown.mesh.centres()[i];
         bound.points.emplace_back(x, sign * shown.bound[i]);
