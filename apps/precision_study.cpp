@@ -266,6 +266,7 @@ eigenvalue grows, as computed. on_front: no other scheme is both as fast and as 
 as the largest at this and every larger n, so that a change of sign does not pass for precision. on_front is
 empty for polynomial and closed-form, and with --shard or --jobs above 1, where times are missing: concatenate
 the shards and use --front. model_error is the error that the strip kernel alone makes.
+--plot draws up to three quantities; of more, those of c11, c11_z5 and friction_force that are there.
 status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
 scheme reaches the tolerance. size_ratio and epsilon are empty except for geometric and knothe.
 Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 160: two to three minutes in all.

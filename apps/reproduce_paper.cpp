@@ -83,14 +83,14 @@ std::string csv_of(const paper::PanelResult& result) {
 }
 
 int run(const Settings& settings) {
-    // 1. The folder, and the files that are always there: what cannot be written costs no computing time.
+    // 1. The folder, and two of the files, so that a folder that cannot be written to costs no computing time.
     study::OutputFolder folder(settings.directory, "DIR");
     std::vector<study::OutputFile> files;
     const auto open = [&](const std::string& name) { files.emplace_back(folder.file(name), "DIR"); };
     open("claims.csv");
     open("index.html");
 
-    // 2. All curves of all panels, then the claims, which look at the curves and compute what else they need.
+    // 2. All curves of all panels, then the claims, which use the curves and compute what else they need.
     const paper::Results results = compute_figures(settings);
     const std::vector<paper::Judged> claims = judge_claims(settings, results);
 
@@ -125,7 +125,7 @@ int run(const Settings& settings) {
     files[0].write(rows);
     files[1].write(paper::page(results, claims, drawings, note));
 
-    // 5. The files take their names once all of them are on the disk. No drawing of an earlier run may stay.
+    // 5. The files take their names when all of them are on the disk. No drawing of an earlier run remains.
     for (study::OutputFile& file : files) file.close();
     for (study::OutputFile& file : files) file.commit();
     folder.keep();
@@ -152,15 +152,15 @@ int main(int argc, char** argv) {
     study::handle_signals();
     Settings settings;
     CLI::App app(
-        "Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv\n"
-        "(claim, figure, paper, measured, holds, expected, reason, kind) and index.html, which shows everything.\n"
-        "The column paper quotes a few of its words. Each statement counts once; kind tells a statement of the paper\n"
-        "from an addition, which is what was found beside it.",
+        R"(Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv
+(claim, figure, paper, measured, holds, expected, reason, kind) and index.html, which shows everything.
+The column paper quotes a few of its words. Each statement counts once; kind is statement for those of the paper
+and addition for what else was found.)",
         "reproduce_paper");
     app.set_help_flag("-h,--help", "print this help and exit");
     app.set_version_flag("--version", "reproduce_paper " + std::string(build_info::version) + " (" +
                                           std::string(build_info::git_revision) + ")");
-    app.add_option("DIR", settings.directory, "folder to write to; made if it is not there")->required();
+    app.add_option("DIR", settings.directory, "folder to write to; created if it does not exist")->required();
     app.add_option("--jobs", settings.jobs, "threads, 1 to 1024; default: as many as the machine has")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--quiet", settings.quiet, "no progress line");
@@ -170,8 +170,8 @@ Example:
 
 The paper is silent on nu and b/a: 0.28 and 1000 are used, and every other choice stands beside its figure.
 
-Exit codes: 0 every claim holds or fails as expected (without gnuplot the plots are missing); 1 a claim
-differs from what is expected; 2 bad input or DIR cannot be written; 4 error while writing; 130 interrupted.)");
+Exit codes: 0 every claim holds or fails as expected (without gnuplot the plots are missing); 1 a claim does not;
+2 bad input, or DIR cannot be written to; 4 error while writing; 130 interrupted.)");
     try {
         app.parse(argc, argv);
         return run(settings);

@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
 
 One row per n. frequency_error and decay_error are relative; response_error is the largest distance of the
 sliding speed from the exact one over 2.5 periods, in units of the kick. steps are those Simbody accepted,
-rejected those it tried besides, trials the contact's evaluations in all of them. Where one of the errors
+rejected those it tried in vain, trials the contact's evaluations in all of them. Where one of the errors
 exceeds --tolerance, status is above_tolerance (else ok), and the exit code is 1.
 The contact: a = 6 mm, b = 12 mm, nu = 0.28, plane kernel, cosine mesh, alpha 0.5; the wheel: 20 m/s, R = 0.46 m,
 J = 80 kg m^2, 6000 kg.

@@ -85,6 +85,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                                     : x == "n"              ? scenes.front().n_label()
                                                             : study::shown_name(x),
                          .y_label = "share of unstable eigenvalues",
+                         .log_x = x == "n",
                          .series = {}};
         study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
         for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {
@@ -92,6 +93,11 @@ study::Table count_table(const study::Options& options, const std::vector<study:
             if (name != x && !follows) selection.by.emplace_back(name);
         }
         study::add_series(plot, count_columns, rows, selection);
+        double largest = 0;
+        for (const study::Series& series : plot.series) {
+            for (const auto& [place, share] : series.points) largest = std::max(largest, share);
+        }
+        if (largest == 0) plot.y_range = study::PlotRange{0, 1};
         return plot;
     };
     return table;

@@ -59,8 +59,9 @@ study::Plot draw_tractions(const Profile& shown, bool carter) {
     const double sign = ratio < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .points = {}, .markers = false, .reference = true};
     study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .reference = true};
-    study::Series slip{.label = "slip", .points = {}, .line = false, .style = 1};
-    study::Series stick{.label = "stick", .points = {}, .line = false, .style = 0};
+    // other colours than those of the first creep curves
+    study::Series slip{.label = "slip", .points = {}, .line = false, .style = 7};
+    study::Series stick{.label = "stick", .points = {}, .line = false, .style = 6};
     for (Eigen::Index i = 0; i < shown.mesh.size(); ++i) {
         const double x = shown.mesh.centres()[i];
         bound.points.emplace_back(x, sign * shown.bound[i]);
@@ -175,6 +176,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label, .series = {}};
         add(loop, "force_ratio", "");
         if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));
+        if (!shown.load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));
     } else if (shown.carter) {
         const double force = rollbem::carter_force_ratio(shown.ratio);

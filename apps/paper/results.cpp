@@ -84,7 +84,10 @@ CurveResult compute_over_grid(const Panel& panel, const Curve& curve) {
         } else {
             const Eigen::Index count = unstable_count(c);
             const double share = static_cast<double>(count) / static_cast<double>(c.n);
-            add_row(result, curve, c, count, share);
+            // stable eigenvalues do not make a scheme converge to full adhesion
+            const bool converges = steady_ratio(c).status != rollbem::Status::inconsistent;
+            add_row(result, curve, c, count, share,
+                    rollbem::name(converges ? rollbem::Status::ok : rollbem::Status::inconsistent));
             result.series[0].points.emplace_back(x, share);
         }
     }
@@ -177,7 +180,7 @@ std::vector<std::string> columns(Quantity quantity) {
         case Quantity::slope: append({"x_over_width", "slope"}); break;
         case Quantity::c11_ratio: append({"c11_ratio", "relative_error", "status"}); break;
         case Quantity::traction: append({"x_over_a", "traction", "carter", "carter_mean", "status"}); break;
-        case Quantity::unstable_fraction: append({"unstable_count", "unstable_fraction"}); break;
+        case Quantity::unstable_fraction: append({"unstable_count", "unstable_fraction", "status"}); break;
         case Quantity::argand:
         case Quantity::response:
             append({"omega", "c11_re", "c11_im", "polynomial_re", "polynomial_im", "exact_re", "exact_im",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,6 +47,7 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
         front.points.emplace_back(*points[i].time_us, std::max(sustained[i], floor));
     }
     std::sort(front.points.begin(), front.points.end());
+    front.markers = front.points.size() == 1;
     bool below = false;
     double largest_error = floor;
     std::vector<double> times;
@@ -79,17 +81,25 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
 
 study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
                      const std::vector<Point>& points) {
-    std::vector<Quantity> shown;
-    for (const Quantity& quantity : quantities) {
-        const bool drawn = std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
+    constexpr std::size_t most = 3;
+    const auto has_times = [&](const Quantity& quantity) {
+        return std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
             return cells[2].text() == quantity.name && cells[4].number().has_value();
         });
-        if (!drawn) continue;
-        const bool chosen = quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
-        if (quantities.size() <= 3 || chosen) shown.push_back(quantity);
-    }
-    if (shown.empty()) shown.push_back(quantities.front());
+    };
+    const auto is_usual = [](const Quantity& quantity) {
+        return quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
+    };
+    std::vector<Quantity> all, shown;
+    std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_times);
+    if (all.empty()) all.push_back(quantities.front());
+    if (all.size() > most) std::copy_if(all.begin(), all.end(), std::back_inserter(shown), is_usual);
+    if (shown.empty()) shown.assign(all.begin(), all.begin() + std::ptrdiff_t(std::min(most, all.size())));
+
     study::Plot plot = panel(shown.front(), rows, points);
+    if (shown.size() < all.size()) {
+        plot.title += " (" + std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " quantities drawn)";
+    }
     for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
     return plot;
 }

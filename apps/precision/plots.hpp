@@ -10,8 +10,8 @@
 
 namespace precision {
 
-/// Panels for up to three quantities; of more, those for c11 in steady rolling, c11 at a frequency and the force with
-/// friction. Each shows the error of every scheme over its time, and the front of `points`.
+/// Panels for up to three quantities; of more, those of c11, c11_z5 and friction_force that are there. Each shows the
+/// error of every scheme over its time, and the front of `points`.
 study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
                      const std::vector<Point>& points);
 

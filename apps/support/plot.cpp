@@ -36,8 +36,8 @@ std::string number_text(double number) {
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
 }
 
-/// Values of a logarithmic axis with room for their labels, the first and the last among them; none where labels would
-/// be long, or where the values are many and not whole numbers.
+/// Those values of a logarithmic axis that have room for their labels, including the first and the last; none if labels
+/// would be long, or if the values are many and not whole numbers.
 std::vector<double> ticks_at(const std::set<double>& values) {
     std::size_t longest = 0;
     bool whole = true;
@@ -55,8 +55,8 @@ std::vector<double> ticks_at(const std::set<double>& values) {
     return ticks;
 }
 
-/// Ticks of a logarithmic x axis: at the x values where they are few or whole, such as numbers of elements, else as
-/// gnuplot sets them, at powers of the base, unless fewer than two of those lie on the axis. Empty for gnuplot's ticks.
+/// Ticks of a logarithmic x axis: at the x values if those are few or whole, such as numbers of elements, otherwise as
+/// gnuplot sets them, at powers of the base, unless fewer than two of those are on the axis. Empty for gnuplot's ticks.
 std::string logarithmic_ticks(const Plot& plot) {
     std::set<double> values;
     for (const Series& series : plot.series) {
@@ -82,7 +82,7 @@ std::string logarithmic_ticks(const Plot& plot) {
     return text;
 }
 
-/// "set title", in two lines where one would be longer than `widest` characters.
+/// "set title", in two lines if one would be longer than `widest` characters.
 std::string title_command(const std::string& title, std::ptrdiff_t widest) {
     const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_'; };
     const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
@@ -114,7 +114,10 @@ bool has_place(const Plot& plot, const std::pair<double, double>& point) {
 std::string panel_script(const Plot& plot, bool alone) {
     if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
     const auto usable = [&](const std::pair<double, double>& point) { return has_place(plot, point); };
-    const auto is_counted = [](const Series& series) { return !series.label.empty() && !series.reference; };
+    const auto is_counted = [&](const Series& series) {
+        const bool shows = std::any_of(series.points.begin(), series.points.end(), usable);
+        return shows && !series.label.empty() && !series.reference;
+    };
     const auto labelled = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), is_counted));
     std::string title = plot.title;
     if (labelled > most_curves) {
@@ -159,7 +162,7 @@ std::string panel_script(const Plot& plot, bool alone) {
 
 std::string gnuplot_script(const Plot& plot, bool png) {
     const std::size_t panels = 1 + plot.beside.size();
-    const bool one = panels == 1;  // several are smaller, so that text remains legible where the picture is fitted in
+    const bool one = panels == 1;  // several are smaller, so that text remains legible when the picture is scaled down
     const auto size = [&](std::size_t width, std::size_t height) {
         return "size " + std::to_string(panels * width) + "," + std::to_string(height) + " ";
     };
@@ -167,8 +170,9 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     if (png) {
         const std::string pixels = one ? size(1200, 800) : size(900, 780);
         script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + pixels +
-                  "enhanced font 'sans,16' background '#ffffff'; else set terminal png " + pixels +
-                  "enhanced background '#ffffff'\n";
+                  "enhanced font 'sans,14' linewidth 1.3 dashlength 1.3 pointscale 1.4 background '#ffffff'; else set "
+                  "terminal png " +
+                  pixels + "enhanced background '#ffffff'\n";
     } else {
         script += "set terminal svg " + (one ? size(900, 600) : size(675, 585)) +
                   "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
@@ -180,8 +184,8 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     return script;
 }
 
-/// What gnuplot writes when it runs `script`. It goes through a pipe, not into the file: gnuplot does not tell when a
-/// write fails.
+/// The output of gnuplot for `script`. It goes through a pipe, not into the file: gnuplot does not report a failure to
+/// write.
 std::string run_gnuplot(std::string_view script, const std::string& path) {
     const auto fail = [&](const std::string& why) -> void {
         throw PlotError("--plot = " + path + why + "; the rows are written");
@@ -212,7 +216,7 @@ std::string run_gnuplot(std::string_view script, const std::string& path) {
     }
     std::thread writer([script, to = input[1]] {  // gnuplot may draw before it has read everything
         std::string_view rest = script;
-        while (!rest.empty()) {  // a gnuplot that dies early shows in its status
+        while (!rest.empty()) {  // if gnuplot dies early, its status says so
             const ssize_t written = ::write(to, rest.data(), rest.size());
             if (written < 0 && errno == EINTR) continue;
             if (written < 0) break;
@@ -236,7 +240,7 @@ std::string run_gnuplot(std::string_view script, const std::string& path) {
     return picture;
 }
 
-/// Whether a picture has its end.
+/// Whether a picture is complete.
 bool is_whole(std::string_view picture, bool png) {
     using namespace std::string_view_literals;
     const std::string_view end = png ? "\0\0\0\0IEND\xAE\x42\x60\x82"sv : "</svg>"sv;

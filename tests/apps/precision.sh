@@ -174,5 +174,10 @@ if command -v gnuplot >/dev/null; then
             exit !(panels == 3 && c[1] == c[2] && c[2] == c[3] && c[1] != "" && index(colours["polynomial"], c[1]) == 0) }' p.svg ||
         fail 'colours of the panels'
     grep -q '1e-14 or less' p.svg || fail 'no floor'
+    grep -q 'quantities drawn' p.svg && fail 'a note although all quantities are drawn'
+    good 6 "$precision" --n 10 --schemes cosine --quantity c11,traction,c11_z1,c11_z5,friction_force --plot p.svg
+    grep -q '(3 of 5 quantities drawn)' p.svg || fail 'no note that quantities are left out'
+    good 5 "$precision" --n 10 --schemes cosine --quantity traction,c11_z0.1,c11_z1,step_force --plot p.svg
+    grep -q 'traction (3 of 4 quantities drawn)' p.svg || fail 'not the first three quantities'
 fi
 finish

@@ -21,7 +21,7 @@ Point point(const std::string& scheme, long n, std::optional<double> error, doub
             .stable = stable};
 }
 
-TEST_CASE("A sustained error is the largest error at this and every larger n", "[precision]") {
+TEST_CASE("An error counts as the largest at this and every larger n", "[precision]") {
     const std::vector<Point> points{point("cosine", 40, -1e-3, 4), point("cosine", 10, 1e-9, 1),
                                     point("cosine", 20, 2e-3, 2),  point("knothe", 10, 5e-2, 1),
                                     point("knothe", 20, {}, 2),    point("cosine", 20, 0.5, 2, true, "traction")};
@@ -34,14 +34,14 @@ TEST_CASE("A sustained error is the largest error at this and every larger n", "
     CHECK(sustained[5] == 0.5);
 }
 
-TEST_CASE("On the front are discretisations that no other one beats in both speed and precision", "[precision]") {
+TEST_CASE("No other discretisation is as fast and as precise as one on the front", "[precision]") {
     std::vector<Point> points{point("cosine", 10, 1e-2, 10),
                               point("cosine", 20, 1e-3, 20),
                               point("knothe", 10, 1e-2, 10.5),      // slower, no better
                               point("knothe", 20, 5e-4, 19),        // beats cosine at 20
                               point("geometric", 10, -5e-3, 15),    // negative errors count by their size
                               point("uniform-0/0.63", 10, {}, 1),   // no result
-                              point("polynomial", 20, 1e-16, 0.1),  // not a discretisation
+                              point("polynomial", 20, 1e-16, 0.1),  // no discretisation
                               point("closed-form", 0, 0.0, 0.01),   //
                               point("cosine", 10, 0.5, 9, true, "traction")};
     points.push_back(points[0]);
@@ -68,7 +68,7 @@ TEST_CASE("On the front are discretisations that no other one beats in both spee
     CHECK(on_front(8) == true);  // of another quantity
 }
 
-TEST_CASE("The cheapest scheme for a tolerance is the fastest whose error is sustained", "[precision]") {
+TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[precision]") {
     const std::vector<Point> points{point("cosine", 10, 1e-2, 10),
                                     point("cosine", 20, 1e-3, 20),
                                     point("uniform-0/0.63", 10, 1e-5, 5, false),
@@ -85,7 +85,7 @@ TEST_CASE("The cheapest scheme for a tolerance is the fastest whose error is sus
     CHECK(best(1e-3, Among::elements) == 2U);
     CHECK_FALSE(best(1e-4, Among::elements).has_value());  // the 1e-5 at n = 10 is not sustained
     CHECK(best(1e-2, Among::stable_elements) == 0U);
-    CHECK(best(1e-3, Among::stable_elements) == 1U);  // unknown stability does not count as stable
+    CHECK(best(1e-3, Among::stable_elements) == 1U);  // what is not known to be stable is not
     CHECK(best(1e-2, Among::stable) == 5U);           // elements or states
     CHECK(best(1e-5, Among::stable) == 5U);
     CHECK_FALSE(best(1e-6, Among::stable).has_value());

@@ -2,9 +2,13 @@
 
 namespace rollbem {
 
-template class detail::FallingSet<double>;
-template class detail::FallingStages<ExponentialFall<double>, double>;
+template class detail::FallingSet<detail::ActiveSetSlip<double>>;
+template class detail::FallingStages<ExponentialFall<double>, detail::ActiveSetSlip<double>>;
 template class SteadyFallingModel<ExponentialFall<double>, double>;
 template class FallingFrictionModel<ExponentialFall<double>, double>;
+template class detail::FallingSet<detail::CombinedSlip<double>>;
+template class detail::FallingStages<ExponentialFall<double>, detail::CombinedSlip<double>>;
+template class SteadyCombinedFallingModel<ExponentialFall<double>, double>;
+template class CombinedFallingModel<ExponentialFall<double>, double>;
 
 }  // namespace rollbem

@@ -9,9 +9,13 @@
 
 namespace rollbem {
 
-extern template class detail::FallingSet<double>;
-extern template class detail::FallingStages<ExponentialFall<double>, double>;
+extern template class detail::FallingSet<detail::ActiveSetSlip<double>>;
+extern template class detail::FallingStages<ExponentialFall<double>, detail::ActiveSetSlip<double>>;
 extern template class SteadyFallingModel<ExponentialFall<double>, double>;
 extern template class FallingFrictionModel<ExponentialFall<double>, double>;
+extern template class detail::FallingSet<detail::CombinedSlip<double>>;
+extern template class detail::FallingStages<ExponentialFall<double>, detail::CombinedSlip<double>>;
+extern template class SteadyCombinedFallingModel<ExponentialFall<double>, double>;
+extern template class CombinedFallingModel<ExponentialFall<double>, double>;
 
 }  // namespace rollbem
