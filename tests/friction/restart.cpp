@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
 #include "scene.hpp"

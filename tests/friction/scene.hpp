@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 namespace friction_tests {
 

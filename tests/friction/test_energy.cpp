@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

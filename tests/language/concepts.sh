@@ -11,6 +11,16 @@ for include in "$@"; do
     includes="$includes -isystem $include"
 done
 
+# g++ finds the precompiled header; clang++ reads the headers each time.
+cat > "$folder/headers.hpp" <<END
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
+END
+# shellcheck disable=SC2086 # one word per option
+"$compiler" -std=c++20 $includes -x c++-header "$folder/headers.hpp" -o "$folder/headers.hpp.gch"
+
 # try NAME CONCEPT ARGUMENTS: solve_steady and rolling_system of ARGUMENTS do not compile, because of CONCEPT. With - as
 # CONCEPT they compile, also by their qualified names.
 try() {
@@ -18,10 +28,7 @@ try() {
         qualified=
         [ "$2" = - ] && qualified="(void)rollbem::$call($3);"
         cat > "$folder/unit.cpp" <<END
-#include <rollbem/adhesion/steady.hpp>
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
+#include "headers.hpp"
 using namespace rollbem;
 struct RightScheme {
     template <class Scalar> SchemeRows<Scalar> rows(Quantity, Eigen::Index) const;
