@@ -83,14 +83,14 @@ std::string csv_of(const paper::PanelResult& result) {
 }
 
 int run(const Settings& settings) {
-    // 1. The folder, and the files that are always there: what cannot be written costs no computing time.
+    // 1. The folder, and the files that are always written: open them first, so that a failure costs no computing time.
     study::OutputFolder folder(settings.directory, "DIR");
     std::vector<study::OutputFile> files;
     const auto open = [&](const std::string& name) { files.emplace_back(folder.file(name), "DIR"); };
     open("claims.csv");
     open("index.html");
 
-    // 2. All curves of all panels, then the claims, which look at the curves and compute what else they need.
+    // 2. All curves of all panels, then the claims, which use the curves and compute what else they need.
     const paper::Results results = compute_figures(settings);
     const std::vector<paper::Judged> claims = judge_claims(settings, results);
 
@@ -125,7 +125,7 @@ int run(const Settings& settings) {
     files[0].write(rows);
     files[1].write(paper::page(results, claims, drawings, note));
 
-    // 5. The files take their names once all of them are on the disk. No drawing of an earlier run may stay.
+    // 5. The files get their names once all of them are written. No drawing of an earlier run may remain.
     for (study::OutputFile& file : files) file.close();
     for (study::OutputFile& file : files) file.commit();
     folder.keep();
