@@ -123,8 +123,8 @@ Outcome harmonic(Eigen::Index states, const auto& kernel, double z, Complex refe
 
 void add_frequencies(std::vector<Case>& cases, bool large) {
     // Geometric once there are more than about 1.4 z states. With fewer, the error in units of the steady c11 falls
-    // like 0.024/m^2; at frequencies far above the relative error is 1/z, as the contact is a rigid shift, for which one
-    // state suffices.
+    // like 0.024/m^2; at frequencies far above, the relative error is 1/z, as the contact is a rigid shift, for which
+    // one state suffices.
     const auto against_bessel = [](Eigen::Index states, double z, double nu) {
         return [=] {
             const Complex reference = rollbem::reference::laplace_c11({0, z}, nu, 1000);
