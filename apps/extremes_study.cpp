@@ -1,5 +1,5 @@
-// The library at the edges of its domain: one row for each case, which is right to a stated bound, or ends with a status
-// or an exception that says why not:
+// The library at the edges of its domain: one row for each case, which is right to a stated bound, or ends with a
+// status or an exception that says why there is no result:
 //
 //     ./extremes_study
 //     ./extremes_study --large --output extremes.csv
@@ -60,7 +60,7 @@ std::string status(const Outcome& outcome) {
 int main(int argc, char** argv) {
     // 1. The command line.
     study::Options options("extremes_study",
-                           "Extreme cases: each right to a stated bound, or with the reason why there is no result.");
+                           "Extreme cases: right to a stated bound, or with a reason why there is no result.");
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
     options.add_flag("large", "also n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
@@ -68,10 +68,10 @@ int main(int argc, char** argv) {
   extremes_study --large --output extremes.csv
 
 verdict is right if |relative_error| <= bound, told if a status or an exception says why there is no result
-(column told), and broken if the promise of the case is not kept; then the exit code is 1, after all rows.
-status is ok, the library's name of what went wrong, or exception. References are closed forms, Bessel functions,
-the spectral solution of the strip, other solvers of the same elements, Chebyshev states, or the same
-discretisation in long double; there the bound is the round-off that the column condition allows.
+(column told), and broken if the case does neither; the exit code is then 1, after all rows. status is ok, the
+library's name of what went wrong, or exception. References are closed forms, Bessel functions, the spectral
+solution of the strip, other solvers of the same elements, Chebyshev states, or the same discretisation in
+long double; there the bound is the rounding error times the condition of the problem, in the column condition.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

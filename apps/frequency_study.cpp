@@ -1,6 +1,6 @@
 // Harmonic creepage: the complex creep coefficient c11 over the frequency z = omega a/V, by elements, Chebyshev states
-// or the polynomial approach, against the exact response of the plane model. Beside it, the same contact as linear
-// differential equations for other programs:
+// or the polynomial approach, against the exact response of the plane model; also the contact as linear differential
+// equations for other programs:
 //
 //     ./frequency_study --n 60 --omega 0.1,1,5
 //     ./frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
@@ -178,7 +178,7 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
 /// The Argand diagram, and beside it both parts over the frequency.
 study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title, bool order_given) {
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
-    if (order_given) by.emplace_back("order");  // else it differs from frequency to frequency
+    if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
 
     study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
     const std::vector<std::string> apart = study::all_setting_columns();
@@ -222,7 +222,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         }
     }
 
-    // markers where there are few points, a logarithmic axis where frequencies of several orders ask for it
+    // markers if there are few points, a logarithmic axis if the frequencies span several orders
     double lowest = HUGE_VAL, highest = 0;
     for (study::Plot* panel : {&argand, &parts}) {
         for (study::Series& series : panel->series) series.markers = series.markers && series.points.size() <= 30;
@@ -235,7 +235,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
     }
     parts.log_x = lowest > 0 && highest > 20 * lowest;
 
-    // the curves lie on each other: what they differ by
+    // the curves coincide: show their differences
     study::Plot errors{.title = "",
                        .x_label = parts.x_label,
                        .y_label = "|c_{11} / c_{11,exact} - 1|",
@@ -273,11 +273,11 @@ int main(int argc, char** argv) {
         "order", "LIST",
         "with --method polynomial: its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis "
         "needs for machine precision at each frequency");
-    options.add_flag("unchecked", "print c11 whatever its status says, also where --basis monomial has broken down");
+    options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
     options.add_folder(
         "state-space",
-        "besides, write the one scheme given as linear differential equations: A.csv, B.csv, C.csv, D.csv "
-        "and state_space.toml in this folder, which is made if it is not there (dimensionless)",
+        "also write the scheme, a single one, as linear differential equations: A.csv, B.csv, C.csv, D.csv "
+        "and state_space.toml in this folder, which is made if it does not exist (dimensionless)",
         frequency::StateSpaceFiles::names());
     study::offer_chebyshev(options, "; or polynomial, of an --order");
     options.footer(R"(Example: three meshes, with the Argand diagram and both parts over the frequency
@@ -285,22 +285,23 @@ int main(int argc, char** argv) {
 
 Creepage e^{i omega t}; --omega is omega a/V, c11 = -F/(a G xi), both dimensionless. exact_re + i exact_im is the
 response of the plane model b >> a in closed form; relative_error = |c11/exact - 1|. With the strip kernel it
-contains the difference of the models, of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --kernel plane
-leaves the error of the discretisation alone.
---method polynomial takes no elements: n is empty and the column order has the order. --basis monomial is the
+includes the difference of the models, of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); with --kernel
+plane it is the error of the discretisation alone.
+--method polynomial has no elements: n is empty and the column order gives the order. --basis monomial is the
 paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is refused
-without --unchecked. Where status is not ok, c11 is empty, or untrue with --unchecked: ill_conditioned where the
-equations are singular to working precision; inconsistent where the scheme does not converge to full adhesion
-(alpha at or below 0, or beyond 1); coarse where fewer than 10 elements give a steady c11 that is more than half
-off; not_converged where --order is too low for eight digits, or states are too few. exact and error are empty for
+without --unchecked. If status is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the
+equations are singular to working precision; inconsistent if the scheme does not converge to full adhesion
+(alpha at or below 0, or above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half;
+not_converged if --order is too low for eight digits, or states are too few. exact and error are empty for
 contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal condition;
-rounding enters c11 by 2e-16/rcond. error_estimate: relative, of c11 by polynomials, truncation and rounding.
+rounding contributes 2e-16/rcond to the error of c11. error_estimate: relative, of c11 by polynomials, truncation
+and rounding.
 --method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
-up to 5, 12 of 6e-9 up to 5; narrow strips need more (b/a = 1: 16), and c11 is empty where more states would
+up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 is empty if more states would
 change its steady value by more than 1e-2.
 --state-space: d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi, so that c11(s) = C (s I - A)^-1 B + D, s in V/a.
-Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements work where G
-is regular. The table comes all the same.
+Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements need a regular
+G. The table is written as well.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

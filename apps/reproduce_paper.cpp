@@ -154,21 +154,21 @@ int main(int argc, char** argv) {
     CLI::App app(
         R"(Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv
 (claim, figure, paper, measured, holds, expected, reason, kind) and index.html, which shows everything.
-The column paper quotes a few of its words. Each statement counts once; kind is statement for those of the paper
-and addition for what else was found.)",
+The column paper quotes a few of its words. Each statement counts once; kind tells statements of the paper
+from additions, results that the paper does not have.)",
         "reproduce_paper");
     app.set_help_flag("-h,--help", "print this help and exit");
     app.set_version_flag("--version", "reproduce_paper " + std::string(build_info::version) + " (" +
                                           std::string(build_info::git_revision) + ")");
     app.add_option("DIR", settings.directory, "folder to write to; created if it does not exist")->required();
-    app.add_option("--jobs", settings.jobs, "threads, 1 to 1024; default: as many as the machine has")
+    app.add_option("--jobs", settings.jobs, "threads, 1 to 1024; default: the number of processors")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--quiet", settings.quiet, "no progress line");
     app.footer(R"(
 Example:
   reproduce_paper results
 
-The paper is silent on nu and b/a: 0.28 and 1000 are used, and every other choice stands beside its figure.
+The paper does not give nu and b/a: 0.28 and 1000 are used. Every other choice is stated beside its figure.
 
 Exit codes: 0 every claim holds or fails as expected (without gnuplot the plots are missing); 1 a claim does not;
 2 bad input, or DIR cannot be written to; 4 error while writing; 130 interrupted.)");

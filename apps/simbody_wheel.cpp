@@ -1,5 +1,5 @@
-// rollbem in a multibody code: a driven wheel in Simbody whose rail force is the contact's, kicked out of steady
-// rolling. Its oscillation against that of the closed loop with the exact creep coefficient c11(s):
+// rollbem in a multibody code: a driven wheel in Simbody whose rail force is that of the contact, disturbed from steady
+// rolling. Its oscillation is compared with the closed loop of the exact creep coefficient c11(s):
 //
 //     ./simbody_wheel --n 10,20,40 --integrator merson --output wheel.csv
 #include <algorithm>
@@ -29,7 +29,7 @@ using Complex = std::complex<double>;
 using Model = rollbem::TransientModel<double>;
 
 constexpr double speed = 20;   // V [m/s]
-constexpr double kick = 1e-4;  // part of the rotation that is taken away; the loop is linear as long as it is small
+constexpr double kick = 1e-4;  // fraction of the rotation that is removed; small, so that the loop is linear
 constexpr int samples = 20;    // in a period
 constexpr double periods = 2.5;
 
@@ -71,7 +71,7 @@ struct ClosedLoop {
         return s + kappa * rollbem::reference::plane_c11(s, poisson_ratio, aspect);
     }
 
-    /// Its root, by the secant method from that of c11 = C/(1 + (Lambda - 1/2) s).
+    /// Its root, by the secant method, started at that of c11 = C/(1 + (Lambda - 1/2) s).
     Complex root() const {
         const double lag = rollbem::plane_lambda(poisson_ratio, aspect) - 0.5;
         const double steady = kappa * rollbem::steady_c11(poisson_ratio);
@@ -123,8 +123,8 @@ int main(int argc, char** argv) {
 
 One row per n. frequency_error and decay_error are relative; response_error is the largest distance of the
 sliding speed from the exact one over 2.5 periods, in units of the kick. steps are those Simbody accepted,
-rejected those it tried in vain, trials the contact's evaluations in all of them. Where one of the errors
-exceeds --tolerance, status is above_tolerance (else ok), and the exit code is 1.
+rejected those it tried and rejected, trials the evaluations of the contact in all of them. If one of the
+errors exceeds --tolerance, status is above_tolerance instead of ok, and the exit code is 1.
 The contact: a = 6 mm, b = 12 mm, nu = 0.28, plane kernel, cosine mesh, alpha 0.5; the wheel: 20 m/s, R = 0.46 m,
 J = 80 kg m^2, 6000 kg.
 )");

@@ -1,6 +1,5 @@
-// Stability in time: the eigenvalues nu of G' p = nu G p, modes that grow like e^{nu V t}. How many grow, and which
-// signs rounding leaves open; the smallest alpha_T at which one grows; or the eigenvalues themselves beside the exact
-// ones:
+// Stability in time: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number, and the signs
+// that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues beside the exact ones:
 //
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
 //     ./stability_study --critical --n 20,40,80,160
@@ -43,7 +42,7 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
     const rollbem::StabilityResult<double> result =
         rollbem::solve_stability<double>(system, {.settle_signs = true, .condition = true});
 
-    // 4. Time what a bare count takes, unless other jobs would spoil it.
+    // 4. Time the bare count, unless other jobs would disturb it.
     study::Cell time_us;
     if (study::has_times(options)) {
         time_us = study::median_time_us(
@@ -71,7 +70,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
         emit(count_row(options, scenes[task]));
     };
 
-    // 5. --plot: the share of growing modes over what is swept.
+    // 5. --plot: the share of growing modes over the swept quantity.
     table.plot = [&](const std::vector<study::Row>& rows) {
         const auto swept = [&](const char* name) { return options.text(name).find(',') != std::string::npos; };
         const bool equal = options.given("alpha");
@@ -200,7 +199,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
         emit_spectrum(scenes[task], range, emit);
     };
 
-    // 5. --plot: the complex plane up to the highest wave that the elements can carry, with some room at its sides.
+    // 5. --plot: the complex plane up to the highest wavenumber that the elements resolve, with a margin.
     table.plot = [&](const std::vector<study::Row>& rows) {
         Eigen::Index n = 0;
         for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
@@ -247,7 +246,7 @@ int main(int argc, char** argv) {
     // 1. The command line.
     study::Options options(
         "stability_study",
-        "Eigenvalues of the discretised contact in time: how many grow, from which alpha_T on, or all.");
+        "Eigenvalues of the discretised contact in time: how many grow, the smallest unstable alpha_T, or all.");
     options.add_flag("critical",
                      "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5");
     options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
@@ -256,25 +255,24 @@ int main(int argc, char** argv) {
   stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg
 
 Modes grow like e^{nu V t}; all eigenvalues are nu a, dimensionless. unstable_count: real part > 0 as computed;
-uncertain_count: those of either sign that rounding of G and G' could move across zero, infinite ones
+uncertain_count: those of either sign that rounding errors in G and G' could move across zero, infinite ones
 included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 with knothe-bc);
-spectral_abscissa: the largest real part of the finite ones; cond_G in the 2-norm, empty for a singular G;
-time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu a|,
-steps of an explicit integrator must stay below 2/spectral_radius; stiffness_ratio: the largest |Re(nu a)| over the
-smallest. Both are empty where an eigenvalue is infinite. status: ok; inconsistent where steady rolling shows that
+spectral_abscissa: the largest real part of the finite ones; cond_G: in the 2-norm, empty if G is singular;
+time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu a|
+(steps of an explicit integrator must stay below 2/spectral_radius); stiffness_ratio: the largest |Re(nu a)| over
+the smallest. Both are empty if an eigenvalue is infinite. status: ok; inconsistent if steady rolling shows that
 the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
-coarse where fewer than 10 elements give a steady c11 that is more than half off; not_converged where more
-Chebyshev states would change it; ill_conditioned or not_finite, and empty cells, where the eigenvalues were not
-found.
---critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable and settled
-eigenvalue, empty, with the status all_stable, where there is none. Above it the scheme can be stable again.
-n = 320 takes half a minute.
---spectrum: rows by ascending modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in closed
-form, also with the strip kernel, whose model differs from it by order (a/b)^2. Infinite eigenvalues, which a
-singular G has, are rows with empty re and im; exact cells are empty for them, for |nu a| > 3e4, which no mesh
+coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev
+states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found.
+--critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable eigenvalue whose
+sign rounding cannot change; it is empty, with the status all_stable, if there is none. Above it the scheme can
+be stable again. n = 320 takes half a minute.
+--spectrum: rows in order of the modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in
+closed form, also for the strip kernel, whose model differs by order (a/b)^2. Infinite eigenvalues, which a
+singular G has, are rows with empty re and im. exact cells are empty for them, for |nu a| > 3e4, which no mesh
 resolves, and for contacts so narrow that the plane model does not decay.
---method chebyshev: cells of what elements have are empty. Few states give the first eigenvalues to
-rounding; the fastest, of some n^2/10, are the method's own. There is no alpha_T, and so no --critical.
+--method chebyshev: columns that apply to elements only are empty. Few states give the first eigenvalues to
+rounding; the fastest, of about n^2/10, are artefacts of the method. There is no alpha_T, hence no --critical.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -1,5 +1,5 @@
 // Steady rolling in full adhesion: the creep coefficient c11 of a discretised contact against Carter's exact value, and
-// what it costs to compute. The recommended scheme (alpha_L = 0, alpha_T = 0.63) is within 0.02 % from 20 elements on:
+// what it costs to compute. The paper's scheme (alpha_L = 0, alpha_T = 0.63) is within 0.02 % for n >= 20:
 //
 //     ./steady_study --n 20,40,80 --alpha-T 0.63
 //     ./steady_study --mesh cosine --alpha 0.5 --aspect inf --output cosine.csv --plot cosine.svg
@@ -28,7 +28,7 @@ const std::vector<std::string> columns =
                    "relative_error", "residual", "assembly_us", "solve_us", "error_estimate", "status"},
                   study::setting_columns());
 
-/// What elements and Chebyshev states tell.
+/// Results of elements or of Chebyshev states.
 struct Steady {
     double c11;
     rollbem::Status status;
@@ -51,7 +51,7 @@ Steady by_elements(const auto& mesh, const auto& scheme, const auto& kernel, boo
     return result;
 }
 
-/// The same with the solution by Chebyshev states, which is assembled and solved in one.
+/// The same by Chebyshev states, which are assembled and solved in one call.
 Steady by_states(const rollbem::Chebyshev& method, const auto& kernel, bool timed) {
     const rollbem::ChebyshevSteadySolution<double> solution = solve_steady(method, kernel);
     Steady result{.c11 = solution.c11, .status = solution.status, .error_estimate = solution.error_estimate};
@@ -91,15 +91,15 @@ int main(int argc, char** argv) {
 
 One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, whatever the kernel: with the
 strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000);
---aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. Where status is
-not ok, c11 and what follows from it are empty: ill_conditioned or not_finite where G' is singular to working
-precision; inconsistent where tractions push with the creepage, so that the scheme does not converge to full
-adhesion: alpha at or below 0 (near 0 on coarse meshes), or beyond 1; coarse where fewer than 10 elements give
-a c11 that is more than half off (plane kernel, or strip from b/a = 10 on). kernel to quadrature tell rows
-apart; they are empty where mesh or method have none.
---method chebyshev: cells of what elements have are empty; solve_us is for everything, residual is empty.
-error_estimate (relative, of c11) tells what more states would change. Where it is above 1e-2, as with few
-states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.
+--aspect inf has none. assembly_us and solve_us [microseconds] are medians of at least 5 runs. If status is
+not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to working
+precision; inconsistent if tractions assist the creepage, so that the scheme does not converge to full
+adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 elements
+is wrong by more than half (plane kernel, or strip with b/a >= 10). The columns kernel to quadrature identify
+rows; they are empty if they do not apply to mesh or method.
+--method chebyshev: columns that apply to elements only are empty, residual among them; solve_us includes
+assembly. error_estimate (relative, of c11) estimates what more states would change. If it is above 1e-2, as
+with few states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -114,7 +114,7 @@ states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.
             emit(steady_row(given, scenes[task]));
         };
 
-        // 6. --plot: the error over n, one line a scheme; over alpha where there are more alphas than n.
+        // 6. --plot: the error over n, one line for each scheme; over alpha if there are more alphas than n.
         table.plot = [&](const std::vector<study::Row>& rows) {
             std::set<Eigen::Index> numbers;
             std::set<double> alphas_L, alphas_T;
@@ -145,7 +145,7 @@ states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.
                 selection.x = over_L ? "alpha_L" : "alpha_T";
             }
             study::add_series(plot, table.columns, rows, selection);
-            for (study::Series& series : plot.series) {  // a logarithm shows no zero: states can be exact
+            for (study::Series& series : plot.series) {  // a logarithmic axis has no zero, and states can be exact
                 for (auto& [n, error] : series.points) {
                     error = std::max(error, study::least_drawn);
                 }

@@ -1,6 +1,6 @@
-// Traction in steady rolling: what each element carries against Carter's exact solution, which is singular at the
-// trailing edge. Beside the edges it converges; the element at the trailing edge keeps its relative error. Chebyshev
-// states have the singularity in them:
+// Traction in steady rolling: that of each element against Carter's exact solution, which is singular at the trailing
+// edge. Away from the edges it converges; the element at the trailing edge keeps its relative error. Chebyshev states
+// include the singularity:
 //
 //     ./traction_study --n 20
 //     ./traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg
@@ -30,8 +30,8 @@ const std::vector<std::string> columns = study::joined(
     study::all_setting_columns());
 
 void emit_elements(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
-    // 3. Solve for unit creepage. Where the result cannot be trusted, the cells stay empty; the leading element of
-    //    Knothe and Gross-Thebing's boundary conditions carries nothing.
+    // 3. Solve for unit creepage. If the result cannot be trusted, the cells stay empty; with Knothe and
+    //    Gross-Thebing's boundary conditions the leading element has no traction.
     const auto solve = [](const auto& mesh, const auto& scheme, const auto& kernel) {
         return rollbem::solve_steady(mesh, scheme, kernel);
     };
@@ -41,7 +41,7 @@ void emit_elements(const study::Scene& scene, study::RowRange elements, const st
     const std::string status = study::steady_status(scene, solution.status, solution.c11);
     if (status != study::ok) traction.setConstant(std::nan(""));
 
-    // 4. Compare with Carter: his traction at the element's centre, and its mean, which a constant element stands for.
+    // 4. Compare with Carter: his traction at the element's centre, and its mean over the element.
     const rollbem::Mesh<double>& mesh = *scene.mesh;
     const double nu = scene.contact.poisson_ratio();
     const Eigen::ArrayXd means = rollbem::carter_mean_tractions(mesh, nu);
@@ -53,14 +53,14 @@ void emit_elements(const study::Scene& scene, study::RowRange elements, const st
     }
 }
 
-/// Where a row of Chebyshev states stands: at the points x/a = cos((2k - 1) pi/(2n)), trailing to leading.
+/// The point of a row of Chebyshev states: x/a = cos((2k - 1) pi/(2n)), trailing to leading.
 rollbem::EdgeDistances<double> chebyshev_point(Eigen::Index n, Eigen::Index row) {
     const double half_angle = double(2 * (n - row) - 1) * std::numbers::pi / double(4 * n);
     return {2 * std::pow(std::cos(half_angle), 2), 2 * std::pow(std::sin(half_angle), 2)};
 }
 
 void emit_states(const study::Scene& scene, study::RowRange points, const study::Emit& emit) {
-    // 3., 4. The same by Chebyshev states, at points: no element that a mean would be of.
+    // 3., 4. The same by Chebyshev states, at points, so that there is no mean.
     const auto solution =
         std::visit([&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel); }, scene.kernel);
     for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {
@@ -75,7 +75,7 @@ void emit_states(const study::Scene& scene, study::RowRange points, const study:
     }
 }
 
-/// Carter's traction where it is no larger than `largest` in size.
+/// Carter's traction as far as its absolute value is at most `largest`.
 study::Series carter_line(double nu, bool several, double largest) {
     study::Series line{.label = several ? "Carter, ν = " + study::Cell(nu).text(6) : "Carter",
                        .points = {},
@@ -103,12 +103,12 @@ int main(int argc, char** argv) {
 One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit
 creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean
 over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.
-Where status is not ok, traction and relative_error are empty: ill_conditioned or not_finite where G' is
-singular to working precision; inconsistent where tractions push with the creepage (alpha at or below 0, or
-beyond 1); coarse where fewer than 10 elements give a c11 that is more than half off the exact one.
+If status is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular
+to working precision; inconsistent if tractions assist the creepage (alpha at or below 0, or above 1); coarse
+if c11 of fewer than 10 elements is wrong by more than half.
 --method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and
-relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. Where more states
-would change c11 by more than 1e-2, as in narrow strips, status is not_converged.
+relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. If more states would
+change c11 by more than 1e-2, as in narrow strips, status is not_converged.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -143,7 +143,7 @@ would change c11 by more than 1e-2, as in narrow strips, status is not_converged
             }
             std::set<double> poisson_ratios;
             for (const study::Scene& scene : scenes) poisson_ratios.insert(scene.contact.poisson_ratio());
-            // a fine mesh follows the singularity at the trailing edge far beyond all else
+            // on a fine mesh the singularity at the trailing edge exceeds all else by far
             const double shown = 2 * std::abs(rollbem::carter_traction(-0.98, *poisson_ratios.rbegin()));
             if (largest > shown) {
                 plot.title += "; down to -" + study::Cell(largest).text(3) + " at the trailing edge";

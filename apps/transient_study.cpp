@@ -29,14 +29,14 @@ namespace {
 
 using Model = rollbem::TransientModel<double>;
 
-/// Creepage over q/a from rest: what the steps take, and the exact force -F_bar/(a G) where there is one.
+/// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
 struct History {
     enum class Kind { step, ramp, sine, points } kind = Kind::step;
     double amplitude = 0, omega = 0;         // of step and sine, or the rate of the ramp; omega in V/a
     bool resolved = true;                    // steps follow a sine
     std::vector<double> knots, knot_values;  // of Kind::points, ascending; equal knots make a jump
 
-    /// Creepage just before (or at) q and just after it differ at a jump only.
+    /// Creepage just before (or at) q and just after it; they differ at a jump only.
     double before(double q) const { return at(q, false); }
     double after(double q) const { return at(q, true); }
 
@@ -93,8 +93,8 @@ History make_history(const study::Options& options) {
     return history;
 }
 
-/// The creepage's largest size on the way, the reference for the force. Knots count as far as the run goes. Throws
-/// BadInput where it is 0.
+/// The largest |creepage| of the run, the reference for the force, knots within the run included. Throws BadInput if it
+/// is 0.
 double largest_creepage(const History& history, const study::Steps& steps) {
     double largest = 0;
     for (std::size_t k = 1; k <= steps.count; ++k) {
@@ -108,15 +108,15 @@ double largest_creepage(const History& history, const study::Steps& steps) {
     return largest;
 }
 
-/// One run: emits the rows of `range`, but steps from the start, as the state requires.
+/// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
 void run(const study::Scene& scene, const Model& model, const History& history, const study::Steps& steps,
          const rollbem::reference::StepResponse* exact, bool checked, study::RowRange range, const study::Emit& emit) {
     const std::string status = !history.resolved ? study::unresolved : checked ? study::ok : study::unchecked;
 
-    // 4. What the force is divided by.
+    // 4. The reference for the force.
     const double reference = largest_creepage(history, steps);
 
-    // 5. Step by step, the creepage linear over each. A step with a knot inside is divided there. Each length is
+    // 5. Step by step, with creepage linear over each. A step with a knot inside is divided there. Each length is
     // prepared once.
     std::map<double, Model::Prepared> prepared;
     Model::State state = model.at_rest(), next = state;
@@ -164,7 +164,7 @@ std::size_t index_of(const std::vector<std::string>& columns, const char* name) 
     return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
 }
 
-/// The rows that come first with their contact and distance.
+/// The first row of each contact and distance.
 std::vector<study::Row> first_of_contacts(const std::vector<std::string>& columns,
                                           const std::vector<study::Row>& rows) {
     const std::size_t aspect = index_of(columns, "aspect"), poisson = index_of(columns, "poisson");
@@ -177,7 +177,7 @@ std::vector<study::Row> first_of_contacts(const std::vector<std::string>& column
     return first;
 }
 
-/// The force over the distance, and the exact one where there is one.
+/// The force over the distance, and the exact one if there is one.
 study::Plot draw_force(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     study::Plot plot{
         .title = "Rolling from rest", .x_label = "distance rolled q/a", .y_label = "-F / (a G ξ_{ref})", .series = {}};
@@ -197,7 +197,7 @@ study::Plot draw_force(const std::vector<std::string>& columns, const std::vecto
     for (study::Series& series : plot.series) series.markers = false;
     plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
 
-    // the curves lie on each other: what they differ by
+    // the curves coincide: show their differences
     std::vector<study::Row> errors = rows;
     for (study::Row& row : errors) {
         study::Cell& cell = row[index_of(columns, "force")];
@@ -234,8 +234,8 @@ int main(int argc, char** argv) {
     options.add("ramp", "RATE", "creepage RATE q/a, not 0 (dimensionless)");
     options.add(
         "sine", "AMP,OMEGA",
-        "creepage AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are low by a part "
-        "(OMEGA D)^2/12 (dimensionless)");
+        "creepage AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are too low by a "
+        "fraction (OMEGA D)^2/12 (dimensionless)");
     options.add_input(
         "history",
         "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
@@ -245,20 +245,20 @@ int main(int argc, char** argv) {
         "integrator", "NAME",
         "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
         "sdirk2");
-    options.add_flag("unchecked", "step even a scheme that is unstable, or may be, or does not converge");
+    options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
     study::offer_chebyshev(options);
     options.footer(R"(Example: the step response of the second-order scheme
   transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \
       --integrator exponential --until 40 --output step.csv --plot step.svg
 
-One row per step, from q = dq on. force is -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run. exact
-is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It is
-empty where the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly
-stable, or whose steady tractions push with the creepage (alpha near or below 0, or above 1), is refused
-unless --unchecked is given; then status is unchecked where it would be ok. It is unresolved, and force empty,
-where OMEGA --dq > 1: fewer than six steps in a period of --sine.
---method chebyshev: cells of what elements have are empty. Smooth motion needs few states, a jump more of them:
-12 are good to 4e-5 one half-length behind it, 8 to 2e-7 five behind it.
+One row per step, the first at q = dq. force is -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run.
+exact is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It
+is empty if the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly
+stable, or whose steady tractions assist the creepage (alpha near or below 0, or above 1), is refused unless
+--unchecked is given; status is then unchecked instead of ok. It is unresolved, with an empty force, if
+OMEGA --dq > 1: fewer than six steps in a period of --sine.
+--method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump more:
+12 states have an error of 4e-5 one half-length after it, 8 states of 2e-7 five half-lengths after it.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -1,4 +1,4 @@
-// Extreme cases: what is computed, against what, and what is promised. One list for each kind of problem.
+// Extreme cases: what is computed, the reference, and what is promised. One list for each kind of problem.
 #pragma once
 
 #include <cmath>
@@ -16,35 +16,35 @@ inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double rounding = std::numeric_limits<double>::epsilon();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What cases use that do not say otherwise: Poisson's ratio, and the scheme.
+/// Defaults of the cases: Poisson's ratio and the scheme.
 inline constexpr double steel = 0.28;
 inline constexpr rollbem::Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 
-/// What came out. Cells that have no meaning are not numbers.
+/// The result of a case. Cells without a meaning are not numbers.
 struct Outcome {
     double value = nothing, reference = nothing;
-    double error = nothing;      ///< relative; its absolute value where the quantity is complex
+    double error = nothing;      ///< relative; its absolute value if the quantity is complex
     double residual = nothing;   ///< of the equations solved
-    double condition = nothing;  ///< estimate of theirs
-    double bound = 0;            ///< promised for |error|; 0 promises that the case is told
-    std::string told{};          ///< a status other than ok, or why not
+    double condition = nothing;  ///< estimate of their condition
+    double bound = 0;            ///< promised for |error|; 0: the case must be told
+    std::string told{};          ///< a status other than ok, or the reason why there is no result
     bool refused = false;        ///< by an exception
 };
 
-/// One row. An exception counts as told. `says` has to be part of what is told.
+/// One row. An exception counts as told. `says` must be part of the text that is told.
 struct Case {
     std::string name, quantity;
     std::function<Outcome()> run;
     std::string says{};
 };
 
-/// What a Status or StepStatus tells: nothing where it is ok.
+/// The text of a Status or StepStatus, empty for ok.
 template <class AnyStatus>
 std::string told_by(AnyStatus status) {
     return status == AnyStatus::ok ? std::string() : std::string("status ") + name(status);
 }
 
-/// 1e-06, 1000, inf: for names.
+/// 1e-06, 1000, inf: for the names of cases.
 std::string shown(double number);
 
 std::vector<Case> steady_cases(bool large);

@@ -49,8 +49,8 @@ Outcome steady(Eigen::Index states, const Kernel& kernel, double reference, doub
             .told = told_by(solution.status)};
 }
 
-/// Against the spectral solution of the strip, which has another quadrature and other unknowns. The bound is the
-/// solution's own estimate where none is given.
+/// Against the spectral solution of the strip, which has another quadrature and other unknowns. The default bound is
+/// the solution's own estimate.
 template <class Kernel>
 Outcome against_strip(Eigen::Index states, const Kernel& kernel, double aspect, double nu, double bound = 0) {
     const rollbem::EstimatedC11<double> reference = rollbem::reference::strip_c11(0, nu, aspect);
@@ -69,7 +69,7 @@ void add_steady(std::vector<Case>& cases, bool large) {
                              }});
         }
     }
-    // Converged: what is left is rounding, the more of it the narrower the strip. (b/a = 0.001 would take thousands.)
+    // Converged: only rounding is left, more of it in narrower strips. (b/a = 0.001 would take thousands of states.)
     for (const auto& [aspect, states] :
          {std::pair{0.01, 300}, {0.05, 120}, {0.3, 60}, {1.0, 32}, {10.0, 12}, {1e3, 4}, {1e8, 1}, {1e12, 1}}) {
         for (const double nu : {0.0, 0.5}) {
@@ -82,7 +82,7 @@ void add_steady(std::vector<Case>& cases, bool large) {
     }
     cases.push_back({"1 state, strip, b/a = 1e+08", "c11 against Carter",
                      [] { return steady(1, strip(1e8), rollbem::steady_c11(steel), 4 * rounding); }});
-    // Not converged: the estimate, which is the bound, covers the error, or the status tells.
+    // Not converged: the estimate, which is the bound, covers the error, or the status is not ok.
     for (const auto& [aspect, states] : {std::pair{0.01, 100}, {0.05, 30}, {0.3, 10}, {1.0, 6}, {10.0, 2}, {1e3, 1}}) {
         cases.push_back({counted(states) + ", strip, b/a = " + shown(aspect) + ", not converged",
                          "c11 against the spectral solution", [aspect = aspect, states = states] {
@@ -122,9 +122,9 @@ Outcome harmonic(Eigen::Index states, const auto& kernel, double z, Complex refe
 }
 
 void add_frequencies(std::vector<Case>& cases, bool large) {
-    // Geometric once states outnumber some 1.4 z; before, an error in units of the steady c11 that falls like
-    // 0.024/m^2, and at frequencies far above a relative one of 1/z: there the contact is a rigid shift, which one
-    // state has.
+    // Geometric once there are more than about 1.4 z states. With fewer, the error in units of the steady c11 falls
+    // like 0.024/m^2; at frequencies far above, the relative error is 1/z, as the contact is a rigid shift, for which
+    // one state suffices.
     const auto against_bessel = [](Eigen::Index states, double z, double nu) {
         return [=] {
             const Complex reference = rollbem::reference::plane_c11({0, z}, nu, 1000);
@@ -189,11 +189,11 @@ void add_time(std::vector<Case>& cases) {
         const std::string where = ", b/a = " + shown(aspect);
         const Contact<double> contact = Contact<double>::dimensionless(aspect, steel);
         for (const Eigen::Index states : {1, 12, 48}) {
-            // Far above 1/|nu_max| the steady force.
+            // Far above 1/|nu_max|: the steady force.
             cases.push_back({"dq = 1e+06, " + counted(states) + where, "force against steady rolling",
                              [=] { return roll(states, contact, 1e6, 2, -rollbem::steady_c11(steel), 1e-12); }});
-            // Far below, a rigid shift: K_00 a_0 = -dq, against which the slope is of order dq |nu_max|, some m^2
-            // dq/10.
+            // Far below: a rigid shift, K_00 a_0 = -dq. Relative to it the slope is of order dq |nu_max|, about
+            // m^2 dq/10.
             const double stiffness = std::numbers::pi / (2 * ((1 - steel) * std::log(4 * aspect) + steel));
             const double m = static_cast<double>(states);
             cases.push_back({"dq = 1e-09, " + counted(states) + where, "force against a rigid shift", [=] {
@@ -209,7 +209,7 @@ void add_time(std::vector<Case>& cases) {
                              return roll(states, wide, 0.5, 10, -exact.step(5), bound);
                          }});
     }
-    // the one eigenvalue of one state is -1/Lambda; rounding counts with the largest, which grows like m^2
+    // one state has the eigenvalue -1/Lambda; rounding errors scale with the largest eigenvalue, which grows like m^2
     for (const Eigen::Index states : {1, 6, 40, 160}) {
         const double m = static_cast<double>(states), bound = (states == 1 ? 16 : 2 * m * m) * rounding;
         cases.push_back({counted(states) + ", b/a = 100", "spectral abscissa against the exact eigenvalue", [=] {

@@ -78,7 +78,7 @@ void add_directions(std::vector<Case>& cases) {
     const Mesh<double> mesh = rollbem::cosine_mesh(40);
     for (const double nu : {0.0, steel, 0.5}) {
         const std::string end = ", nu = " + shown(nu);
-        // Nearly in one direction: the force there differs from that of its own solver by the square of the angle.
+        // Nearly in one direction: the force differs from that of its own solver by the square of the angle.
         for (const double angle : {0.0, 1e-12, 1e-6, 1e-3}) {
             for (const bool lateral : {false, true}) {
                 cases.push_back({"creepage at " + shown(angle) + " rad to the " + (lateral ? "lateral" : "rolling") +
@@ -106,7 +106,7 @@ void add_directions(std::vector<Case>& cases) {
                                                         reference, 1e-12);
                              }});
         }
-        // Full sliding: against the creepage, except for a part of order 1/delta, which is due to Poisson's ratio.
+        // Full sliding: the force opposes the creepage but for a part of order 1/delta due to Poisson's ratio.
         for (const double delta : {1e3, 1e9}) {
             cases.push_back(
                 {"creepage " + shown(delta) + " at 30 degrees" + end, "size of the force against mu N", [=] {
@@ -124,7 +124,7 @@ void add_directions(std::vector<Case>& cases) {
                  }});
         }
     }
-    // With a Poisson's ratio of 0 all directions are alike, until the last element slips.
+    // With a Poisson's ratio of 0 all directions are equivalent, until the last element slips.
     for (const double delta : {1e-6, 0.5, 0.999, 1.0}) {
         for (const double degrees : {1e-6, 30.0, 89.999}) {
             cases.push_back({"creepage " + shown(delta) + " at " + shown(degrees) + " degrees, nu = 0",
@@ -176,7 +176,7 @@ void add_layers(std::vector<Case>& cases) {
                                  return outcome;
                              }});
         }
-        // alike in both directions, also with friction: at this ratio the brush has begun to slip
+        // the same in both directions, also with friction: at this ratio the brush has begun to slip
         cases.push_back({"layer 1e6, creepage at 60 degrees" + elements, "lateral over longitudinal force", [=] {
                              Combined contact(mesh, steel, 1e6);
                              const Vector force = contact.force(0.2 * 1e6, 0.5, std::sqrt(0.75));

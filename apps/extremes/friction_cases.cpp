@@ -82,8 +82,8 @@ void add_strips(std::vector<Case>& cases) {
         return "stick border, strip, b/a = " + shown(aspect) + ", delta = " + shown(ratio);
     };
     for (const double aspect : {0.02, 0.05, 0.3, 1.0, 10.0, 1e3}) {
-        // Hardly any slip: full adhesion but for a part that is of order delta, delta/2 on the plane and up to eight
-        // times as much on narrow strips. The solution's own estimate counts, which is in units of mu N.
+        // Hardly any slip: full adhesion but for a part of order delta, delta/2 on the plane and up to eight times as
+        // much on narrow strips. The solution's own estimate, in units of mu N, is added.
         for (const double ratio : {1e-9, 1e-6}) {
             cases.push_back({named(aspect, ratio), "force against the spectral solution in adhesion", [=] {
                                  const Solution solution = on_strip(aspect, ratio);
@@ -131,7 +131,7 @@ void add_strips(std::vector<Case>& cases) {
         cases.push_back(
             {named(0.01, ratio), "force", [=] { return against_elements(0.01, ratio); }, "elements took over"});
     }
-    // The strip is the plane.
+    // So wide a strip is the plane.
     for (const double ratio : {1e-6, 0.5, 0.99, 0.999999}) {
         cases.push_back({named(1e8, ratio), "force against Carter", [=] {
                              const Solution solution = on_strip(1e8, ratio);
@@ -155,8 +155,8 @@ PressureTable<double> table(const std::vector<std::pair<double, double>>& points
 }
 
 /// -F on the plane under a pressure that rises linearly from x = -1 to a kink and stays there, by quadrature: with the
-/// border c the creepage is (2 c1/pi) times the integral of p_n/sqrt((c-s)(1-s)) over the slip zone, and the force that
-/// with the weight (1+c)/2 - s. s = c - (1-c) sinh^2 t takes both roots away; c follows by bisection.
+/// border c the creepage is (2 c1/pi) times the integral of p_n/sqrt((c-s)(1-s)) over the slip zone, and the force the
+/// same integral with the weight (1+c)/2 - s. s = c - (1-c) sinh^2 t removes both roots; c follows by bisection.
 double ramp_force(double kink, double xi) {
     const auto pressure = [=](double s) { return peak * std::min(1.0, (1 + s) / (1 + kink)); };
     const auto integrals = [&](double c) {
@@ -184,7 +184,7 @@ double ramp_force(double kink, double xi) {
 }
 
 void add_pressures(std::vector<Case>& cases) {
-    // A uniform pressure, which never slides in full: -F = mu N tanh.
+    // A uniform pressure, which never slides fully: -F = mu N tanh.
     for (const double ratio : {1e-3, 0.3, 2.0}) {
         cases.push_back(
             {"stick border, uniform pressure, delta = " + shown(ratio), "force against tanh(pi delta/2)", [=] {
@@ -192,7 +192,7 @@ void add_pressures(std::vector<Case>& cases) {
                  return compare(solution, -solution.force_per_width / (2 * peak), std::tanh(pi / 2 * ratio), 1e-6);
              }});
     }
-    // A kink in the slip zone, and in stick, where it does not count.
+    // A kink in the slip zone, and in stick, where it has no effect.
     for (const double ratio : {0.1, 0.5, 1.0}) {
         cases.push_back({"stick border, kinked pressure, delta = " + shown(ratio), "force against quadrature", [=] {
                              const Solution solution = on_plane(table({{-1, 0}, {-0.4, 1}, {1, 1}}), ratio);

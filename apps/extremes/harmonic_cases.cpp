@@ -57,8 +57,8 @@ void add_frequencies(std::vector<Case>& cases) {
                              const Complex reference = rollbem::reference::plane_c11(s, steel, 1000);
                              return compare(result.c11, reference, result.error_estimate + 4 * rounding);
                          }});
-        // G is nearly singular here, and beyond what the mesh resolves the equations tend to it: what rounding does to
-        // both routes stays within what the condition says
+        // G is nearly singular here, and the equations tend to it at frequencies that the mesh does not resolve: the
+        // rounding errors of both routes stay within what the condition allows
         cases.push_back(
             {name + ", uniform 0/0.63, n = 200, Hessenberg", "|c11| against long double", [=] {
                  const rollbem::FrequencySweep<double> sweep(

@@ -29,14 +29,14 @@ using Step = rollbem::FrictionStep<double>;
 
 constexpr double half_width = 1000;  // b/a_0
 
-/// Hertz's contact, a_0 = G = 1, on a mesh that breathes with it or covers `covered`. mu multiplies the bound alone.
+/// Hertz's contact, a_0 = G = 1, on a mesh that breathes with it or covers `covered`. mu multiplies only the bound.
 struct Rolling {
     static Rolling breathing(const Mesh<double>& mesh, double mu = 1) { return {mesh, 0, mu, 1}; }
     static Rolling fixed(const Mesh<double>& mesh, double covered, double load_ratio = 1) {
         return {mesh, covered, 1, load_ratio};
     }
 
-    /// load_ratio: the line's own load, which sets p_0 and a_0, over the usual one.
+    /// load_ratio: the reference load, which sets p_0 and a_0, over the usual one.
     Rolling(const Mesh<double>& mesh, double covered, double mu, double load_ratio)
         : full(full_force * load_ratio),
           hertz(make_hertz(mesh, covered, full)),
@@ -47,7 +47,7 @@ struct Rolling {
           load(hertz.at(full)) {}
 
     static HertzLoad<double> make_hertz(const Mesh<double>& mesh, double covered, double full) {
-        const double modulus = 4 * full / (pi / 2);  // p_0 over that of unit load: a_0 = 1 whatever the load
+        const double modulus = 4 * full / (pi / 2);  // p_0 over that of unit load, so that a_0 = 1 for every load
         const rollbem::ElasticBody<double> body{.young_modulus = modulus, .poisson_ratio = 0};
         const rollbem::HertzLine<double> line(
             {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
@@ -129,7 +129,7 @@ void add_lift_off(std::vector<Case>& cases) {
                              const Mesh<double> mesh = rollbem::uniform_mesh(n);
                              Rolling rolling = Rolling::fixed(mesh, 1);
                              rolling.settle(-0.8);
-                             rolling.roll(0.01, 0.5, 0);  // suddenly, and for a while
+                             rolling.roll(0.01, 0.5, 0);  // suddenly, then for a while
                              for (int k = 0; k < 3; ++k) rolling.roll(0.5, 0.5, 0);
                              rolling.roll(0.01, 0.5, 1);
                              for (int k = 0; k < 60; ++k) rolling.roll(2, 0.5, 1);
@@ -213,7 +213,7 @@ void add_growth(std::vector<Case>& cases) {
 }
 
 void add_loads(std::vector<Case>& cases) {
-    // N_0 itself: pressures and moduli of the normal problem scale with it, and so do forces
+    // N_0 itself: pressures and moduli of the normal problem scale with it, and so do the forces
     for (const double size : {1e-250, 1e-30, 1e30, 1e150}) {
         for (const bool breathes : {false, true}) {
             cases.push_back({"load " + shown(size) + (breathes ? ", breathing" : ", fixed mesh"),

@@ -1,4 +1,4 @@
-// Steady and harmonic creep coefficients in long double: what shows the rounding of double.
+// Steady and harmonic creep coefficients in long double, which show the rounding errors of double.
 #pragma once
 
 #include <complex>
@@ -8,7 +8,7 @@
 
 namespace extremes {
 
-/// c11 with the plane kernel for an infinite aspect, else with the strip kernel.
+/// c11 with the plane kernel for an infinite aspect, otherwise with the strip kernel.
 long double steady_c11(const rollbem::MeshSpecification& mesh, const rollbem::Collocation& scheme, double aspect,
                        double poisson_ratio);
 

@@ -54,7 +54,7 @@ Case exact(const std::string& name, const Problem& p, double bound) {
     return {name, "c11 against Carter", [=] { return against(p, rollbem::steady_c11(p.poisson_ratio), bound); }};
 }
 
-/// What rounding does: the same discretisation in long double. The condition says how much it may.
+/// The rounding error, against the same discretisation in long double. The condition says how large it may be.
 Case rounded(const std::string& name, const Problem& p) {
     return {name, "c11 against long double", [=] {
                 const double reference = static_cast<double>(steady_c11(p.mesh, p.scheme, p.aspect, p.poisson_ratio));
@@ -96,7 +96,7 @@ void add_contacts(std::vector<Case>& cases) {
         cases.push_back(rounded("nu = " + shown(nu) + ", b/a = 1", {{Topology::cosine, 40}, equal, 1, nu}));
     }
     // The strip, narrow to wide, against the spectral solution of the same model. The error is that of the cosine mesh
-    // until the elements in the middle, 3.1/n wide, do not see the width b any more.
+    // until the elements in the middle, 3.1/n wide, no longer resolve the width b.
     for (const double aspect : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12}) {
         const Problem p{{Topology::cosine, 80}, equal, aspect};
         cases.push_back({"b/a = " + shown(aspect), "c11 against the spectral solution", [=] {
@@ -114,7 +114,7 @@ void add_contacts(std::vector<Case>& cases) {
 
 void add_meshes(std::vector<Case>& cases) {
     for (const double ratio : {1e-6, 1e-3, 1e3, 1e6}) {
-        // of first order in the largest element, more so where that is at the leading edge
+        // of first order in the largest element, and larger if that is at the leading edge
         const Problem p{{Topology::geometric, 40, ratio}};
         cases.push_back(exact("size ratio " + shown(ratio), p, (ratio < 1 ? 0.16 : 0.09) * largest_width(p)));
         cases.push_back(rounded("size ratio " + shown(ratio), p));
@@ -132,8 +132,7 @@ void add_meshes(std::vector<Case>& cases) {
 
 void add_schemes(std::vector<Case>& cases) {
     const auto at = [](Eigen::Index n, double alpha) { return Problem{{Topology::uniform, n}, {alpha, alpha}}; };
-    // On a uniform mesh G' of alpha = 0 is antisymmetric: singular for an odd number of elements, without force for an
-    // even one.
+    // On a uniform mesh G' of alpha = 0 is antisymmetric: singular for odd n, without force for even n.
     cases.push_back(told("alpha = 0, n = 1", at(1, 0), "not_finite"));
     for (const int n : {3, 41}) {
         cases.push_back(told("alpha = 0, n = " + std::to_string(n), at(n, 0), "ill_conditioned"));
@@ -152,7 +151,7 @@ void add_schemes(std::vector<Case>& cases) {
     // exactly on the edge of an element the analytic derivative moves its points
     Problem analytic = at(40, 0.5);
     analytic.scheme.derivative = rollbem::Derivative::analytic;
-    cases.push_back(exact("alpha = 0.5, analytic derivative", analytic, 0.12));  // it falls like ln(n)/n
+    cases.push_back(exact("alpha = 0.5, analytic derivative", analytic, 0.12));  // falls like ln(n)/n
     cases.push_back(rounded("alpha = 0.5, analytic derivative", analytic));
     cases.push_back({"alpha = 2.5", "c11", [=] { return against(at(40, 2.5), 1, 0); }, "must lie in [-2, 2]"});
 }

@@ -61,7 +61,7 @@ void add_steps(std::vector<Case>& cases) {
          {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
         for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
             const std::string where = ", " + study::word(integrator) + ", b/a = " + shown(aspect);
-            // Far above 1/|nu_max|: the steady force. What is left of the start falls by Lambda a/dq a step with
+            // Far above 1/|nu_max|: the steady force. The initial state decays by Lambda a/dq in each step of
             // implicit Euler, by five times that with sdirk2, and at once with the exponential.
             const double lambda = std::max(rollbem::plane_lambda(steel, aspect), 1.0);
             const double left = integrator == Integrator::implicit_euler       ? 1.2
@@ -75,7 +75,7 @@ void add_steps(std::vector<Case>& cases) {
                                      return compare(roll(model, dq, 4), steady, bound);
                                  }});
             }
-            // Far below: dp/dq = -G^-1 xi at rest. Against it the change of slope is of order dq |nu_max|, 6e-7.
+            // Far below: dp/dq = -G^-1 xi at rest. Relative to it the change of slope is of order dq |nu_max|, 6e-7.
             cases.push_back({"dq = 1e-09" + where, "force against -G^-1 xi dq", [=] {
                                  const Model model = stable_model(contact(aspect), integrator);
                                  const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
@@ -110,7 +110,7 @@ void add_units(std::vector<Case>& cases) {
 }
 
 void add_spectra(std::vector<Case>& cases) {
-    // one element has one eigenvalue, G'/G, both in closed form; with more it tends to the contact's, to second order
+    // one element has the eigenvalue G'/G, both in closed form; with more it tends to the exact one, with second order
     const double lambda = rollbem::plane_lambda(steel, 100.0);
     const double one = -3 * std::log(3.0) / (4 * (lambda + 1 - 2 * std::numbers::ln2));
     const double first = rollbem::reference::eigenvalues(1, steel, 100)[0].real();

@@ -347,8 +347,8 @@ private:
         return rates[coefficient(unknown)];
     }
 
-    // Exact by slip velocity and load. By the rolling speed, for which the library has no tangent, by central differences
-    // of the step, or one-sided ones of the same order near zero.
+    // Exact by slip velocity and load. By the rolling speed, for which the library has no tangent: by central
+    // differences of the step, or one-sided ones of the same order near zero.
     Scalar partial_of_step(const Variable& known) {
         if (past_.duration == 0 || &known.real() == &load_rate_.value) return 0;
         if (&known.real() == &slip_.value) return past_.tangent_by_shift * past_.duration;

@@ -53,7 +53,7 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
     return scene.visit(of_elements, of_states);
 }
 
-/// Plain numbers, comma-separated, a row a line; no negative zeros.
+/// Plain numbers, comma-separated, one row a line; no negative zeros.
 void write(study::OutputFile& file, const Eigen::MatrixXd& matrix) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         study::Row row;

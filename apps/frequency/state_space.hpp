@@ -1,4 +1,4 @@
-// --state-space: the contact of one scheme as linear ordinary differential equations, a file for each matrix.
+// --state-space: the contact by one scheme as linear ordinary differential equations, a file for each matrix.
 #pragma once
 
 #include <string>
@@ -13,14 +13,15 @@
 
 namespace frequency {
 
-/// A.csv, B.csv, C.csv, D.csv and state_space.toml, which says how they were made. All are on the disk before the first
-/// takes its name.
+/// A.csv, B.csv, C.csv, D.csv and state_space.toml, which says how they were made. All are written before the first
+/// gets its final name.
 class StateSpaceFiles {
 public:
     static std::vector<std::string> names();
 
-    /// Computes and writes what commit() names. Throws BadInput unless there is one scene, whose G is regular and whose
-    /// tractions converge to full adhesion, and where the folder cannot be written; WriteError.
+    /// Computes and writes the files, to which commit() gives their names. Throws BadInput unless there is one scene,
+    /// whose G is regular and whose tractions converge to full adhesion, and if the folder cannot be written; throws
+    /// WriteError.
     StateSpaceFiles(const study::Options& options, const std::vector<study::Scene>& scenes);
 
     /// Throws WriteError.

@@ -1,5 +1,5 @@
-// What the figures and claims of the paper need from the library: one case of a discretised contact in, numbers out.
-// The definitions are apart, in evaluate.cpp, because the eigenvalue headers compile slowly.
+// The library calls behind the figures and claims of the paper: one case of a discretised contact in, numbers out.
+// Their definitions are in evaluate.cpp, because the eigenvalue headers compile slowly.
 #pragma once
 
 #include <complex>
@@ -15,7 +15,7 @@
 
 namespace paper {
 
-/// Where the paper is silent: steel, and a strip so wide that c11 differs from the plane limit by 2e-7 of its value.
+/// What the paper does not give: steel, and a strip so wide that c11 differs from the plane limit by 2e-7.
 inline constexpr double poisson_ratio = 0.28;
 inline constexpr double aspect = 1000;  ///< b/a [-]
 
@@ -37,24 +37,24 @@ std::string name(Method method);
 std::string name(Derivative derivative);
 
 /// Displacement [a p/G] and its derivative [p/G] due to one element of width 2a/40 under traction p, at x from its
-/// centre in widths of the element. Not at its edges, where the derivative is infinite.
+/// centre in widths of the element; not at its edges, where the derivative is infinite.
 struct ElementField {
     double displacement, slope;
 };
 ElementField element_field(double x_over_width);
 
-/// c11*/c11 of steady rolling, c11 = pi/(2(1-nu)), and what the library thinks of it: near alpha = 0 tractions zigzag,
-/// which it calls inconsistent with full adhesion.
+/// c11*/c11 of steady rolling, c11 = pi/(2(1-nu)), and the library's status: near alpha = 0 tractions zigzag, which is
+/// inconsistent with full adhesion.
 struct SteadyRatio {
     double value;
     rollbem::Status status;
 };
 SteadyRatio steady_ratio(const Case& c);
 
-/// c11*/c11, be it inconsistent; not a number where the equations are singular to working precision.
+/// c11*/c11, even if inconsistent; not a number if the equations are singular to working precision.
 double c11_ratio(const Case& c);
 
-/// Tractions of steady rolling, p/(G xi), of every element from the trailing edge on.
+/// Tractions of steady rolling, p/(G xi), of every element, trailing to leading.
 struct Tractions {
     Eigen::ArrayXd x;            ///< centres over a
     Eigen::ArrayXd value;        ///< computed; not numbers where the equations are singular to working precision
@@ -65,7 +65,7 @@ struct Tractions {
 Tractions tractions(const Case& c);
 
 /// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on n + 1 elements from those
-/// of collocation with alpha = 1 on n, over the largest traction (plane kernel, which knows no length).
+/// of collocation with alpha = 1 on n, over the largest traction (plane kernel, which has no length scale).
 double knothe_boundary_difference(Eigen::Index n, Derivative derivative);
 
 /// Largest difference of G' between two cases of equal n, over its largest entry.
@@ -77,15 +77,14 @@ double G_difference(const Case& first, const Case& second);
 /// finite differences: the recommended scheme at n = 40.
 double gauss_galerkin_difference(int points);
 
-/// Eigenvalues of Eq. (33) with positive real part as computed, by the standard eigenvalue problem of G'^-1 G or, where
-/// G' is too ill-conditioned for that, by the QZ algorithm.
+/// Eigenvalues of Eq. (33) with positive real part as computed, by the standard eigenvalue problem of G'^-1 G or, if G'
+/// is too ill-conditioned, by the QZ algorithm.
 Eigen::Index unstable_count(const Case& c);
 
-/// Whether an eigenvalue grows and rounding cannot have given it its sign, by the QZ algorithm.
+/// Whether an eigenvalue has a positive real part that rounding cannot explain, by the QZ algorithm.
 bool certainly_unstable(const Case& c);
 
-/// The smallest alpha_T from 0.45 to 1 at which certainly_unstable, found by steps of 0.001; nothing where there is
-/// none.
+/// The smallest alpha_T in [0.45, 1] that is certainly_unstable, in steps of 0.001; empty if there is none.
 std::optional<double> critical_alpha_T(const Case& c);
 
 /// c11 under harmonic creepage of omega a/V = z, by the boundary elements; not a number where the equations are

@@ -116,7 +116,7 @@ std::vector<Panel> one_element() {
              fractions(-400, 400, 200),
              {{"du/dx"}},
              "x / dx",
-             "points within 1e-9 dx of an edge are taken at that distance; the peaks have no end",
+             "points within 1e-9 dx of an edge are taken at that distance; the peaks are infinite",
              {.y = Range{-3.5, 3.5}}}};
 }
 

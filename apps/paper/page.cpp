@@ -103,18 +103,18 @@ nav ul { columns: 22em; padding-left: 1.2em; }
 )";
 
 std::string conditions() {
-    return "<p>Conditions everywhere, since the paper is silent: Poisson's ratio ν = " + number(poisson_ratio) +
+    return "<p>Conditions everywhere, as the paper does not give them: Poisson's ratio ν = " + number(poisson_ratio) +
            ", b/a = " + number(aspect, 4) +
            ", strip kernel, rectangle 2a × 2b. c<sub>11</sub> = π/(2(1-ν)). The ratio of steady c<sub>11</sub> does "
            "not depend on ν, and on b/a only by (a/b)². Finite differences are central over the element's own width "
            "about the collocation point; with the analytic derivative, points nearer than 0.001 of an element to an "
            "edge are moved to that distance. Optima are judged on a grid: α from 0 to 1 by 0.05 and 0.63, ε from 0.1 "
-           "to 1 by 0.1, size ratios in powers of 2; the true optimum stands beside, and errors that differ by less "
+           "to 1 by 0.1, size ratios in powers of 2; the true optimum is given as well, and errors that differ by less "
            "than 0.01 % of c<sub>11</sub> count as equal. Stability is judged by the sign of the real parts as "
            "computed. Axes and ranges are chosen here to show what the text says. Elements are counted from the "
            "trailing edge x = -a to the leading edge x = a.</p>\n"
-           "<p>A statement that the paper makes more than once counts once. Rows that are our addition say what was "
-           "found beside the paper; they are not counted among its statements.</p>\n";
+           "<p>A statement that the paper makes more than once counts once. Additions are "
+           "results that the paper does not have; they are not counted among its statements.</p>\n";
 }
 
 /// A section with a link to it in the contents.

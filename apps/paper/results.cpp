@@ -1,4 +1,4 @@
-// The panels computed: every number is asked of the library through evaluate.hpp.
+// The panels computed; all numbers come from evaluate.hpp.
 #include "results.hpp"
 
 #include <algorithm>
@@ -131,7 +131,7 @@ CurveResult compute_response(const Panel& panel, const Curve& curve) {
     return result;
 }
 
-/// Carter's traction as far as it is no larger than the computed ones.
+/// Carter's traction as far as it does not exceed the computed ones.
 study::Series carter_line(const PanelResult& result) {
     double largest = 0;
     for (const CurveResult& curve : result.curves) {

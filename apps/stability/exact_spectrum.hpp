@@ -1,4 +1,4 @@
-// The eigenvalues of the plane model in closed form, beside which --spectrum puts computed ones.
+// The eigenvalues of the plane model in closed form, to which --spectrum compares computed ones.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace stability {
 
-/// Closed-form eigenvalues, of which there are infinitely many, about pi apart: those that matter to given ones.
+/// Closed-form eigenvalues. There are infinitely many, about pi apart; these are the ones in the range of given ones.
 class ExactSpectrum {
 public:
     ExactSpectrum(const rollbem::Contact<double>& contact, const std::vector<std::complex<double>>& computed) {
@@ -42,7 +42,7 @@ public:
     const std::vector<std::complex<double>>& upper_half() const { return values_; }  ///< Im >= 0, by ascending modulus
 
 private:
-    // far beyond what any mesh resolves, and the list stays short
+    // far beyond what any mesh resolves; keeps the list short
     static bool reaches(const std::complex<double>& nu) { return std::abs(nu) <= 3e4; }
 
     std::vector<std::complex<double>> values_;
