@@ -28,7 +28,8 @@ namespace rollbem {
 /// predecessors follows its branch until the branch ends. From at_rest(), where mu = mu_s(0) everywhere, it finds the
 /// branch of high friction.
 ///
-///     const SteadyFallingModel model(contact, mesh, scheme, kernel, FallingFriction<ExponentialFall<>>{law, memory, p});
+///     const FallingFriction<ExponentialFall<>> friction{law, memory, pressure};
+///     const SteadyFallingModel model(contact, mesh, scheme, kernel, friction);
 ///     FallingFrictionWorkspace<double> workspace = model.workspace();
 ///     FallingFrictionState<double> now = model.at_rest(), next = now;
 ///     const FrictionStep<double> point = model.solve(now, creepage, speed, next, workspace);

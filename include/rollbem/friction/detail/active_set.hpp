@@ -1,5 +1,5 @@
-// Stick or slip, element by element: tractions within Coulomb's bound whose slip opposes them.
-// The core of the steady and of the non-steady friction problem; knows neither rolling nor units.
+// Stick or slip, element by element: tractions within Coulomb's bound, opposed to the slip.
+// Core of the steady and the non-steady friction problem, independent of rolling and units.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -24,21 +24,21 @@ namespace rollbem::detail {
 
 /// How ActiveSet finds a solution.
 enum class Effort {
-    equations,        ///< solves the equations of the elements that stick, and checks the slip
-    transform,        ///< by StickTransform, for as long as no element changes its zone
-    transform_check,  ///< the same, checked by the equations
+    equations,        ///< solves the equations of the sticking elements and checks the slip
+    transform,        ///< applies StickTransform, as long as no element changes its zone
+    transform_check,  ///< the same, and checks the slip
 };
 
 /// Finds p and s = M p + c with |p_i| <= bound_i, s_i = 0 where |p_i| < bound_i, and s_i p_i <= 0: a linear
 /// complementarity problem with bounds. Because the bounds are finite, a solution exists for every M (a continuous
 /// variational inequality on a compact box: Hartman and Stampacchia 1966); it is unique where M is a P-matrix.
 ///
-/// Rounds of a primal-dual active set: all elements that break a condition change at once. They nearly always settle
-/// within a few rounds but may cycle where M is no P-matrix. When the number of offenders has not fallen for a while,
-/// ComplementaryPath takes over (rounds with a finite fallback: Judice and Pires 1994).
+/// Primal-dual active set: in each round all elements that violate a condition change their zones at once. The rounds
+/// nearly always converge quickly but may cycle if M is not a P-matrix. If the number of violations has not fallen for
+/// several rounds, ComplementaryPath takes over (rounds with a finite fallback: Judice and Pires 1994).
 ///
-/// The result depends on M, c, the bounds and the zones to start from, to the last bit, and on nothing that was solved
-/// before. Everything is allocated by the constructor.
+/// The result depends on M, c, the bounds, the initial zones and the Effort alone, to the last bit, and not on earlier
+/// solutions. All memory is allocated by the constructor.
 template <class Scalar>
 class ActiveSet {
 public:
@@ -48,7 +48,7 @@ public:
 
     struct Outcome {
         int rounds = 0;       ///< rounds of the active set
-        int pivots = 0;       ///< pivots of the fallback; 0 where the rounds settled
+        int pivots = 0;       ///< pivots of the fallback; 0 if the rounds converged
         Scalar residual = 0;  ///< largest violation of a bound (over the largest bound) and of s (over max |c|)
         bool tangent_exists = false;
         StepStatus status = StepStatus::not_finite;
@@ -90,12 +90,12 @@ public:
     const Vector& signs() const { return sign_; }
     Index stick_count() const { return stick_count_; }
 
-    /// How the solutions to come shall be found. Where the transform does not do, the equations are solved.
+    /// Sets how the following solutions are found. Where the transform fails, the equations are solved.
     void begin(Effort effort) {
         effort_ = effort;
         unchanged_ = true;
     }
-    /// Whether each solution since then has been found at once, with the zones that it started from.
+    /// Whether each solution since begin() has kept its initial zones and needed neither refinement nor pivoting.
     bool unchanged() const { return unchanged_; }
 
     /// Solves for bounds >= 0, all finite, starting from `zones`.
@@ -115,14 +115,14 @@ public:
         return judge(bound, outcome);
     }
 
-    /// dp that follows a change dc while no element changes. Only where the last outcome says that a tangent exists.
+    /// dp caused by a change dc while no element changes its zone. Requires tangent_exists of the last outcome.
     template <class Derived>
     void respond(const Eigen::MatrixBase<Derived>& change, Vector& traction_change) {
         right_ = -change;
         equations_.solve(right_, traction_change);
     }
 
-    /// The same where the bounds change by `share` of bound_change, too: elements that slip follow theirs.
+    /// The same if the bounds, which the slipping elements follow, also change, by `share` times bound_change.
     void respond(const Vector& change, const Vector& bound_change, Vector& traction_change, Scalar share = 1) {
         traction_change = -share * sign_.cwiseProduct(bound_change);
         right_ = -change;
@@ -131,12 +131,13 @@ public:
         traction_change += correction_;
     }
 
-    /// Changes with the elements that stick, and with M: what respond() gave holds as long as this number does.
+    /// Changes whenever M or the set of sticking elements does: results of respond() remain valid as long as it is
+    /// equal.
     unsigned long revision() const { return equations_.revision(); }
 
 private:
-    // Rounds without progress before the fallback. Where the rounds settle at all, longer plateaus were never seen to
-    // pay; the fallback costs some products of matrix and vector a pivot, with about n pivots.
+    // Rounds without progress before the fallback. In experiments, convergence after a longer plateau was never faster
+    // than the fallback, which costs a few matrix-vector products per pivot and takes about n pivots.
     static constexpr int patience = 10;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
@@ -147,7 +148,7 @@ private:
     }
     Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
 
-    // What has no bound cannot stick. A state read from a file may hold other numbers than those of Zone.
+    // An element with zero bound cannot stick. A state read from a file may contain values that are not in Zone.
     void start_from(const Vector& bound, const std::vector<Zone>& zones) {
         for (Index i = 0; i < size(); ++i) {
             const int zone = static_cast<signed char>(zones[static_cast<std::size_t>(i)]);
@@ -156,7 +157,7 @@ private:
         }
     }
 
-    // Whether they are those of `before`, which may be zones_ itself.
+    // Returns whether they equal `before`, which may be zones_ itself.
     bool publish_zones(const std::vector<Zone>& before) {
         stick_count_ = 0;
         bool same = true;
@@ -170,7 +171,7 @@ private:
         return same;
     }
 
-    // The transform, and what the elements that slip contribute. False where zones or factors do not allow it.
+    // The transform and the contribution of the slipping elements. False if the zones or the factors do not allow it.
     bool prepare_transform(const Vector& bound, const std::vector<Zone>& zones) {
         if (transform_ready_ && same_bits(zones, zones_) && same_bits(bound, sliding_bound_)) return true;
         transform_ready_ = false;
@@ -182,7 +183,7 @@ private:
         return transform_ready_ = true;
     }
 
-    // False, with nothing of use, where an element would have to change its zone or the check fails.
+    // False, without a usable result, if an element would have to change its zone or if the check fails.
     bool transform(const Vector& bound, const std::vector<Zone>& zones, Outcome& outcome) {
         if (!prepare_transform(bound, zones)) return false;
         right_ = constant_ + sliding_product_;
@@ -206,7 +207,7 @@ private:
         return true;
     }
 
-    // The rounds of the active set. False when they do not settle.
+    // The rounds of the active set. False if they do not converge.
     bool settle(const Vector& bound, Outcome& outcome) {
         Index fewest = size() + 1;
         for (int idle = 0;;) {
@@ -221,7 +222,7 @@ private:
         }
     }
 
-    // p and s from the zones. False when stick elements creep more than rounding explains, whatever the factors.
+    // p and s for the present zones. False if sticking elements slip by more than round-off with both kinds of factors.
     bool evaluate(const Vector& bound) {
         for (;;) {
             find_sliding(bound);
@@ -235,12 +236,12 @@ private:
 
     void find_sliding(const Vector& bound) {
         right_ = -sign_.cwiseProduct(bound);
-        if (right_ == sliding_traction_) return;  // mostly the same elements slide as before
+        if (right_ == sliding_traction_) return;  // usually the zones and the bounds have not changed
         sliding_traction_ = right_;
         sliding_product_.noalias() = equations_.matrix() * sliding_traction_;
     }
 
-    // s from M itself, and how much of it is rounding
+    // s from M itself, and an estimate of its round-off
     void find_slip() {
         slip_.noalias() = equations_.matrix() * traction_;
         slip_scale_ = rounding() * (slip_.cwiseAbs().maxCoeff() + imposed_);
@@ -248,8 +249,8 @@ private:
         creep_ = stick_.cwiseProduct(slip_).cwiseAbs().maxCoeff();
     }
 
-    // Slip and, where the stick elements creep, iterative refinement of the tractions. False when they still creep more
-    // than rounding explains.
+    // Computes the slip and, if sticking elements slip, refines the tractions iteratively. False if the slip remains
+    // larger than round-off explains.
     bool verify() {
         for (int attempt = 0;; ++attempt) {
             find_slip();
@@ -267,8 +268,8 @@ private:
         wrong_slip_ = -sign_.cwiseProduct(slip_).minCoeff();
     }
 
-    // Moves every element that breaks a condition to where it belongs; how many there were. An element without bound
-    // (no pressure) carries nothing and may slip either way.
+    // Changes the zone of every element that violates a condition and returns their number. An element with zero bound
+    // (no pressure) has no traction and may slip in either direction.
     Index move_offenders(const Vector& bound) {
         measure(bound);
         if (excess_ <= 0 && wrong_slip_ <= 4 * slip_scale_) return 0;
@@ -283,7 +284,7 @@ private:
                 if (bound[i] > 0) ++count;
             }
         }
-        if (count == 0) measure(bound);  // those without bound have turned round
+        if (count == 0) measure(bound);  // only elements with zero bound have changed, to the other direction
         return count;
     }
 
@@ -297,15 +298,15 @@ private:
         return outcome;
     }
 
-    // what has no bound slips either way
+    // An element with zero bound may slip in either direction.
     void orient_free(const Vector& bound) {
         for (Index i = 0; i < size(); ++i) {
             if (bound[i] == 0) set_zone(i, slip_[i] < 0 ? Scalar(-1) : Scalar(1));
         }
     }
 
-    // Lemke's path, and its end once more from the zones, freed of the rounding picked up along the way. Where M is
-    // singular on the stick elements, the path's own end stands: false.
+    // Follows Lemke's path and solves once more for the zones at its end, without the round-off accumulated on the way.
+    // False if M is singular on the sticking elements: the end of the path is then the result.
     bool finish_by_path(const Vector& bound, Outcome& outcome) {
         outcome.pivots = path_.follow(equations_.matrix(), constant_, bound);
         for (Index i = 0; i < size(); ++i) set_zone(i, path_.sign()[i]);
@@ -327,19 +328,18 @@ private:
     Vector sign_, stick_;
     std::vector<Zone> zones_;
     Vector traction_, slip_, constant_, right_, correction_;
-    Vector sliding_traction_,
-        sliding_product_;    // of the elements that slip, and what it contributes to the slip of all
-    Vector sliding_bound_;   // the bounds that they belong to where transform_ready_
-    Scalar imposed_ = 0;     // max |c|
-    Scalar slip_scale_ = 0;  // rounding of the slip
-    Scalar creep_ = 0;       // largest slip of an element that should stick
-    Scalar wrong_slip_ = 0;  // largest slip in the direction of the traction
-    Scalar excess_ = 0;      // largest traction above its bound
+    Vector sliding_traction_, sliding_product_;  // of the slipping elements, and M times it
+    Vector sliding_bound_;                       // the bounds they belong to, if transform_ready_
+    Scalar imposed_ = 0;                         // max |c|
+    Scalar slip_scale_ = 0;                      // round-off of the slip
+    Scalar creep_ = 0;                           // largest slip of a sticking element
+    Scalar wrong_slip_ = 0;                      // largest slip in the direction of the traction
+    Scalar excess_ = 0;                          // largest traction above its bound
     Index stick_count_ = 0;
     Effort effort_ = Effort::equations;
     bool unchanged_ = false;
     bool refined_ = false;          // the tractions of the last round
-    bool transform_ready_ = false;  // for zones_, with what slides
+    bool transform_ready_ = false;  // transform_ and sliding_product_ belong to zones_
 };
 
 }  // namespace rollbem::detail

@@ -1,4 +1,4 @@
-// How fast the elements of an ActiveSet slip, and what their bounds do to that: FallingSet in one direction.
+// The slip of the elements of an ActiveSet and its dependence on the bounds: for FallingSet in one direction.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -16,7 +16,7 @@
 
 namespace rollbem::detail {
 
-/// What FallingSet asks of the solver behind it. Everything is allocated by the constructor.
+/// The interface between FallingSet and its solver. All memory is allocated by the constructor.
 template <class Scalar_>
 class ActiveSetSlip {
 public:
@@ -25,9 +25,9 @@ public:
     using Vector = VectorX<Scalar>;
     using Solver = ActiveSet<Scalar>;
     using Outcome = typename Solver::Outcome;
-    using Start = std::vector<Zone>;      ///< where a solution is sought from
+    using Start = std::vector<Zone>;      ///< starting point of a solution
     using Vectors = Vector;               ///< constants of the equations, tractions
-    static constexpr int parameters = 3;  ///< tangents that a first stage carries to the second: see TangentBy
+    static constexpr int parameters = 3;  ///< number of tangents that a first stage passes to the second: see TangentBy
 
     explicit ActiveSetSlip(Index n)
         : zones_(static_cast<std::size_t>(n), Zone::stick),
@@ -39,7 +39,7 @@ public:
     static Vectors zero(Index n) { return Vector::Zero(n); }
 
     void begin(const Start& zones) { zones_ = zones; }
-    /// Each solution starts from the one before.
+    /// Each solution starts from the previous one.
     Outcome solve(const Vector& bound, Solver& solver) {
         const Outcome outcome = solver.solve(bound, zones_);
         zones_ = solver.zones();
@@ -54,11 +54,11 @@ public:
     static Scalar size(const Solver& solver, Index i) {
         return std::max(Scalar(0), solver.signs()[i] * solver.slip()[i]);
     }
-    /// 0 where an element sticks, else a sign: |s_i| changes by -sense_i by_traction(i, k) sense_l with the bound of l,
-    /// the k-th element that slips.
+    /// 0 for a sticking element, else a sign: d|s_i| / d bound_l = -sense_i by_traction(i, k) sense_l, where l is the
+    /// k-th slipping element.
     static const Vector& sense(const Solver& solver) { return solver.signs(); }
 
-    /// Finds by_traction(), while elements stick or slip as in the solver's solution.
+    /// Computes by_traction() for the zones of the solver's solution.
     void linearise(Solver& solver) {
         if (revision_ == solver.revision()) return;
         revision_ = solver.revision();
@@ -75,10 +75,10 @@ public:
     const MatrixX<Scalar>& by_traction() const { return by_traction_; }
     Index slipping_count() const { return count_; }
     Index slipping(Index k) const { return slipping_[static_cast<std::size_t>(k)]; }
-    /// by_traction() is the same as long as this is.
+    /// by_traction() is the same as long as this number is.
     unsigned long revision() const { return revision_; }
 
-    /// The change of |s| by that of the constants and of the tractions.
+    /// The change of |s| caused by changes of the constants and the tractions.
     static void change_size(const Solver& solver, const Vector& change, const Vector& traction_change,
                             Vector& size_change) {
         size_change = change;

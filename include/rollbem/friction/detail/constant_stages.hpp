@@ -1,4 +1,4 @@
-// How the bounds of a stage come about where the coefficient of friction is constant.
+// The bounds of a stage for a constant coefficient of friction.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -14,23 +14,23 @@
 
 namespace rollbem::detail {
 
-/// The bounds are given: what the pressures and the coefficient say. FallingStages is the other way.
+/// The bounds are given by the pressures and the coefficient. FallingStages is the counterpart for falling friction.
 template <class Scalar>
 struct ConstantStages {
     static constexpr bool bounds_are_given = true;
 
-    /// Called before each stage is solved: where it lies in its step, and what it does to the contact.
+    /// Called before each stage is solved.
     void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
     typename ActiveSet<Scalar>::Outcome solve(ActiveSet<Scalar>& solver, const VectorX<Scalar>& bound,
                                               const std::vector<Zone>& zones) noexcept {
         return solver.solve(bound, zones);
     }
-    /// dp by a change dc of the stage solved last, and by `share` of one of its bounds;
+    /// dp in the stage solved last caused by a change dc and by a change of the bounds, `share` times bound_change.
     void respond(ActiveSet<Scalar>& solver, const VectorX<Scalar>& change, Scalar, VectorX<Scalar>& traction_change,
                  std::size_t, const VectorX<Scalar>* bound_change, Scalar share) noexcept {
         solver.respond(change, *bound_change, traction_change, share);
     }
-    /// and by the half-length, which changes the constants by `change`.
+    /// dp caused by the half-length, which changes the constants by `change`.
     void respond_to_half_length(ActiveSet<Scalar>& solver, const VectorX<Scalar>& change,
                                 VectorX<Scalar>& traction_change, std::size_t) noexcept {
         solver.respond(change, traction_change);

@@ -1,4 +1,4 @@
-// What the steady and the non-steady friction model share: solutions for one or two stages, in the contact's units.
+// Common core of the steady and the non-steady friction model: solutions for one or two stages, in the contact's units.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -27,8 +27,8 @@
 
 namespace rollbem::detail {
 
-/// The part of a friction model that does not know where its equations s = M p + c come from. Dimensionless: tractions
-/// in G, lengths in a_0, the contact's half-length.
+/// The part of a friction model that is independent of the origin of the equations s = M p + c. Dimensionless:
+/// tractions in G, lengths in the contact's half-length a_0.
 template <class Scalar>
 class FrictionCore {
 public:
@@ -37,8 +37,8 @@ public:
     using LoadedStep = LoadedFrictionStep<Scalar>;
     using Workspace = FrictionWorkspace<Scalar>;
 
-    /// `widths` in a_0, `points` x/a of the equations where they are known, `friction` of as many elements, `system` the
-    /// fingerprint of the equations.
+    /// `widths` in a_0, `points` the collocation points x/a if they are known, `friction` for the same elements,
+    /// `system` the fingerprint of the equations.
     FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
                  const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction, std::uint64_t system)
         : half_length_(contact.half_length()),
@@ -62,7 +62,7 @@ public:
     }
     Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
 
-    /// Per unit width [J/m]; not a number under a half-length that the system does not know.
+    /// Per unit width [J/m]; NaN if the system cannot represent the half-length.
     Scalar elastic_energy(const State& state, const RollingSystem<Scalar>& system) const {
         const Scalar a = state.half_length / half_length_;
         if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return std::numeric_limits<Scalar>::quiet_NaN();
@@ -80,7 +80,7 @@ public:
         return &from != &to && from.system == fingerprint_ && sized(from) && sized(to) && workspace.size() == size();
     }
 
-    /// Whether a state tells of a load that the present pressures can be.
+    /// Whether the load in a state is valid.
     StepStatus check_load(const State& from) const noexcept {
         const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
         return valid ? StepStatus::ok : StepStatus::invalid_load;
@@ -92,24 +92,24 @@ public:
         return step;
     }
 
-    /// What holds at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
+    /// The load at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
     struct Load {
         const ArrayX<Scalar>& pressure;
         Scalar half_length;
     };
-    /// What the last stage of a step starts from: zones, and what the first stage has left.
+    /// Starting point of the last stage: zones, and the outcome of the first stage.
     struct Before {
         const std::vector<Zone>* zones;
         Scalar residual = 0;
         int rounds = 0, pivots = 0;
         bool tangent_exists = true, solved = true;
     };
-    /// dc of the first and of the last stage by what the tangent is taken by.
+    /// dc of the first and of the last stage by the parameter of the tangent.
     struct Gain {
         Scalar first, last;
     };
 
-    /// Steady rolling, s/V = creepage - G' p, sought from the zones of `from`, under a load that has been checked.
+    /// Steady rolling, s/V = creepage - G' p, starting from the zones of `from`, under a load that has been checked.
     template <class Stages>
     Step solve_steady(Stages& stages, const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime,
                       const Load& load, State& to, Workspace& workspace) const noexcept {
@@ -121,7 +121,7 @@ public:
         return solve_last(stages, from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
     }
 
-    /// The matrix to fill for a stage, or nothing when the workspace has it already.
+    /// The matrix to be filled for a stage; null if the workspace has it.
     MatrixX<Scalar>* claim(const RollingStage<Scalar>& stage, Workspace& workspace) const noexcept {
         if (workspace.system_ == fingerprint_ && workspace.stage_ == stage) return nullptr;
         workspace.system_ = fingerprint_;
@@ -129,19 +129,19 @@ public:
         return &workspace.solver_.new_matrix();
     }
 
-    /// The bounds mu p_n of the stage to come.
+    /// Sets the bounds mu p_n of the next stage,
     void press(const ArrayX<Scalar>& pressure, Workspace& workspace) const noexcept {
         workspace.bound_ = friction_.friction_coefficient / shear_modulus_ * pressure.head(size()).matrix();
     }
-    /// Those of a stage within a step, at its `progress` from one load to the next.
+    /// or of a stage that ends within the step, after the share `progress` of the way from one load to the next.
     void press(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress,
                Workspace& workspace) const noexcept {
         workspace.bound_ =
             friction_.friction_coefficient / shear_modulus_ * (from + progress * (to.head(size()) - from)).matrix();
     }
 
-    /// Starts a step from tractions at the half-length `half_length` in a_0, that `grows` in it or not; each stage rolls
-    /// by `distance`.
+    /// Starts a step whose stages each roll by `distance`, at the half-length `half_length` in a_0; `grows` if the
+    /// half-length changes during the step.
     void remember(const State& from, const RollingSystem<Scalar>& system, Scalar half_length, bool grows,
                   Scalar distance, Workspace& workspace) const noexcept {
         workspace.solver_.begin(grows ? Effort::equations : unchanged_steps_.effort(from, distance));
@@ -155,7 +155,7 @@ public:
         workspace.memory_.impose(system, imposed, workspace.solver_.constant());
     }
 
-    /// The first of two stages, from the zones of `from`; its slip counts `weight` times.
+    /// Solves the first of two stages, from the zones of `from`; its slip is weighted by `weight`.
     template <class Stages>
     Before solve_first(Stages& stages, const State& from, Scalar weight, const RollingSystem<Scalar>& system,
                        Workspace& workspace) const noexcept {
@@ -188,7 +188,7 @@ public:
                 .solved = outcome.status == StepStatus::ok};
     }
 
-    /// The last or only stage. Fills `to`, and the workspace's slip in multiples of `slip_unit`, and its slip work.
+    /// Solves the last or only stage. Fills `to` and the workspace's slip, in multiples of `slip_unit`, and slip work.
     template <class Stages>
     Step solve_last(Stages& stages, const State& from, const Before& before, const Gain& gain, const Load& load,
                     Scalar slip_unit, State& to, Workspace& workspace) const noexcept {
@@ -243,26 +243,25 @@ public:
         return step;
     }
 
-    /// The tangents by the load that a step is about to be asked for: by the half-length or not, by the load unless there
-    /// are no rates;
+    /// Chooses the tangents of the step that follows: by the half-length or not, by the load if there are rates.
     void begin_tangents(const ArrayX<Scalar>& pressure_rate, bool by_half_length, Workspace& workspace) const noexcept {
         LoadTangents<Scalar>& tangents = workspace.load_tangents_;
         tangents.begin(pressure_rate.size() > 0, by_half_length);
         if (!tangents.by_load()) return;
         tangents.bound_change() = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
     }
-    /// the first of two stages solved,
+    /// After the first of two stages.
     template <class Stages>
     void carry_tangents(Stages& stages, const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place,
                         Scalar ratio, Workspace& workspace) const noexcept {
         workspace.load_tangents_.carry(stages, system, workspace.stage_, place, ratio, workspace.solver_);
     }
-    /// and the last.
+    /// After the last stage.
     template <class Stages>
     LoadedStep with_tangents(Stages& stages, const Step& step, const RollingSystem<Scalar>& system,
                              const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
         LoadedStep loaded{step};
-        if (is_nan(step.tangent_per_width)) return loaded;  // nor are there any by the load
+        if (is_nan(step.tangent_per_width)) return loaded;  // the others do not exist either
         LoadTangents<Scalar>& tangents = workspace.load_tangents_;
         ActiveSet<Scalar>& solver = workspace.solver_;
         if (tangents.by_load()) {
@@ -282,9 +281,9 @@ public:
     }
 
 private:
-    static constexpr Scalar steadily = -1;  // in place of a distance rolled, which is 0 for a rigid shift
+    static constexpr Scalar steadily = -1;  // stands for the distance rolled, which is 0 for a rigid shift
 
-    // stick leaves rounding behind, and so may the border of slip
+    // Removes the round-off of sticking elements and at the border of slip.
     static void set_slip(Workspace& workspace) {
         const ActiveSet<Scalar>& solver = workspace.solver_;
         workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
@@ -307,7 +306,7 @@ private:
             workspace.carried_tangent_ = widths_.dot(workspace.response_);
             workspace.tangent_revision_ = solver.revision();
         }
-        // without a first stage, nothing is carried, whatever an earlier step has left there
+        // without a first stage, carried_tangent_ is that of an earlier step
         const Scalar last = gain.last * workspace.unit_tangent_;
         return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
     }

@@ -1,4 +1,4 @@
-// The memory behind a workspace of friction that falls with slip, besides that of constant friction.
+// Scratch memory for friction that falls with slip, in addition to that of constant friction.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -12,7 +12,7 @@
 
 namespace rollbem::detail {
 
-/// For one direction or two, as `Slip` says. All is allocated by the constructor.
+/// For one direction or two, depending on `Slip`. All memory is allocated by the constructor.
 template <class Slip>
 struct FallingScratch {
     using Vector = VectorX<typename Slip::Scalar>;
@@ -31,14 +31,14 @@ struct FallingScratch {
     }
 
     FallingSet<Slip> set;
-    Vector friction;  // mu of the present stage
+    Vector friction;  // mu in the present stage
     Vector duration, before;
-    Vector rise;           // of mu in the first stage, along the particles' paths
-    Vector change;         // d mu by what the last tangent was taken by
-    Vector bound;          // its d bound while mu stays
-    Vector path_change;    // d before by the half-length, which moves the paths of the particles
-    Vector before_change;  // d before by what the tangent is taken by
-    std::array<Vector, Slip::parameters> carried_change;  // d rise by that, in the first stage
+    Vector rise;           // change of mu in the first stage along the paths of the particles
+    Vector change;         // d mu of the last tangent
+    Vector bound;          // d bound of the last tangent at constant mu
+    Vector path_change;    // d before by the half-length, on which the paths of the particles depend
+    Vector before_change;  // d before of the last tangent
+    std::array<Vector, Slip::parameters> carried_change;  // d rise of each tangent
 };
 
 }  // namespace rollbem::detail

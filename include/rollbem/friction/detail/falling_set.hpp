@@ -1,5 +1,5 @@
-// Stick and slip where the bound of each element depends on how fast it slips: rounds around a solver for given bounds.
-// Knows neither rolling nor where the equations come from.
+// Stick and slip if the bound of each element depends on its slip velocity: iterations around a solver for given
+// bounds. Independent of rolling and of the origin of the equations.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -21,34 +21,33 @@
 
 namespace rollbem::detail {
 
-/// Where the coefficient of an element comes from: after a time at its velocity of slip, from that of the particles that
-/// have come to it.
+/// What determines the coefficient of an element: that of the arriving particles before a period of slip.
 template <class Scalar>
 struct FrictionPassage {
-    const VectorX<Scalar>& pressure;  ///< p_n/G; without pressure a coefficient is that at rest
-    const VectorX<Scalar>& duration;  ///< [s]: how long a particle takes to come to the element
-    const VectorX<Scalar>* before;  ///< mu it had there; null in steady rolling, where it is that of the element ahead
-    Scalar velocity_per_slip;       ///< [m/s] by the solver's slip
+    const VectorX<Scalar>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
+    const VectorX<Scalar>& duration;  ///< duration of the period [s]
+    const VectorX<Scalar>* before;    ///< mu before it; null in steady rolling, where it is that of the element ahead
+    Scalar velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
 };
 
-/// What tangents are taken by.
+/// Derivatives by the parameter of a tangent.
 template <class Slip>
 struct FallingChange {
     using Vector = VectorX<typename Slip::Scalar>;
 
     const typename Slip::Vectors& constant;  ///< dc
-    const Vector* before = nullptr;          ///< d mu_before of each particle; null for none
-    const Vector* bound = nullptr;           ///< d bound while mu stays; null for none
+    const Vector* before = nullptr;          ///< d mu_before of each particle; null for zero
+    const Vector* bound = nullptr;           ///< d bound at constant mu; null for zero
 };
 
-/// Finds mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), v the velocity of slip that bounds mu p_n lead to.
+/// Solves mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), where v is the slip velocity for the bounds mu p_n.
 ///
-/// Newton's method on the difference of both sides, with a line search; the derivative is exact while no element begins
-/// to slip or to stick. Where it stands still, a solution has usually vanished in a fold, and the next is far away: then
-/// rounds of mu = right-hand side from the start on, which pass the bottleneck and find it, and Newton's method again.
-/// All rounds are bounded. Where several solutions exist, it is one that this way leads to from the mu to start with.
+/// Newton's method with a line search; the derivative is exact while no element changes its zone. If the iteration
+/// stagnates, the solution has usually vanished in a fold and the next one is far away: fixed-point iterations from the
+/// initial mu then pass the bottleneck and approach it, followed by Newton's method. All iterations are bounded. If
+/// several solutions exist, the one found depends on the initial mu.
 ///
-/// `Slip` stands for the solver, in one direction or two: see ActiveSetSlip.
+/// `Slip` represents the solver, in one direction or two: see ActiveSetSlip.
 template <class Slip>
 class FallingSet {
 public:
@@ -60,9 +59,9 @@ public:
     using Matrix = MatrixX<Scalar>;
 
     struct Outcome {
-        typename Slip::Outcome solution;  ///< of the last; rounds and pivots of all
-        int solutions = 0;                ///< how often stick and slip were found
-        Scalar change = 0;                ///< largest difference of both sides
+        typename Slip::Outcome solution;  ///< of the last solution; rounds and pivots are those of all
+        int solutions = 0;                ///< number of solutions for stick and slip
+        Scalar change = 0;                ///< largest residual of the equation above
     };
 
     explicit FallingSet(Index n)
@@ -88,8 +87,8 @@ public:
 
     Index size() const { return start_.size(); }
 
-    /// From `start` and the `friction` to start with, which becomes the result; matrices and constants of the solver are
-    /// set. `friction` is finite and not negative.
+    /// Starts from `start` and `friction`, finite and not negative, and overwrites `friction` with the result. Matrices
+    /// and constants of the solver must be set.
     template <class Law>
     Outcome solve(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const typename Slip::Start& start, Solver& solver, Vector& friction) noexcept {
@@ -123,8 +122,8 @@ public:
         return outcome;
     }
 
-    /// dp and d mu that follow a change while no element changes its zone; of what was solved last. `friction_change` and
-    /// `traction_change` must be none of those in `change`.
+    /// dp and d mu in the last solution caused by a change, while no element changes its zone. `friction_change` and
+    /// `traction_change` must not be vectors in `change`.
     template <class Law>
     void respond(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                  Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
@@ -164,7 +163,7 @@ public:
 private:
     static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
 
-    // Velocities of slip, both sides' difference, and the derivatives of the right-hand side.
+    // Slip velocities and residual.
     template <class Law>
     void evaluate(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const Solver& solver, const Vector& mu) {
@@ -190,7 +189,7 @@ private:
         return kept * before + (1 - kept) * now;
     }
 
-    /// Steps until settled, true; or until none brings the difference down.
+    // Newton steps until the residual is small enough (true) or cannot be reduced.
     template <class Law, class Find>
     bool newton(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                 Solver& solver, Scalar settled, const Find& find, const Outcome& outcome, Vector& friction) {
@@ -212,9 +211,8 @@ private:
         return outcome.change <= settled;
     }
 
-    /// mu = right-hand side, until the difference has risen and come down again. Where it hardly changes from round to
-    /// round, in the bottleneck, mu goes many rounds' way at once; where all that has not helped, a part of the way
-    /// only.
+    // Fixed-point iterations until the residual has risen and fallen again. In the bottleneck, where it hardly changes,
+    // the steps are enlarged; after unsuccessful restarts they are damped.
     template <class Find>
     Scalar follow(Scalar settled, Scalar scale, int restart, const Find& find, Vector& friction) {
         const Scalar part = restart < 2 ? Scalar(1) : restart < 4 ? Scalar(0.4) : Scalar(0.15);
@@ -239,8 +237,8 @@ private:
         return std::max(scale, peak / 50);
     }
 
-    // Newton's step: (1 - d right-hand side / d mu) step = difference. Coefficients of elements that stick act on
-    // nothing.
+    // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
+    // influence.
     template <class Law>
     void linearise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
@@ -249,8 +247,8 @@ private:
         spread(step_);
     }
 
-    // To 30 bits, more than the difference quotients are good for: while nothing changes but by rounding, the derivatives
-    // stay as they are, to the last bit, and all that is made of them.
+    // Rounds to 30 bits, which is within the accuracy of the difference quotients. While quantities change by round-off
+    // only, the derivatives and everything computed from them then stay the same to the last bit.
     static Scalar rounded(Scalar x) {
         constexpr int digits = std::numeric_limits<Scalar>::digits;
         if constexpr (digits <= 30) {
@@ -261,14 +259,14 @@ private:
         }
     }
 
-    // The derivatives of the right-hand sides by slip and by the coefficient ahead, and from them Newton's matrix,
-    // unless it is the one there is. Slip of elements that stick stays zero.
+    // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
+    // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero.
     template <class Law>
     void factorise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
         slip_.linearise(solver);
         const bool steady = passage.before == nullptr;
-        // differences as wide as the velocities at hand allow, for where an element hardly slips
+        // differences of a width that also suits elements that hardly slip
         const Scalar unit = memory.least_velocity + rounded(velocity_.maxCoeff()) / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
         Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
@@ -302,7 +300,7 @@ private:
         const Index count = slip_.slipping_count();
         for (Index k = 0; k < count; ++k) {
             const Scalar gain = right_[slip_.slipping(k)];
-            if (!steady) {  // no element knows of the one ahead
+            if (!steady) {  // independent of the element ahead
                 for (Index l = 0; l < count; ++l) {
                     const Index i = slip_.slipping(l);
                     newton_(l, k) = (k == l ? 1 : 0) - step_[i] * gain * slip_by_traction(i, k);
@@ -321,7 +319,7 @@ private:
         factorise_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data());
     }
 
-    // What the coefficients change in all when by themselves they change by `change`, which it overwrites.
+    // Overwrites direct changes of the coefficients with the total changes that they cause.
     void spread(Vector& change) {
         const Index count = slip_.slipping_count();
         for (Index k = 0; k < count; ++k) response_[k] = change[slip_.slipping(k)];
@@ -337,17 +335,17 @@ private:
 
     Slip slip_;
     Vector start_, residual_, tried_, step_;
-    Vector velocity_, slope_, kept_;  // v; d right-hand side / d v; and by that of the element ahead
+    Vector velocity_, slope_, kept_;  // v; d right-hand side / d v and / d mu of the element ahead
     Vector response_;
     Matrix by_friction_, newton_;
     Vector right_;
-    Vector newton_slope_, newton_gain_, newton_kept_;  // what by_friction_ and newton_ were made of
+    Vector newton_slope_, newton_gain_, newton_kept_;  // for which by_friction_ and newton_ were computed
     unsigned long newton_revision_ = never;
     bool is_steady_ = false;
     std::vector<Index> swaps_;
-    typename Slip::Vectors asked_, answer_;  // the last change of constants that respond() was asked for
+    typename Slip::Vectors asked_, answer_;  // last argument and result of respond()
     Vector friction_answer_;
-    bool answered_ = false;  // with newton_ as it is
+    bool answered_ = false;  // with the present newton_
 };
 
 }  // namespace rollbem::detail

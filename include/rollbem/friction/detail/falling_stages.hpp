@@ -1,5 +1,5 @@
-// Stages of a step whose bounds depend on the velocity of slip: what each particle remembers when a stage begins, and
-// the solution for tractions and coefficients together. No user includes this by itself.
+// Stages of a step whose bounds depend on the slip velocity: the memory of each particle at the start of a stage, and
+// the simultaneous solution for tractions and coefficients. Not for direct inclusion.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -20,15 +20,15 @@
 
 namespace rollbem::detail {
 
-/// Values at the rising `points` of a contact as a function of x/a: linear between them and from the last to the leading
-/// edge, where it is `ahead`, as in front of it.
+/// Piecewise linear function of x/a with given values at the `points`, in ascending order, and the value `ahead` from
+/// the leading edge on; constant behind the first point.
 template <class Scalar>
 class AlongContact {
 public:
     AlongContact(const ArrayX<Scalar>& points, const Scalar* values, Scalar ahead)
         : points_(points), values_(values), ahead_(ahead) {}
 
-    /// At places that rise from call to call.
+    /// Arguments must not decrease from call to call.
     Scalar operator()(Scalar x) {
         while (next_ < points_.size() && points_[next_] < x) ++next_;
         const bool between = next_ < points_.size();
@@ -38,7 +38,7 @@ public:
         return value + (right - x) / (right - left) * (values_[next_ - 1] - value);
     }
 
-    /// d value / dx there, 0 where the value is constant; at a point, that behind it. At places that rise, too.
+    /// The derivative, at a point that from behind. Arguments must not decrease from call to call.
     Scalar slope(Scalar x) {
         while (next_ < points_.size() && points_[next_] < x) ++next_;
         const bool between = next_ < points_.size();
@@ -54,9 +54,8 @@ private:
     Eigen::Index next_ = 0;
 };
 
-/// One step or one steady solution. In time, mu of a particle follows its equation along its path through the contact by
-/// the same stages as the tractions: implicit Euler, or sdirk2, whose second stage goes on from where the first has led.
-/// For one direction or two, as `Slip` says.
+/// One step or one steady solution. In a step, the equation for mu is integrated along the path of each particle by the
+/// same stages as the tractions, implicit Euler or sdirk2. For one direction or two, depending on `Slip`.
 template <class Law, class Slip>
 class FallingStages {
 public:
@@ -67,8 +66,8 @@ public:
     using Scratch = FallingScratch<Slip>;
     static constexpr bool bounds_are_given = false;
 
-    /// Of a step that rolls by `dq` in `duration` [s] from a half-length, lengths in a_0 = `unit` [m]. `points` are those
-    /// of the equations; null where nothing is remembered. Keeps references to all but the numbers.
+    /// A step that rolls by `dq` in `duration` [s], starting with a half-length; lengths in a_0 = `unit` [m]. `points`
+    /// are the collocation points; null without memory. Keeps references to all arguments that are not numbers.
     FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>* points,
                   const ArrayX<Scalar>& friction, Scalar unit, Scalar dq, Scalar duration, Scalar half_length,
                   bool with_tangents, Scratch& scratch) noexcept
@@ -87,7 +86,8 @@ public:
         if (points == nullptr) scratch_.before.setZero();
     }
 
-    /// Of steady rolling at a speed [m/s]: each particle has come from the element ahead. Widths in the half-length [m].
+    /// Steady rolling at a speed [m/s]: particles arrive from the element ahead. Widths in units of the half-length
+    /// [m].
     FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>& friction, Scalar speed,
                   const Vector& widths, Scalar half_length, bool with_tangents, Scratch& scratch) noexcept
         : law_(law),
@@ -118,8 +118,9 @@ public:
         scratch_.rise = scratch_.friction - scratch_.before;
         AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
+            // extrapolation may overshoot if much is forgotten in a step
             const Scalar before = start(origin(i)) + sdirk2_ratio<Scalar> * rise(between(i));
-            scratch_.before[i] = std::max(before, Scalar(0));  // it goes too far where much is forgotten in a step
+            scratch_.before[i] = std::max(before, Scalar(0));
         }
     }
 
@@ -133,8 +134,8 @@ public:
         return outcome.solution;
     }
 
-    /// dp by a change dc of the stage solved last, and by `share` of one of its pressures, to which belongs `carried` times
-    /// what carry_response() has kept of the same parameter.
+    /// dp in the stage solved last caused by a change dc, by a change of the pressures, `share` times pressure_change,
+    /// and in the second stage by `carried` times the response of the first, kept by carry_response().
     void respond(Solver& solver, const Vectors& change, Scalar carried, Vectors& traction_change,
                  std::size_t parameter = 0, const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
         FallingChange<Slip> changes{change};
@@ -151,7 +152,8 @@ public:
         moves_paths_ = false;
     }
 
-    /// The same by the half-length at the end of the step, in a_0, which moves the paths of the particles.
+    /// dp caused by the half-length at the end of the step, in a_0, which changes the constants by `change` and the
+    /// paths of the particles.
     void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
                                 std::size_t parameter) noexcept {
         FallingChange<Slip> changes{change};
@@ -165,7 +167,7 @@ public:
         respond(solver, changes, traction_change);
     }
 
-    /// After the first of two stages: the response of the second starts from its.
+    /// Keeps the response of the first of two stages for that of the second.
     void carry_response(std::size_t parameter = 0) noexcept {
         scratch_.carried_change[parameter] = scratch_.change;
         if (moves_paths_) scratch_.carried_change[parameter] -= scratch_.path_change;
@@ -177,16 +179,16 @@ private:
     Index size() const { return start_.size(); }
 
     AlongContact<Scalar> at_start() const { return {*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0)))}; }
-    // Where the particle that a stage ends with was at the start of the step, x/a there,
+    // Position x/a, at the start of the step, of the particle that arrives at point i,
     Scalar origin(Index i) const {
         return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) * per_half_length_;
     }
-    // and, in the second stage, at the end of the first.
+    // and its position at the end of the first stage.
     Scalar between(Index i) const {
         return (stage_half_length_ * (*points_)[i] + (1 - place_.part) * dq_) / first_half_length_;
     }
 
-    // What the first stage hands on, to the coefficients that the second starts from.
+    // Adds the response of the first stage to the change of the initial coefficients of the second.
     void add_carried(Scalar carried, std::size_t parameter) {
         AlongContact<Scalar> change(*points_, scratch_.carried_change[parameter].data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
@@ -195,7 +197,7 @@ private:
         }
     }
 
-    // By the half-length at the end of the step, of which a stage has `progress` at its own.
+    // By the half-length at the end of the step; that at the end of a stage changes by `progress` times as much.
     void find_path_change() {
         AlongContact<Scalar> start = at_start();
         for (Index i = 0; i < size(); ++i) {
@@ -226,12 +228,12 @@ private:
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     bool steady_ = false, second_ = false;
-    bool moves_paths_ = false;  // what the last tangent was taken by
+    bool moves_paths_ = false;  // the last tangent was that by the half-length
     Scalar unit_ = 1, dq_ = 0, duration_ = 0;
     Scalar half_length_ = 1, per_half_length_ = 1;          // at the start of the step, and its reciprocal
     Scalar first_half_length_ = 1, stage_half_length_ = 1;  // at the end of the first stage, and of this one
     StagePlace<Scalar> place_{1, 1};
-    Scalar velocity_per_slip_ = 0;  // [m/s] by the solver's slip
+    Scalar velocity_per_slip_ = 0;  // slip velocity [m/s] over the solver's slip
     const Vector* pressure_ = nullptr;
     Scratch& scratch_;
 };

@@ -1,5 +1,5 @@
-// How the force at the end of a step answers the load and the half-length there, stage by stage.
-// Knows neither units nor what the load is.
+// Response of the force at the end of a step to the load and the half-length there, stage by stage.
+// Independent of units and of the kind of load.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -15,21 +15,21 @@
 
 namespace rollbem::detail {
 
-/// Where a stage lies in its step, for what goes evenly from the start of the step to its end.
+/// Position of a stage in its step, for quantities that vary linearly during the step.
 template <class Scalar>
 struct StagePlace {
-    Scalar part;      ///< of the step that the stage takes
-    Scalar progress;  ///< part of the step that is done at its end
+    Scalar part;      ///< share of the step that the stage takes
+    Scalar progress;  ///< share of the step that is done at the end of the stage
 };
 
-/// What tangents are taken by, as the numbers under which stages keep what the first hands on to the second.
+/// Parameters of the tangents, as indices of what the first stage passes to the second.
 struct TangentBy {
     static constexpr std::size_t creepage = 0, load = 1, half_length = 2;
 };
 
-/// Tractions of a stage by a change at the end of the step, while no element changes its zone: by bounds that change,
-/// and by the half-length. What the first of two stages answers shifts the equations of the second. All is allocated by
-/// the constructor.
+/// Derivatives of the tractions of a stage by the bounds and by the half-length at the end of the step, while no
+/// element changes its zone. The response of the first of two stages changes the constants of the second. All memory is
+/// allocated by the constructor.
 template <class Scalar>
 class LoadTangents {
 public:
@@ -44,7 +44,7 @@ public:
           rate_(Vector::Zero(n)),
           change_(Vector::Zero(n)) {}
 
-    /// Starts a step: which tangents are asked for, no stage having answered yet.
+    /// Starts a step and chooses its tangents.
     void begin(bool by_load, bool by_half_length) {
         by_load_ = by_load;
         by_half_length_ = by_half_length;
@@ -54,7 +54,7 @@ public:
     bool by_load() const { return by_load_; }
     bool by_half_length() const { return by_half_length_; }
 
-    /// d bound at the end of the step by the load, at the coefficients that `stages` know, to be filled where by_load().
+    /// d bound / d load at the end of the step, to be filled if by_load(); for falling friction d (p_n/G) / d load.
     Vector& bound_change() { return bound_change_; }
 
     /// The first of two stages, solved in `solver`; the second starts from U + ratio (U_1 - U).
@@ -76,14 +76,14 @@ public:
         }
     }
 
-    /// dp of the last stage by the load,
+    /// dp / d load of the last stage.
     template <class Stages>
     const Vector& respond_to_load(Stages& stages, const StagePlace<Scalar>& place, ActiveSet<Scalar>& solver) {
         stages.respond(solver, carried_by_load_, Scalar(1), response_, TangentBy::load, &bound_change_, place.progress);
         return response_;
     }
 
-    /// and by the half-length in a_0: dM p = progress dU/da - part zeta G' p.
+    /// dp / da of the last stage, a in a_0: dM p = progress dU/da - part zeta G' p.
     template <class Stages>
     const Vector& respond_to_half_length(Stages& stages, const RollingSystem<Scalar>& system,
                                          const RollingStage<Scalar>& stage, const StagePlace<Scalar>& place,
@@ -99,7 +99,7 @@ public:
 
 private:
     Vector bound_change_;
-    Vector carried_by_load_, carried_by_length_;  // what the first stage adds to the constants of the second
+    Vector carried_by_load_, carried_by_length_;  // contributions of the first stage to dc of the second
     Vector response_, displacement_, rate_, change_;
     bool by_load_ = false, by_half_length_ = false;
 };

@@ -1,5 +1,5 @@
 // The equations s = M p - B of one stage of rolling, for one direction of creepage, on a contact whose length may vary.
-// Knows neither friction nor units.
+// Independent of friction and units.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -15,27 +15,27 @@
 
 namespace rollbem::detail {
 
-// Alexander's two stages (1977): each takes sdirk2_part of the step. The second starts from U + sdirk2_ratio (U_1 - U),
-// U_1 the displacement that the first has come to; the slip of a step is sdirk2_ratio times the first's and the
-// second's.
+// Alexander's method with two stages (1977): each stage takes sdirk2_part of the step. The second starts from
+// U + sdirk2_ratio (U_1 - U), with U_1 the displacement at the end of the first; the slip of the step is sdirk2_ratio
+// times that of the first stage plus that of the second.
 template <class Scalar>
 inline constexpr Scalar sdirk2_part = 1 - std::numbers::sqrt2_v<Scalar> / 2;
 template <class Scalar>
 inline constexpr Scalar sdirk2_ratio = 1 + std::numbers::sqrt2_v<Scalar>;  // (1 - part)/part
 
-/// What a stage does to the contact. Lengths in a_0, the half-length that the system was made for.
+/// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
 template <class Scalar>
 struct RollingStage {
     Scalar distance;         ///< rolled in the stage
     Scalar half_length = 1;  ///< a at its end
-    Scalar growth = 0;       ///< part of the step's change of the half-length that the stage takes, |growth| < distance
+    Scalar growth = 0;       ///< change of the half-length that belongs to the stage, |growth| < distance
 
-    /// Of a step that rolls by `dq` while the half-length goes evenly from one value to another: a stage that takes
-    /// `part` of it and ends within,
+    /// A stage that takes `part` of a step and ends within it; the step rolls by `dq` while the half-length varies
+    /// linearly.
     static RollingStage within(Scalar part, Scalar dq, Scalar from, Scalar to) {
         return {part * dq, from + part * (to - from), part * (to - from)};
     }
-    /// or with the step.
+    /// A stage that ends with the step.
     static RollingStage last(Scalar part, Scalar dq, Scalar from, Scalar to) {
         return {part * dq, to, part * (to - from)};
     }
@@ -44,9 +44,9 @@ struct RollingStage {
     friend bool operator==(const RollingStage&, const RollingStage&) = default;
 };
 
-/// Whether a contact of half-length `from` can roll by `distance` and have the half-length `to` then, all in a_0: ok or
-/// needs_fixed_mesh. Where |to - from| >= distance, an edge meets elements that have not rolled: the equations of an
-/// element that moves with the edge are upwind no more.
+/// Whether the half-length of a contact can change from `from` to `to` while it rolls by `distance`, all in a_0: ok or
+/// needs_fixed_mesh. For |to - from| >= distance an edge overtakes the particles, and the equations of elements that
+/// move with the edge are no longer upwind.
 template <class Scalar>
 StepStatus check_growth(const RollingSystem<Scalar>& system, Scalar distance, Scalar from, Scalar to) {
     const bool breathes = from != 1 || to != 1;
@@ -55,7 +55,7 @@ StepStatus check_growth(const RollingSystem<Scalar>& system, Scalar distance, Sc
     return possible ? StepStatus::ok : StepStatus::needs_fixed_mesh;
 }
 
-/// M = a (G - S ln(a) 1 w^T) - (distance + growth zeta) G', row by row, zeta the points of the equations.
+/// M = a (G - S ln(a) 1 w^T) - (distance + growth zeta) G', row by row, with zeta the collocation points.
 template <class Scalar>
 void fill_stage_matrix(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage, MatrixX<Scalar>& M) {
     if (!stage.varies()) {
@@ -71,7 +71,7 @@ void fill_stage_matrix(const RollingSystem<Scalar>& system, const RollingStage<S
     }
 }
 
-/// U = a (G p - S ln(a) (w.p) 1), the displacement under tractions p of a contact of half-length a.
+/// U = a (G p - S ln(a) (w.p) 1), the displacement caused by tractions p in a contact of half-length a.
 template <class Scalar>
 void find_displacement(const RollingSystem<Scalar>& system, Scalar half_length, const VectorX<Scalar>& p,
                        VectorX<Scalar>& U) {
@@ -81,7 +81,7 @@ void find_displacement(const RollingSystem<Scalar>& system, Scalar half_length, 
     U.array() = half_length * (U.array() - common);
 }
 
-/// dU/da under constant tractions, from U itself: U/a - S (w.p) 1. For systems that can breathe.
+/// dU/da at constant tractions, from U itself: U/a - S (w.p) 1. For systems that can breathe.
 template <class Scalar>
 void find_displacement_rate(const RollingSystem<Scalar>& system, Scalar half_length, const VectorX<Scalar>& p,
                             const VectorX<Scalar>& U, VectorX<Scalar>& rate) {

@@ -1,4 +1,4 @@
-// Whether two rows of numbers are the same to the last bit.
+// Bitwise comparison of two vectors.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -8,8 +8,8 @@
 
 namespace rollbem::detail {
 
-/// Of two that are equally long. Quicker than ==; it tells apart zeros of two signs, and a long double may differ in its
-/// padding: for what is only computed again then.
+/// For vectors of equal length; faster than ==. Zeros of different sign count as different, and so may equal values of
+/// long double, because of padding: use it only to decide whether something is computed again.
 template <class Values>
 bool same_bits(const Values& x, const Values& y) {
     return std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(*x.data())) == 0;

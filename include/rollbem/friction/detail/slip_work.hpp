@@ -1,4 +1,4 @@
-// The work that slip turns into heat on each element: slip is known where the equations hold, tractions on elements.
+// Frictional heat of each element: slip is known at the collocation points, tractions on the elements.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -14,17 +14,17 @@
 
 namespace rollbem::detail {
 
-/// Work of tractions against slip, element by element, with the slip taken at the element's centre: linear between the
-/// two neighbouring points of the equations, and beyond the first or the last of them. At alpha = 0.5, where the
-/// equation of an element holds at its leading edge, that is the mean of the slips at its two edges. The slip of the
-/// element's own equation would leave an error of first order.
+/// Work of tractions against slip, element by element, with the slip at the element's centre: interpolated linearly
+/// between the two neighbouring collocation points, or extrapolated from the first or last two. At alpha = 0.5, where
+/// the collocation point of an element is its leading edge, this is the mean of the slips at its two edges. The slip of
+/// the element's own equation would give an error of first order.
 ///
-/// Lengths in units of a, tractions in G. Two directions share one: their works add up.
+/// Lengths in units of a, tractions in G. The works of two directions add up in the same sum.
 template <class Scalar>
 class SlipWork {
 public:
-    /// `widths` of the elements with unknown tractions, which begin at the trailing edge; `points` x/a of their
-    /// equations. Without points each slip is taken as it is.
+    /// `widths` of the elements with unknown tractions, beginning at the trailing edge; `points` the collocation points
+    /// x/a. Without points the slip of each element's own equation is used.
     SlipWork(const ArrayX<Scalar>& widths, const std::optional<ArrayX<Scalar>>& points)
         : widths_(widths), between_(static_cast<std::size_t>(widths.size())), shares_(widths.size()) {
         Scalar edge = 0;  // 1 + x/a of the trailing edge of element i
@@ -38,7 +38,7 @@ public:
 
     Eigen::Index size() const { return widths_.size(); }
 
-    /// Slip at the centre of an element from the slips of all equations.
+    /// Slip at the centre of an element, from the slips in all equations.
     template <class Vector>
     Scalar at_centre(Eigen::Index element, const Vector& slip) const {
         const Between& between = between_[static_cast<std::size_t>(element)];
@@ -46,7 +46,7 @@ public:
         return behind + between.share * (slip[between.ahead] - behind);
     }
 
-    /// Adds -p s dx of each element to `work`, on a contact of another half-length where one is given.
+    /// Adds -p s dx of each element to `work`; `half_length` is that of the contact.
     template <class Traction, class Slip>
     void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work, Scalar half_length = 1) const {
         const auto one_by_one = [&](Index begin, Index end) {
@@ -61,7 +61,7 @@ public:
         one_by_one(begin_ + count_, size());
     }
 
-    /// Sum of p u dx of all elements: with u the displacements in all equations, twice the elastic energy.
+    /// Sum of p u dx over all elements; twice the elastic energy if u are the displacements in all equations.
     template <class Traction, class Displacement>
     Scalar product(const Traction& traction, const Displacement& displacement) const {
         Scalar sum = 0;
@@ -69,14 +69,14 @@ public:
         return sum;
     }
 
-    /// Ends a sum, in other units if so wished: no element gains energy. Where the slip turns round or ends within an
-    /// element, interpolation may say so, by an amount of second order.
+    /// Completes a sum: multiplies it by `unit` and removes negative values. No element gains energy, but interpolation
+    /// may yield a gain of second order where the slip changes sign or vanishes within an element.
     static void end(VectorX<Scalar>& work, Scalar unit = 1) { work = unit * work.cwiseMax(Scalar(0)); }
 
 private:
     using Index = Eigen::Index;
 
-    // The equations about a centre, and the share of the way from the one to the other at which it lies.
+    // The equations on both sides of a centre, and its position between them, from 0 to 1.
     struct Between {
         Index behind, ahead;
         Scalar share = 0;
@@ -92,11 +92,12 @@ private:
         while (behind > 0 && point(behind) > centre) --behind;
         while (behind < size() - 2 && point(behind + 1) <= centre) ++behind;
         const Scalar distance = point(behind + 1) - point(behind);
-        if (!(distance > 0)) return;  // points of tiny elements may round to one number
+        if (!(distance > 0)) return;  // the points of tiny elements may coincide after rounding
         between = {.behind = behind, .ahead = behind + 1, .share = (centre - point(behind)) / distance};
     }
 
-    // The longest run of elements whose neighbours lie as many elements behind and ahead: on most meshes nearly all.
+    // The longest run of elements with the same offsets to their neighbours, on most meshes nearly all of them. It is
+    // treated by vector operations.
     void find_run() {
         for (Index begin = 0, end = 0; begin < size(); begin = end) {
             const auto behind = [&](Index i) { return between_[static_cast<std::size_t>(i)].behind - i; };

@@ -1,4 +1,4 @@
-// What a stage of a step knows of the past: the displacement that its equations start from.
+// The displacement at the start of a stage, on which its equations depend.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -11,14 +11,15 @@
 
 namespace rollbem::detail {
 
-/// The displacement U at the start of a stage: kept as the tractions that cause it where the half-length stays (U is
-/// linear in them then), and as itself where it changes. Allocates in the constructor alone.
+/// The displacement U at the start of a stage. It is stored as the tractions that cause it if the half-length is
+/// constant (U is then linear in them), and directly otherwise. All memory is allocated by the constructor.
 template <class Scalar>
 class StageMemory {
 public:
     explicit StageMemory(Eigen::Index n) : memory_(VectorX<Scalar>::Zero(n)), displacement_(memory_) {}
 
-    /// Starts a step from tractions p/G at the half-length `from` in a_0; `grows` where another is at its end.
+    /// Starts a step from tractions p/G at the half-length `from` in a_0; `grows` if the half-length changes in the
+    /// step.
     template <class Derived>
     void begin(const RollingSystem<Scalar>& system, const Eigen::MatrixBase<Derived>& tractions, Scalar from,
                bool grows) {
@@ -30,8 +31,8 @@ public:
         memory_.swap(displacement_);
     }
 
-    /// Goes on to the second stage, `ratio` times as far from the start as the first stage has come with its tractions,
-    /// at its half-length.
+    /// Prepares the second stage: extrapolates by `ratio` from the start to the end of the first stage, which has these
+    /// tractions and this half-length.
     void extrapolate(const RollingSystem<Scalar>& system, const VectorX<Scalar>& tractions, Scalar half_length,
                      Scalar ratio) {
         if (!grows_) {

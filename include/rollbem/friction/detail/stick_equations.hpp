@@ -1,5 +1,5 @@
-// The equations of the elements that stick: M(S, S) x = r for a set S that changes by few elements at a time.
-// What it computes depends on M and S alone, to the last bit, never on the sets that came before.
+// The equations of the sticking elements: M(S, S) x = r for a set S that changes by few elements at a time.
+// Results depend on M and S alone, to the last bit, not on earlier sets.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -17,11 +17,11 @@
 
 namespace rollbem::detail {
 
-/// Factors of M(S, S), S listed from the leading edge to the trailing edge. The usual way is elimination without
-/// pivoting, an element at a time, with both triangles kept inverted: the factors of a list are the leading part of
-/// those of any longer list that begins with it, so that a border that moves at the end of the list costs O(n^2) an
-/// element, and gives what starting afresh would give. Where a pivot is small or a multiplier large, LU with pivoting
-/// takes over. Everything is allocated by the constructor.
+/// Factors of M(S, S), with S listed from the leading edge to the trailing edge. Normally M(S, S) is eliminated without
+/// pivoting, one element at a time, and the inverses of both triangles are stored. The factors of a list are the
+/// leading part of those of any longer list that begins with it: a border that moves at the end of the list costs
+/// O(n^2) per element, and the result is the same as that of a new factorisation. If a pivot is small or a multiplier
+/// large, LU with pivoting takes over. All memory is allocated by the constructor.
 template <class Scalar>
 class StickEquations {
 public:
@@ -45,7 +45,7 @@ public:
     Index size() const { return matrix_.rows(); }
     const Matrix& matrix() const { return matrix_; }
 
-    /// M, to be filled anew: the factors are void.
+    /// M, to be filled with new entries; invalidates the factors.
     Matrix& new_matrix() {
         nested_count_ = 0;
         pivoted_count_ = -1;
@@ -53,7 +53,7 @@ public:
         return matrix_;
     }
 
-    /// Factorises for the elements with stick = 1. False when M(S, S) is singular to working precision.
+    /// Factorises for the elements with stick = 1. False if M(S, S) is singular to working precision.
     bool factorise(const Vector& stick) {
         Index count = 0;
         bool same = true;
@@ -72,7 +72,7 @@ public:
         return true;
     }
 
-    /// Turns to LU with pivoting for the present S, when what the other factors give is not good enough.
+    /// Switches to LU with pivoting for the present S, if the other factors are not accurate enough.
     bool pivot() {
         if (!std::exchange(uses_pivoted_, true)) ++revision_;
         bool kept = pivoted_count_ == count_;
@@ -109,7 +109,7 @@ public:
 
     Index count() const { return count_; }                ///< elements of S
     Index listed(Index k) const { return list_[at(k)]; }  ///< the k-th of them, from the leading edge
-    /// Overwrites x, one entry an element of S in the list's order, with M(S, S)^-1 x.
+    /// Overwrites x, one entry per element of S in the order of the list, with M(S, S)^-1 x.
     void solve_listed(VectorRef<Scalar> x) {
         if (uses_pivoted_) {
             solve_in_place<Scalar>(pivoted_.topLeftCorner(count_, count_), swaps_.data(), x);
@@ -119,13 +119,13 @@ public:
         }
     }
 
-    /// Column k of M(S, S)^-1 in the list's order, from the factors without pivoting.
+    /// Column k of M(S, S)^-1 in the order of the list, from the factors without pivoting.
     void find_inverse_column(Index k, Vector& column) const {
         const Index rest = count_ - k;
         column.head(count_).noalias() = upper_.block(0, k, count_, rest) * lower_.col(k).segment(k, rest);
     }
 
-    /// Changes whenever M, S or the kind of factors does.
+    /// Changes whenever M, S or the kind of factors changes.
     unsigned long revision() const { return revision_; }
 
 private:
@@ -135,7 +135,7 @@ private:
         y.head(count).noalias() = A.topLeftCorner(count, count) * x.head(count);
     }
 
-    // Brings the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
+    // Extends the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
     // d = a - z y; the inverse of L gains the row [-z L^-1, 1], that of U the column [-U^-1 y; 1] / d.
     bool extend() {
         Index k = 0;
@@ -168,19 +168,19 @@ private:
         return true;
     }
 
-    // Bounds on how much elimination without pivoting may lose; what it gives is verified against M besides.
+    // Bounds on the loss of accuracy of elimination without pivoting; its results are also verified against M.
     static constexpr Scalar least_pivot = Scalar(1e-3);
     static constexpr Scalar largest_multiplier = 10;
 
     Matrix matrix_;
-    Matrix lower_, upper_;  // inverse triangles of the nested factors, zero beside them
+    Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
     Vector right_, solution_, row_;
     std::vector<Index> swaps_;
     std::vector<Index> list_, nested_list_, pivoted_list_;
     Index count_ = 0;           // elements of list_
-    Index nested_count_ = 0;    // elements that the nested factors hold
-    Index pivoted_count_ = -1;  // elements that the pivoted factors hold; -1: none
+    Index nested_count_ = 0;    // elements in the nested factors
+    Index pivoted_count_ = -1;  // elements in the pivoted factors; -1: none
     bool uses_pivoted_ = false, pivoted_finite_ = false;
     unsigned long revision_ = 0;
 };

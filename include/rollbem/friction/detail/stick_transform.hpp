@@ -1,4 +1,4 @@
-// Tractions of the elements that stick and slip of those that slip, by one product of matrix and vector.
+// Tractions of the sticking and slip of the slipping elements, by one matrix-vector product.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -13,9 +13,9 @@
 
 namespace rollbem::detail {
 
-/// The principal transform of s = M p + c for the elements S that stick, where s = 0, while the tractions of the others
-/// are zero: p_S = -M(S, S)^-1 c_S and s_L = c_L - M(L, S) M(S, S)^-1 c_S. Depends on M and S alone, to the last bit.
-/// Everything is allocated by the constructor.
+/// Principal pivot transform of s = M p + c with s = 0 for the sticking elements S and p = 0 for the others, L: p_S =
+/// -M(S, S)^-1 c_S and s_L = c_L - M(L, S) M(S, S)^-1 c_S. Depends on M and S alone, to the last bit. All memory is
+/// allocated by the constructor.
 template <class Scalar>
 class StickTransform {
 public:
@@ -25,8 +25,8 @@ public:
     explicit StickTransform(Index n)
         : matrix_(MatrixX<Scalar>::Zero(n, n)), listed_(n), column_(Vector::Zero(n)), slip_(n) {}
 
-    /// Made for what the equations are factorised for, unless it is already: about |S| products of matrix and vector.
-    /// Not for factors with pivoting.
+    /// Computes the matrix for the present factors unless it is up to date; costs about |S| matrix-vector products. The
+    /// factors must be those without pivoting.
     void make(StickEquations<Scalar>& equations) {
         if (revision_ == equations.revision()) return;
         revision_ = equations.revision();
@@ -48,7 +48,7 @@ public:
         }
     }
 
-    /// p of the elements that stick; s - c of the others.
+    /// p of the sticking elements, s - c of the others.
     void apply(const StickEquations<Scalar>& equations, const Vector& constant, Vector& result) {
         const Index count = equations.count();
         for (Index k = 0; k < count; ++k) listed_[k] = constant[equations.listed(k)];
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    MatrixX<Scalar> matrix_;  // its k-th column belongs to the k-th element of the equations' list
+    MatrixX<Scalar> matrix_;  // column k belongs to the k-th element in the list of the equations
     Vector listed_, column_, slip_;
     unsigned long revision_ = std::numeric_limits<unsigned long>::max();
 };

@@ -1,4 +1,4 @@
-// How many steps in a row have left every element in its zone, and what the next step need not do for that reason.
+// The number of consecutive steps in which no element changed its zone, and what the next step may omit because of it.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -11,22 +11,22 @@
 
 namespace rollbem::detail {
 
-/// Counts in the states themselves, so that a step depends on nothing else. A count holds for one matrix, which the
-/// distance rolled in a stage and the half-length determine.
+/// The count is kept in the states, so that a step depends on nothing else. It refers to one matrix, which is
+/// determined by the distance rolled in a stage and the half-length.
 template <class Scalar>
 class UnchangedSteps {
 public:
     /// For n elements; `unit` is a_0 [m].
     UnchangedSteps(Eigen::Index n, Scalar unit) : enough_(1 + static_cast<int>(n / 2)), unit_(unit) {}
 
-    /// Of a step whose stages roll by `distance` in a_0 at constant half-length.
+    /// For a step whose stages roll by `distance` in a_0 at constant half-length.
     Effort effort(const FrictionState<Scalar>& from, Scalar distance) const {
         const int steps = claimed(from, distance);
         if (steps < enough_) return Effort::equations;
         return steps == enough_ ? Effort::transform_check : Effort::transform;
     }
 
-    /// After the last stage of a step, in which every element has kept its zone or not.
+    /// Updates the count at the end of a step; `unchanged` if no element changed its zone.
     void count(const FrictionState<Scalar>& from, const RollingStage<Scalar>& last, bool unchanged,
                FrictionState<Scalar>& to) const {
         to.unchanged_steps = 0;
@@ -38,16 +38,16 @@ public:
     }
 
 private:
-    // Checks are cheap, but need not be frequent: nothing but rounding can differ.
+    // Checks need not be frequent, as only round-off can differ.
     static constexpr int period = 64;
 
-    // 0 for what no step leaves, or for another matrix.
+    // 0 for a count that no step leaves, or for another matrix.
     int claimed(const FrictionState<Scalar>& from, Scalar distance) const {
         const bool possible = from.unchanged_steps > 0 && from.unchanged_steps < enough_ + period;
         return possible && from.unchanged_distance == unit_ * distance ? from.unchanged_steps : 0;
     }
 
-    int enough_;  // the transform costs about n/2 products of matrix and vector, and saves one or two a step
+    int enough_;  // computing the transform costs about n/2 matrix-vector products and saves one or two per step
     Scalar unit_;
 };
 
