@@ -1,5 +1,5 @@
-// What the tests of friction under a load that varies share: Hertz's contact with a_0 = G = 1 and mu p_0 = `peak` under
-// the load `full_force`, on a mesh that breathes or on a fixed one.
+// Shared by the tests of friction under a varying load: Hertz's contact with a_0 = G = 1 and mu p_0 = `peak` under the
+// load `full_force`, on a breathing or a fixed mesh.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace friction_tests {
 
 constexpr double load_nu = 0.28;
 
-/// Creepage [-] by its ratio to the one at which all of the contact slips under the load `full_force`.
+/// Creepage [-] from its ratio to the one at which the contact slips fully under the load `full_force`.
 inline double load_creepage(double ratio) { return 2 * (1 - load_nu) * peak * ratio; }
 
 /// Cylinders of E = 1 with a = 1 and p_0 = `peak` under the load `full_force`; mu = 1.
@@ -25,7 +25,7 @@ inline HertzLine<double> unit_line() {
 }
 
 struct LoadScene {
-    Contact<double> contact;  // of the half-length that the mesh has been made for
+    Contact<double> contact;  // with the half-length of the mesh
     Mesh<double> mesh;
     PlaneKernel<double> kernel;
     HertzLoad<double> hertz;

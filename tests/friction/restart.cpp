@@ -1,6 +1,6 @@
-// States written to a file by one process go on in another, to the last bit.
-//     restart save FILE      rolls on, writes the states half-way to FILE, and the results at the end
-//     restart resume FILE    goes on from there, and compares
+// States written to a file by one process continue identically in another, to the last bit.
+//     restart save FILE      writes the states halfway and the results at the end to FILE
+//     restart resume FILE    continues from these states and compares the results
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -46,7 +46,7 @@ void write_state(std::ostream& file, const State& state) {
         write(file, state.unchanged_distance);
     }
 }
-// Into a state of as many elements, of which nothing is left.
+// Overwrites a state with the same number of elements.
 template <class State>
 void read_state(std::istream& file, State& state) {
     file >> state.system;
@@ -64,8 +64,8 @@ void read_state(std::istream& file, State& state) {
     }
 }
 
-// Friction under a load that varies, on a mesh that breathes or on a fixed one, in one direction and in both. Some steps
-// take no load: those go on under the one that the state knows.
+// Friction under a varying load on a breathing or a fixed mesh, in one direction and in both. Some steps have no load
+// argument and keep the load of the state.
 struct LoadedRide {
     LoadedRide(const Mesh<double>& mesh, bool breathes, Integrator integrator)
         : hertz(breathes ? HertzLoad<double>::breathing(line(), mesh)
@@ -148,8 +148,8 @@ struct LoadedRide {
     LoadedCombinedStep<double> both_result;
 };
 
-// The states of one scene: with friction by both integrators, and in full adhesion. An even ride goes on as it is until
-// no element changes any more.
+// The states of one scene, with friction by both integrators and in full adhesion. An even ride continues at constant
+// creepage until no element changes its zone any more.
 struct Ride {
     explicit Ride(const Scene& scene, bool even_ = false)
         : even(even_),

@@ -1,4 +1,4 @@
-// What the tests of friction share: a scene in the units a = G = 1 under Hertz's pressure, and ways to look at it.
+// Shared by the tests of friction: a scene in units of a = G = 1 under Hertz's pressure.
 #pragma once
 
 #include <numbers>
@@ -15,7 +15,7 @@ constexpr double peak = 1e-3;  // mu p0, with a = G = 1
 constexpr double full_force = peak * std::numbers::pi / 2;
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 
-/// Creepage [-] by its ratio to the one at which all of a Carter contact slips.
+/// Creepage [-] from its ratio to the one at which a Carter contact slips fully.
 inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
 inline double force_ratio(const FrictionStep<double>& step) { return -step.force_per_width / full_force; }
 
@@ -40,7 +40,7 @@ struct Scene {
     CoulombFriction<double> friction;
 };
 
-/// The solution from rest, in a workspace that has seen nothing.
+/// The solution from rest in a new workspace.
 inline FrictionStep<double> from_scratch(const SteadyFrictionModel<double>& model, double xi) {
     const FrictionState<double> rest = model.at_rest();
     FrictionState<double> state = rest;

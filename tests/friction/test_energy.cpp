@@ -24,7 +24,7 @@ double sliding_energy(double half_length, double half_width) {
     return std::numbers::pi / 8 * (mean + second / 2) * peak * peak * half_length * half_length;
 }
 
-TEST_CASE("elastic energy of full sliding against the exact one", "[friction]") {
+TEST_CASE("The elastic energy of full sliding is exact", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n), half, 1, 50);
@@ -42,7 +42,7 @@ TEST_CASE("elastic energy of full sliding against the exact one", "[friction]") 
     CHECK(support::observed_order(sizes, errors) > 1.8);
 }
 
-TEST_CASE("elastic energy of a contact that has grown, and in SI", "[friction]") {
+TEST_CASE("The elastic energy holds for a contact that has grown, and in SI units", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(160);
     const Scene scene(mesh, half, 1, 50);
     const FrictionModel<double> model = scene.transient();
@@ -104,7 +104,7 @@ Balance roll(const Mesh<double>& mesh, const Scheme& scheme, Integrator integrat
     return balance;
 }
 
-TEST_CASE("slip times traction balances to second order", "[friction]") {
+TEST_CASE("Slip times traction balances to second order", "[friction]") {
     std::vector<double> sizes, gaps;
     for (const Eigen::Index n : {10, 20, 40, 80}) {
         sizes.push_back(static_cast<double>(n));
@@ -116,7 +116,7 @@ TEST_CASE("slip times traction balances to second order", "[friction]") {
     CHECK(support::observed_order(sizes, gaps) < 2.3);
 }
 
-TEST_CASE("Galerkin's method loses no energy but what slips", "[friction]") {
+TEST_CASE("Galerkin's method dissipates energy by slip alone", "[friction]") {
     // in space on any mesh, and in time as the integrator does
     for (const Mesh<double>& mesh : {cosine_mesh<double>(20), uniform_mesh<double>(15), geometric_mesh(12, 5.0)}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -173,7 +173,7 @@ Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
     return balance;
 }
 
-TEST_CASE("balance under a load that varies, on a mesh that breathes with it", "[friction]") {
+TEST_CASE("Energy balances under a varying load on a breathing mesh", "[friction]") {
     // -int xi F dq, slip work and gain of elastic energy of an independent discretisation (n = 160)
     const Balance fine = roll_under_a_wave(160, 0.05, true);
     CHECK(std::abs(fine.spent - 6.2501) < 3e-4);
@@ -192,7 +192,7 @@ TEST_CASE("balance under a load that varies, on a mesh that breathes with it", "
     CHECK(std::abs(support::observed_order(sizes, gaps) - 2) < 0.1);
 }
 
-TEST_CASE("balance under a load that varies, on a mesh that stays", "[friction]") {
+TEST_CASE("Energy balances under a varying load on a fixed mesh", "[friction]") {
     for (const Eigen::Index n : {50, 100, 200}) {
         const Balance balance = roll_under_a_wave(n, 0.05, false);
         CAPTURE(n, balance.spent, balance.heat, balance.elastic, balance.gap());
@@ -201,7 +201,7 @@ TEST_CASE("balance under a load that varies, on a mesh that stays", "[friction]"
     }
 }
 
-TEST_CASE("about the centres: no force in full adhesion, the right one with slip", "[friction]") {
+TEST_CASE("Collocation at the centres gives no force in full adhesion, and the right one with slip", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
         const Scene scene(uniform_mesh<double>(n), half, 1, 50);

@@ -1,5 +1,5 @@
-// rollbem/friction/state.hpp, workspace.hpp; adhesion/transient.hpp: results depend on the state and the arguments, to
-// the last bit, and on nothing that was computed before. A state is plain data.
+// rollbem/friction/state.hpp, workspace.hpp; adhesion/transient.hpp: results depend on the state and the arguments
+// alone, to the last bit. A state is plain data.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -79,14 +79,14 @@ struct Task {
 
 constexpr Collocation schemes[] = {half, {.alpha_L = 0, .alpha_T = 0.5}, {.alpha_L = 0, .alpha_T = 0.63}};
 
-TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") {
+TEST_CASE("Results of a used and of a fresh workspace are identical", "[friction]") {
     Random random(1);
     int fallbacks = 0, mixed = 0;
     for (const Eigen::Index n : {3, 4, 7, 12, 20, 29, 40}) {
         for (const Collocation& scheme : schemes) {
             const Scene scene(cosine_mesh<double>(n), scheme, 1, 10);
             const FrictionModel<double> model = scene.transient();
-            // the same system in Euler's hands, another load, another contact, and another scheme
+            // the same system with implicit Euler, another load, another contact and another scheme
             const Scene slippery(scene.mesh, scheme, 0.2, 10), other(uniform_mesh<double>(n), half, 1, 4);
             const std::vector<FrictionModel<double>> models{model, scene.transient(Integrator::implicit_euler),
                                                             slippery.transient(), other.transient()};
@@ -99,7 +99,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") 
             for (int k = 0; k < 120; ++k) {
                 const std::size_t who = static_cast<std::size_t>(random.integer(3) == 0 ? random.integer(4) : k / 60);
                 Task task = Task::any(random);
-                // a step of Euler's method as long as a stage of sdirk2 has the same matrix
+                // a step of implicit Euler as long as a stage of sdirk2 has the same matrix
                 if (who == 1 && random.integer(2) == 0) task.dq *= 1 - std::numbers::sqrt2 / 2;
                 State expected = now[who];
                 Workspace fresh = models[who].workspace();
@@ -130,7 +130,7 @@ TEST_CASE("A workspace with a past gives what a fresh one gives", "[friction]") 
     CHECK(mixed > 500);
 }
 
-TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothing", "[friction]") {
+TEST_CASE("Rejected steps, checkpoints and other contacts in the same program have no effect", "[friction]") {
     for (const Collocation& scheme : schemes) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<double> model = Scene(cosine_mesh<double>(18), scheme, 1, 10).transient(integrator);
@@ -142,7 +142,7 @@ TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothi
                     const std::size_t who = static_cast<std::size_t>(k % 3);
                     const Task task = Task::any(random);
                     if (disturbed) {
-                        // trials of other lengths, all refused or thrown away; a state saved, and its copy used
+                        // trial steps of other lengths, all rejected or discarded; a state saved and restored
                         for (int trial = noise.integer(4); trial > 0; --trial) {
                             Task::any(noise).run(model, now[who], next[who], workspaces[who]);
                         }
@@ -165,7 +165,7 @@ TEST_CASE("Rejected steps, checkpoints and contacts that take turns change nothi
     }
 }
 
-TEST_CASE("Long runs without a change of zones give what a fresh workspace gives at any step", "[friction]") {
+TEST_CASE("Long runs without a change of zones do not depend on the workspace", "[friction]") {
     constexpr Eigen::Index n = 18;
     const Scene scene(cosine_mesh<double>(n), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -175,7 +175,7 @@ TEST_CASE("Long runs without a change of zones give what a fresh workspace gives
         Workspace used = model.workspace();
         int cheap = 0, cut_short = 0, checked = 0;
         for (int k = 0; k < 1500; ++k) {
-            // long runs at one creepage, which end by another creepage, another distance or a shift
+            // long runs at one creepage, interrupted by other creepages, other distances and shifts
             const double xi = creepage(k % 300 < 150 ? 0.6 : -0.3 + 1e-4 * std::sin(k));
             const double dq = k % 300 < 80 ? 0.1 : 0.2;
             const auto step = [&](State& to, Workspace& workspace) {
@@ -204,7 +204,7 @@ TEST_CASE("Long runs without a change of zones give what a fresh workspace gives
     }
 }
 
-TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "[friction]") {
+TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     constexpr int high = std::numeric_limits<int>::max(), low = std::numeric_limits<int>::min();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -235,7 +235,7 @@ TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "
             CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
             CHECK(same(next, expected));
         }
-        // counts that could be, but were not
+        // possible, but untrue counts
         for (const int steps : {1, 11, 12, 74}) {
             for (const double xi : {0.5, 1.2, -0.4}) {
                 now = rolled;
@@ -257,7 +257,7 @@ TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "
     }
 }
 
-TEST_CASE("Zones of a state that are no zones cost rounds, not the solution", "[friction]") {
+TEST_CASE("Invalid zones in a state do not change the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(30), half, 1, 100);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel<double> model = scene.transient(integrator);
@@ -284,7 +284,7 @@ TEST_CASE("Zones of a state that are no zones cost rounds, not the solution", "[
     }
 }
 
-TEST_CASE("A state of another system is refused, and nothing is written", "[friction]") {
+TEST_CASE("A state of another system is refused without writing anything", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), half, 1, 10);
     const FrictionModel<double> model = scene.transient();
     const SteadyFrictionModel<double> steady = scene.steady();
@@ -317,7 +317,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
         CHECK(model.advance(from, 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
     }
     CHECK(untouched());
-    // a workspace of another size; that of another model of as many elements will do
+    // a workspace of another size; one of another model with the same number of elements is valid
     const State rest = model.at_rest();
     Workspace small(7), borrowed = Scene(uniform_mesh<double>(8)).transient().workspace();
     CHECK(model.advance(rest, 0.1, 1e-3, next, small).status == StepStatus::wrong_state);
@@ -328,7 +328,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
     const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 10).transient();
     CHECK(slippery.advance(kept, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
 
-    // full adhesion alike
+    // the same for full adhesion
     const TransientModel<double> adhesion(scene.contact, scene.system(), unchecked);
     const TransientModel<double> other_adhesion(other_mesh.contact, other_mesh.system(), unchecked);
     TransientState<double> to = adhesion.steady(1e-3);
@@ -340,7 +340,7 @@ TEST_CASE("A state of another system is refused, and nothing is written", "[fric
     CHECK(to.system == adhesion.fingerprint());
 }
 
-TEST_CASE("Fingerprints tell systems apart, not laws of friction", "[friction]") {
+TEST_CASE("Fingerprints distinguish systems, not coefficients of friction", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), half, 1, 10);
     const ElementSystem<double> system = scene.system();
     CHECK(system.fingerprint() == scene.system().fingerprint());
@@ -357,8 +357,8 @@ TEST_CASE("Fingerprints tell systems apart, not laws of friction", "[friction]")
     CHECK(scene.transient().fingerprint() != Scene(scene.mesh, half, 1, 11).transient().fingerprint());
 }
 
-TEST_CASE("Friction in time asks of its system what full adhesion asks", "[friction]") {
-    // an element's traction is bounded: a system whose unknowns are none does not compile
+TEST_CASE("Friction in time has the requirements of full adhesion", "[friction]") {
+    // friction bounds tractions of elements: a system with other unknowns does not compile
     using Law = const CoulombFriction<double>&;
     static_assert(
         std::is_constructible_v<FrictionModel<double>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
@@ -392,7 +392,7 @@ TEST_CASE("Friction in time asks of its system what full adhesion asks", "[frict
     bad.status = Status::ill_conditioned;
     refused(scene.contact, system, bad, "status of the verdict = ill_conditioned must be ok");
     refused(scene.contact, system, StabilityVerdict{}, "n of the verdict = 0");
-    // a scheme that does not converge, whatever its eigenvalues are said to be
+    // a scheme that does not converge, whatever the verdict
     const Scene divergent(cosine_mesh<double>(12), {.alpha_L = -0.2, .alpha_T = -0.2}, 1, 10);
     refused(scene.contact, divergent.system(), good, "share of steady traction that pushes with the creepage");
     CHECK_NOTHROW(divergent.transient());
@@ -409,7 +409,7 @@ TEST_CASE("Friction in time asks of its system what full adhesion asks", "[frict
         FrictionModel<double>(Contact<double>::dimensionless(10 * (1 + 5e-13), nu), system, unchecked, scene.friction));
     const auto infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), nu);
     refused(infinite, system, good, "half_width = inf must be finite");
-    // ready matrices tell no b/a; those that have changed places are noticed
+    // given matrices have no b/a; exchanged ones are detected
     const ElementSystem<double> ready(system.G(), system.G_prime(), system.weights());
     CHECK_NOTHROW(FrictionModel<double>(Contact<double>::dimensionless(20, nu), ready, good, scene.friction));
     CHECK_THROWS_WITH(ElementSystem<double>(system.G_prime(), system.G(), system.weights()),

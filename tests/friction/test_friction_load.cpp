@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp, state.hpp, normal/load.hpp: what a step under a load of its own must do, whatever its
+// rollbem/friction/transient.hpp, state.hpp, normal/load.hpp: what a step under a given load must do, apart from
 // accuracy.
 #include <bit>
 #include <cmath>
@@ -44,14 +44,14 @@ bool same(const FrictionStep<double>& x, const FrictionStep<double>& y) {
            same(x.slip_work_per_width, y.slip_work_per_width) && x.rounds == y.rounds && x.status == y.status;
 }
 
-TEST_CASE("Names of the statuses of a load", "[friction][load]") {
+TEST_CASE("The statuses of a load have names", "[friction][load]") {
     CHECK(name(StepStatus::invalid_load) == std::string("invalid_load"));
     CHECK(name(StepStatus::needs_fixed_mesh) == std::string("needs_fixed_mesh"));
     CHECK(name(StepStatus::wrong_state) == std::string("wrong_state"));
     CHECK(name(StepStatus::not_finite) == std::string("not_finite"));
 }
 
-TEST_CASE("A constant load is no load at all, to the last bit", "[friction][load]") {
+TEST_CASE("A constant load gives the same as no load, to the last bit", "[friction][load]") {
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const bool strip : {false, true}) {
             const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(21));
@@ -79,9 +79,9 @@ TEST_CASE("A constant load is no load at all, to the last bit", "[friction][load
     }
 }
 
-TEST_CASE("The half-length that a mesh was made for is a matter of units", "[friction][load]") {
-    // the same ride on meshes that were made for other half-lengths of the same contact, and of steps without a load
-    // afterwards against a model made for the last one
+TEST_CASE("The half-length of the mesh is only a unit of length", "[friction][load]") {
+    // the same motion on meshes made for other half-lengths of the same contact; then steps without a load, compared
+    // with a model made for the last half-length
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(24), 100);
         const FrictionModel<double> model = scene.model(integrator);
@@ -191,7 +191,7 @@ TEST_CASE("Contact may come and go", "[friction][load]") {
     }
 }
 
-TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "[friction][load]") {
+TEST_CASE("A half-length that the mesh cannot follow has its own status", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12));
     const FrictionModel<double> model = scene.model(), strip = scene.strip_model();
     Workspace workspace = model.workspace();
@@ -220,7 +220,7 @@ TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "
     CHECK(status(model, now, 0, 1) == StepStatus::ok);
     CHECK(status(strip, now, 0.1, 1) == StepStatus::ok);
 
-    // a state that lives on another half-length, and steps that keep it
+    // a state with another half-length, and steps that keep it
     State longer = now;
     longer.half_length = 1.1;
     CHECK(status(model, longer, 0.1, 1.1) == StepStatus::ok);
@@ -238,7 +238,7 @@ TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "
     State point = steady.at_rest();
     CHECK(steady.solve(longer, 1e-4, point, workspace).status == StepStatus::needs_fixed_mesh);
 
-    // systems that know one half-length: Galerkin, ready matrices, displacement and slope at different points
+    // systems that cannot breathe: Galerkin, given matrices, displacement and slope at different points
     const ElementSystem<double> system = scene.system();
     const FrictionModel<double> ready(
         scene.contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked, scene.law());
@@ -251,7 +251,7 @@ TEST_CASE("A half-length that the mesh cannot follow has a status of its own", "
     CHECK(status(galerkin, now, 0.1, 1) == StepStatus::ok);
 }
 
-TEST_CASE("A load that is none is refused", "[friction][load]") {
+TEST_CASE("An invalid load is refused", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
     const FrictionModel<double> model = scene.model();
     Workspace workspace = model.workspace();
@@ -300,19 +300,19 @@ TEST_CASE("A load that is none is refused", "[friction][load]") {
     refused(load);
     refused(Load{});
     load = good;
-    load.pressure_rate.resize(0);  // asks for no tangent by the load
+    load.pressure_rate.resize(0);  // no tangent by the load
     const Step step = model.advance(now, 0.1, 1e-4, load, next, workspace);
     CHECK(step.status == StepStatus::ok);
     CHECK(std::isnan(step.tangent_by_load));
     CHECK(std::isfinite(step.tangent_by_half_length));
-    // no pressure is a load, and so is the zero of the other sign
+    // zero pressure is a valid load, also as a negative zero
     load.normal_pressure.setConstant(-0.0);
     CHECK(model.advance(now, 0.1, 1e-4, load, next, workspace).status == StepStatus::ok);
     CHECK(next.traction.isZero(0));
 }
 
 TEST_CASE("A state belongs to the model of its first load", "[friction][load]") {
-    // a model of another pressure would go on under the pressure of the state: it says so instead
+    // a model of another pressure would continue under the pressure of the state: it refuses the state
     LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
     const FrictionModel<double> model = scene.model();
     CoulombFriction<double> law = scene.law();
@@ -322,11 +322,11 @@ TEST_CASE("A state belongs to the model of its first load", "[friction][load]") 
     Workspace workspace = model.workspace();
     CHECK(pressed.advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
     CHECK(pressed.shift(model.at_rest(), 1e-4, next, workspace).status == StepStatus::wrong_state);
-    // as does one of the contact that a larger load makes
+    // as does a model of the contact under a larger load
     const LoadScene larger = LoadScene::breathing(scene.mesh, 1100, 1.1);
     CHECK(larger.model().advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
     CHECK(larger.model().steady(model.at_rest(), 1e-4, next, workspace).status == StepStatus::wrong_state);
-    // the force of a state is that on its own half-length
+    // the force of a state refers to its own half-length
     REQUIRE(model.steady(model.at_rest(), 1e-4, scene.hertz.at(1.21 * full_force), next, workspace).status ==
             StepStatus::ok);
     CHECK(next.half_length == Approx(1.1).epsilon(1e-14));

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp under a load that varies: against a second discretisation, closed forms and itself.
+// rollbem/friction/transient.hpp under a varying load: against a second discretisation, closed forms and itself.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -88,7 +88,7 @@ TEST_CASE("A fixed mesh tends to the same limit at first order", "[friction][loa
     CHECK(order < 1.1);
 }
 
-TEST_CASE("Orders in the distance rolled under a load that varies", "[friction][load]") {
+TEST_CASE("Steps under a varying load are of the orders of the integrators", "[friction][load]") {
     // steps are 0.2 / 2^k; from the smallest contact, where it stands still for a moment
     struct Case {
         double mu;
@@ -118,7 +118,7 @@ TEST_CASE("Orders in the distance rolled under a load that varies", "[friction][
     }
 }
 
-TEST_CASE("A load that varies slowly leaves Carter's solution at every moment", "[friction][load]") {
+TEST_CASE("Under a slowly varying load the force is Carter's at every moment", "[friction][load]") {
     std::vector<double> lengths, differences;
     for (const double L : {8.0, 40.0, 200.0, 1000.0}) {
         const SineLoad sine{.L = L};
@@ -142,8 +142,8 @@ TEST_CASE("A load that varies slowly leaves Carter's solution at every moment", 
 }
 
 TEST_CASE("Oblique loading without rolling sticks everywhere", "[friction][load]") {
-    // p = k p_n from nothing, and the shift that belongs to it: of Hertz's pressure times k at the centre, up to a
-    // constant, W = -k p_0 a ((1-nu) (ln(4b/a) + 1/2) + nu)/G
+    // p = k p_n from zero, and the corresponding shift: the displacement at the centre under k times Hertz's pressure,
+    // up to a constant, W = -k p_0 a ((1-nu) (ln(4b/a) + 1/2) + nu)/G
     constexpr double k = 0.6, b = 1000;
     const auto shift = [](double a) {
         return a == 0 ? 0 : -k * peak * a * a * ((1 - load_nu) * (std::log(4 * b / a) + 0.5) + load_nu);

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp: tangents of a step under a load of its own, and a Newton iteration that lives on them.
+// rollbem/friction/transient.hpp: tangents of a step under a given load, and a Newton iteration that uses them.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,7 +18,7 @@ using State = FrictionState<double>;
 using Step = LoadedFrictionStep<double>;
 using Motion = RigidMotion<double>;
 
-TEST_CASE("Tangents at the end of a step against central differences", "[friction][load]") {
+TEST_CASE("Tangents at the end of a step agree with central differences", "[friction][load]") {
     struct Case {
         bool breathing, strip;
     };
@@ -127,7 +127,7 @@ TEST_CASE("An implicit integrator with the load as an unknown converges quadrati
                 CAPTURE(k, breathing, name(integrator), residuals);
                 CHECK(residuals.size() <= 6);
                 CHECK(residuals.back() < 1e-13);
-                // every residual but those at rounding is of the size of the square of the one before
+                // above round-off, each residual is of the order of the square of the previous one
                 for (std::size_t i = 1; i < residuals.size(); ++i) {
                     if (residuals[i - 1] < 0.3 && residuals[i - 1] > 1e-6) {
                         CHECK(residuals[i] < 5 * residuals[i - 1] * residuals[i - 1]);

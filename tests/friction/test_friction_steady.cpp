@@ -17,7 +17,7 @@ namespace {
 
 using namespace friction_tests;
 
-TEST_CASE("steady force against Carter", "[friction]") {
+TEST_CASE("The steady force converges to Carter's", "[friction]") {
     // errors that a mesh not fitted to the border is known to reach, at a creepage ratio of 0.5
     struct Case {
         bool cosine;
@@ -50,7 +50,7 @@ TEST_CASE("steady force against Carter", "[friction]") {
     }
 }
 
-TEST_CASE("tractions, border and work of steady rolling against Carter", "[friction]") {
+TEST_CASE("Tractions, border and work of steady rolling are Carter's", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n));
@@ -81,7 +81,7 @@ TEST_CASE("tractions, border and work of steady rolling against Carter", "[frict
     CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.1);
 }
 
-TEST_CASE("the fallback takes over where the zones cycle", "[friction]") {
+TEST_CASE("The fallback takes over if the zones cycle", "[friction]") {
     int fallbacks = 0;
     for (const double alpha_T : {0.5, 0.63}) {
         for (const Eigen::Index n : {20, 40, 80}) {
@@ -98,7 +98,7 @@ TEST_CASE("the fallback takes over where the zones cycle", "[friction]") {
     CHECK(fallbacks >= 4);
 }
 
-TEST_CASE("mirrored creepage mirrors the solution", "[friction]") {
+TEST_CASE("Mirrored creepage mirrors the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
     const SteadyFrictionModel<double> model = scene.steady();
     for (const double ratio : {0.1, 0.5, 0.9, 1.2}) {
@@ -110,7 +110,7 @@ TEST_CASE("mirrored creepage mirrors the solution", "[friction]") {
     }
 }
 
-TEST_CASE("a creep curve: warm starts, tangent and concavity", "[friction]") {
+TEST_CASE("A creep curve has warm starts, tangents and concavity", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
     const SteadyFrictionModel<double> model = scene.steady();
     FrictionState<double> now = model.at_rest(), next = now;

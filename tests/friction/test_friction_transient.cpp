@@ -25,7 +25,7 @@ namespace {
 using namespace friction_tests;
 using Catch::Matchers::ContainsSubstring;
 
-TEST_CASE("small creepage and much friction give the linear solutions", "[friction]") {
+TEST_CASE("Small creepage and large friction give the linear solutions", "[friction]") {
     for (const Collocation& scheme : {half, Collocation{}}) {
         const Scene scene(cosine_mesh<double>(30), scheme), grippy(cosine_mesh<double>(30), scheme, 1e9);
         const double linear = -solve_steady(scene.mesh, scheme, scene.kernel).c11;
@@ -71,7 +71,7 @@ TEST_CASE("small creepage and much friction give the linear solutions", "[fricti
     }
 }
 
-TEST_CASE("the tangent of a step lies between the difference quotients on both sides", "[friction]") {
+TEST_CASE("The tangent of a step lies between the difference quotients on both sides", "[friction]") {
     // equal to them wherever the step is smooth in the creepage; where an element is just at its border, they differ
     std::mt19937 generator(3);
     std::uniform_real_distribution<double> uniform(-1.5, 1.5);
@@ -109,7 +109,7 @@ TEST_CASE("the tangent of a step lies between the difference quotients on both s
     }
 }
 
-TEST_CASE("Cattaneo's shift", "[friction]") {
+TEST_CASE("A rigid shift gives Cattaneo's solution", "[friction]") {
     for (const double force : {-0.4, 0.75}) {
         std::vector<double> sizes, errors;
         for (const Eigen::Index n : {20, 40, 80}) {
@@ -144,13 +144,13 @@ TEST_CASE("Cattaneo's shift", "[friction]") {
     }
 }
 
-TEST_CASE("rolling at constant creepage settles at the steady solution", "[friction]") {
+TEST_CASE("Rolling at constant creepage settles at the steady solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(40), half, 1, 10);
     const FrictionModel<double> model = scene.transient();
     const FrictionStep<double> steady = from_scratch(scene.steady(), creepage(0.6));
     FrictionState<double> now = model.at_rest(), next = now;
     FrictionWorkspace<double> workspace = model.workspace();
-    // from rest, and from a shift beyond what rolling leads to
+    // from rest, and from a shift with a larger force than that of rolling
     for (const double shift : {0.0, 4.0}) {
         now = model.at_rest();
         FrictionStep<double> step = model.shift(now, shift * peak, next, workspace);
@@ -172,7 +172,7 @@ TEST_CASE("rolling at constant creepage settles at the steady solution", "[frict
     CHECK((ready.traction - now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak);
     const FrictionStep<double> stays = model.advance(ready, 0.3, creepage(0.6), next, workspace);
     CHECK(stays.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
-    // a workspace that steady() has used is no worse for a rigid shift, nor one of a shift for steady()
+    // a workspace can be used by steady() and by a rigid shift in turn
     FrictionWorkspace<double> fresh = model.workspace();
     const double shifted = model.shift(now, 0.3 * peak, ready, fresh).force_per_width;
     REQUIRE(model.steady(now, creepage(0.6), ready, workspace).status == StepStatus::ok);
@@ -202,7 +202,7 @@ History roll_to_two(const Scene& scene, Integrator integrator, int steps) {
     return {force_ratio(step), work};
 }
 
-TEST_CASE("orders in dq of the force and of the slip work", "[friction]") {
+TEST_CASE("Force and slip work are of the order of the integrator in dq", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     const History reference = roll_to_two(scene, Integrator::sdirk2, 3200);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -217,13 +217,13 @@ TEST_CASE("orders in dq of the force and of the slip work", "[friction]") {
         CAPTURE(name(integrator), forces, works);
         CHECK(std::abs(support::observed_order(sizes, forces) - order) < 0.1 * order);
         CHECK(std::abs(support::observed_order(sizes, works) - order) < 0.15 * order);
-        // the tenth part of a contact is a step good for a part in a thousand, or one in a hundred
+        // steps of a tenth of the contact give an error of one in a thousand, or of two in a hundred
         CHECK(std::abs(forces[0]) < (integrator == Integrator::sdirk2 ? 1e-3 : 2e-2));
     }
 }
 
-// Coulomb's law of tractions and slip, from the definition, but for rounding; the work of each element against the slip
-// at its centre, which lies between the equation behind it and its own.
+// Requires Coulomb's law up to round-off and returns the work of each element against the slip at its centre, which
+// lies between the equation behind it and its own.
 VectorX<double> lawful_work(const Scene& scene, const VectorX<double>& traction, const VectorX<double>& slip,
                             double rounding) {
     const Mesh<double>& mesh = scene.mesh;
@@ -242,7 +242,7 @@ VectorX<double> lawful_work(const Scene& scene, const VectorX<double>& traction,
     return work;
 }
 
-TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
+TEST_CASE("Every step satisfies the law, whatever the history", "[friction]") {
     std::mt19937 generator(11);
     std::uniform_real_distribution<double> uniform(-1.5, 1.5);
     for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
@@ -267,7 +267,7 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
                 double rounding = 1e-11;
                 if (integrator == Integrator::sdirk2) {
                     rounding = 1e-8;
-                    // what the first stage did follows from what the whole step did
+                    // the slip of the first stage follows from that of the step
                     const double gamma = 1 - std::sqrt(0.5);
                     const VectorX<double> slope =
                         imposed + G * (next.traction - now.traction) - gamma * dq * G_prime * next.traction - slip;
@@ -280,7 +280,7 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
                     REQUIRE((slip - last).cwiseAbs().maxCoeff() < 1e-12 * peak);
                 }
                 work += lawful_work(scene, next.traction, last, rounding);
-                // the slip may turn round within an element, which gains nothing by that
+                // the slip may change sign within an element, which gains no energy
                 work = work.cwiseMax(0.0);
                 CHECK((workspace.slip_work() - work).cwiseAbs().maxCoeff() < 1e-6 * work.maxCoeff() + 1e-14);
                 CHECK(step.slip_work_per_width == Approx(work.sum()).epsilon(1e-6).margin(1e-14));
@@ -290,9 +290,9 @@ TEST_CASE("every step keeps the law, whatever the history", "[friction]") {
     }
 }
 
-TEST_CASE("a step is as good as the worse of its two stages", "[friction]") {
-    // The rows of G are alike but for rounding: which right-hand sides then have a solution to rounding is chance. The
-    // first stage from rest is a step of implicit Euler.
+TEST_CASE("The residual of a step is that of its worse stage", "[friction]") {
+    // The rows of G are equal up to round-off, so that it is random which right-hand sides have an accurate solution.
+    // The first stage from rest is a step of implicit Euler.
     std::mt19937 generator(5);
     std::normal_distribution<double> normal;
     const auto random = [&](Eigen::Index columns) {
@@ -328,7 +328,7 @@ TEST_CASE("a step is as good as the worse of its two stages", "[friction]") {
     CHECK(worse_last > 0);
 }
 
-TEST_CASE("Ten thousand steps, of which few are checked, stay within rounding", "[friction]") {
+TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[friction]") {
     // n = 24, implicit Euler, at a creepage that varies too little for any element to change its zone
     constexpr Eigen::Index n = 24;
     constexpr double dq = 0.05;
@@ -388,7 +388,7 @@ TEST_CASE("Ten thousand steps, of which few are checked, stay within rounding", 
     CHECK(std::abs(checks - steps / 64) <= 1);
 }
 
-TEST_CASE("units: the same problem in SI", "[friction]") {
+TEST_CASE("The same problem in SI units has the same solution", "[friction]") {
     const double a = 6e-3, G = 8e10, b = 0.06, mu = 0.3;
     const Contact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
@@ -417,7 +417,7 @@ TEST_CASE("units: the same problem in SI", "[friction]") {
     }
 }
 
-TEST_CASE("friction in every scalar type", "[friction]") {
+TEST_CASE("Friction works in every scalar type", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
     const auto ratios = [&]<class Scalar>(Scalar) {
         const auto [rolled, steady] =
@@ -433,7 +433,7 @@ TEST_CASE("friction in every scalar type", "[friction]") {
     CHECK(std::abs(steady_long - steady) < 1e-12);
 }
 
-TEST_CASE("bad input to friction is refused by name, or answered by a status", "[friction]") {
+TEST_CASE("Invalid input is refused by name or reported by a status", "[friction]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     Scene scene(cosine_mesh<double>(8));
     const CoulombFriction<double> good = scene.friction;
@@ -496,7 +496,7 @@ TEST_CASE("bad input to friction is refused by name, or answered by a status", "
     CHECK(advanced(0.1, RigidMotion<double>::linear(nan, 1e-3)) == StepStatus::not_finite);
     CHECK_THROWS_WITH(scene.transient(Integrator::matrix_exponential),
                       "FrictionModel: integrator = matrix_exponential must be implicit_euler or sdirk2");
-    // what is refused leaves both states alone, and the slip of the last step
+    // a refused step changes neither the states nor the slip of the last step
     REQUIRE(advanced(0.1, 1e-3) == StepStatus::ok);
     const VectorX<double> kept_traction = next.traction, kept_slip = workspace.slip();
     const std::vector<Zone> kept_zones = next.zones;
@@ -514,7 +514,7 @@ TEST_CASE("bad input to friction is refused by name, or answered by a status", "
     CHECK(model.steady(now, nan, next, workspace).status == StepStatus::not_finite);
     CHECK(model.steady(now, 1e-3, now, workspace).status == StepStatus::wrong_state);
     CHECK(model.steady(now, 1e-3, other, workspace).status == StepStatus::wrong_state);
-    // a workspace that another model has used is not taken for one's own
+    // the factors of another model in a workspace are not used
     const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 3).transient();
     const FrictionState<double> start = slippery.at_rest();
     FrictionState<double> end = start;
@@ -535,7 +535,7 @@ TEST_CASE("bad input to friction is refused by name, or answered by a status", "
     CHECK(next.traction[5] == 0);
 }
 
-TEST_CASE("A used workspace takes a step of nearly the same length as a fresh one does", "[friction]") {
+TEST_CASE("A step of nearly the same length does not reuse the factors", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel<double> model = scene.transient(integrator);
@@ -566,8 +566,8 @@ TEST_CASE("A step that overflows leaves a copy of the state it started from", "[
         CHECK(next.traction == rolled.traction);
         CHECK(next.zones == rolled.zones);
         CHECK(next.system == rolled.system);
-        CHECK(workspace.slip().isZero(0));  // nothing slid
-        // and it goes on as from the state itself, in the same workspace
+        CHECK(workspace.slip().isZero(0));  // no slip
+        // the next step is the same as from the original state, in the same workspace
         const double force = model.advance(rolled, 0.1, creepage(-0.3), expected, fresh).force_per_width;
         CHECK(model.advance(next, 0.1, creepage(-0.3), after, workspace).force_per_width == force);
         CHECK(after.traction == expected.traction);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace friction_tests;
 
-TEST_CASE("a slip linear in x is met exactly at the centres", "[friction]") {
+TEST_CASE("A slip linear in x is exact at the centres", "[friction]") {
     const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
     const auto check = [&](const Mesh<double>& mesh, const auto& scheme) {
         const ArrayX<double> points = detail::equation_points(mesh, scheme);
@@ -53,7 +53,7 @@ TEST_CASE("a slip linear in x is met exactly at the centres", "[friction]") {
     }
 }
 
-TEST_CASE("half an element ahead: the mean of the slips at both edges", "[friction]") {
+TEST_CASE("At alpha = 0.5 the slip is the mean of those at both edges", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(6);
     const detail::SlipWork<double> slip_work(mesh.widths(), detail::equation_points(mesh, half));
     const VectorX<double> slip = VectorX<double>{{5, 3, 2, 0, 7, 1}};
@@ -64,7 +64,7 @@ TEST_CASE("half an element ahead: the mean of the slips at both edges", "[fricti
     CHECK(std::abs(slip_work.at_centre(0, slip) - (edge + slip[0]) / 2) < 1e-13);
 }
 
-TEST_CASE("without points, with one, and where points coincide, the slip is taken as it is", "[friction]") {
+TEST_CASE("Without points, with one and with coinciding points, the slip is not interpolated", "[friction]") {
     const VectorX<double> slip = VectorX<double>{{5, 3, 2}};
     const ArrayX<double> widths = ArrayX<double>::Constant(3, 2.0 / 3);
     const detail::SlipWork<double> bare(widths, std::nullopt), flat(widths, ArrayX<double>::Zero(3));
@@ -82,7 +82,7 @@ TEST_CASE("without points, with one, and where points coincide, the slip is take
     }
 }
 
-TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
+TEST_CASE("The slip work of steady rolling is of second order", "[friction]") {
     struct Expected {
         double ratio;
         std::vector<double> errors;  // against -F xi of the same mesh, n = 20, 40, 80, 160
@@ -104,7 +104,7 @@ TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
                   0.05 * expected.errors[k]);
             CHECK(workspace.slip_work().minCoeff() >= 0);
             CHECK(std::abs(workspace.slip_work().sum() / point.slip_work_per_width - 1) < 1e-14);
-            // no heat where it sticks, but in the element that the border lies in
+            // no heat in stick, except in the element that contains the border
             for (Eigen::Index i = 1; i < scene.mesh.size(); ++i) {
                 const bool sticks = workspace.slip()[i - 1] == 0 && workspace.slip()[i] == 0;
                 CHECK((workspace.slip_work()[i] == 0) == sticks);
@@ -118,8 +118,8 @@ TEST_CASE("slip work of steady rolling is of second order", "[friction]") {
     }
 }
 
-TEST_CASE("in full sliding the work is exact on any mesh", "[friction]") {
-    // what slips with the creepage beyond that of full sliding adds (xi - xi_full) mu N, whatever the mesh
+TEST_CASE("In full sliding the work is exact on any mesh", "[friction]") {
+    // creepage beyond that of full sliding adds (xi - xi_full) mu N on any mesh
     for (const Eigen::Index n : {3, 10, 40}) {
         const Scene scene(cosine_mesh<double>(n));
         const double more = from_scratch(scene.steady(), creepage(3)).slip_work_per_width;
@@ -128,7 +128,7 @@ TEST_CASE("in full sliding the work is exact on any mesh", "[friction]") {
     }
 }
 
-TEST_CASE("no element gains energy where the slip turns round", "[friction]") {
+TEST_CASE("No element gains energy where the slip changes sign", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const FrictionModel<double> model = scene.transient(integrator);

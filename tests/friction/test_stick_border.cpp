@@ -60,7 +60,7 @@ double plain_force(const Contact<double>& contact, const auto& kernel, const Mes
     return from_scratch(model, xi).force_per_width;
 }
 
-TEST_CASE("Carter by the exact border", "[friction]") {
+TEST_CASE("The exact border gives Carter's solution", "[friction]") {
     const Plane plane;
     for (int percent = 1; percent <= 99; ++percent) {
         for (const double ratio : {percent / 100.0, -percent / 100.0}) {
@@ -95,7 +95,7 @@ TEST_CASE("Carter by the exact border", "[friction]") {
     }
 }
 
-TEST_CASE("the ends of the creep curve", "[friction]") {
+TEST_CASE("The ends of the creep curve are full adhesion and full sliding", "[friction]") {
     const Plane plane;
     // full sliding, from xi = 2 c1 sum g_k on
     for (const double ratio : {1.0 + 1e-12, 1.1, -1.1, 1e6}) {
@@ -153,7 +153,7 @@ TEST_CASE("the ends of the creep curve", "[friction]") {
     CHECK_THROWS_AS(solve_stick_border(plane.contact, plane.kernel, -0.1, hertz, 0.1), std::invalid_argument);
 }
 
-TEST_CASE("the exact border under another pressure", "[friction]") {
+TEST_CASE("The exact border holds under other pressures", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(1e4, 0.28);
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
     const Shaped pressure{[](double x) { return 1 + 0.15 * 2 * x - 0.1 * (4 * x * x - 1); }};
@@ -204,7 +204,7 @@ Mesh<double> mesh_about(double border, Eigen::Index n) {
     return mesh_from_edges(edges);
 }
 
-TEST_CASE("the exact border on a strip", "[friction]") {
+TEST_CASE("The exact border holds on a strip", "[friction]") {
     for (const double aspect : {0.3, 1.0, 10.0}) {
         const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
@@ -267,7 +267,7 @@ TEST_CASE("the exact border on a strip", "[friction]") {
     }
 }
 
-TEST_CASE("the exact border on narrow strips", "[friction]") {
+TEST_CASE("The exact border holds on narrow strips", "[friction]") {
     for (const double aspect : {0.02, 0.05, 0.1}) {
         const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
@@ -334,7 +334,7 @@ concept HasBorder = requires(const Contact<double>& contact, const Kernel& kerne
 };
 static_assert(HasBorder<OwnKernel> && SmoothSplitKernel<NoSlope> && !HasBorder<NoSlope>);
 
-TEST_CASE("the exact border of a kernel of one's own", "[friction]") {
+TEST_CASE("The exact border accepts a user-defined kernel", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(1, nu);
     const OwnKernel kernel;
     const auto solve = [&](double xi) { return solve_stick_border(contact, kernel, 1.0, hertz, xi); };
@@ -366,7 +366,7 @@ PressureTable<double> table_of(const Shaped& pressure, int count) {
     return {x, value};
 }
 
-TEST_CASE("the exact border under a table", "[friction]") {
+TEST_CASE("The exact border holds under a tabulated pressure", "[friction]") {
     const Plane plane;
     const Shaped shape{[](double x) { return 1 + 0.3 * x; }};
     const PressureTable<double> table = table_of(shape, 200);
@@ -411,7 +411,7 @@ TEST_CASE("the exact border under a table", "[friction]") {
     CHECK(strip.force_per_width == Approx(smooth.force_per_width).epsilon(1e-4));
 }
 
-TEST_CASE("a table that falls to zero in a line leaves slip at the leading edge", "[friction]") {
+TEST_CASE("A table that falls linearly to zero causes slip at the leading edge", "[friction]") {
     const Plane plane;
     const Shaped shape{[](double) { return 1.0; }};
     const auto with = [&](int count, double ratio) { return plane.solve(table_of(shape, count), ratio, 160); };
@@ -437,7 +437,7 @@ TEST_CASE("a table that falls to zero in a line leaves slip at the leading edge"
     }
 }
 
-TEST_CASE("the exact border under a uniform pressure", "[friction]") {
+TEST_CASE("The exact border holds under a uniform pressure", "[friction]") {
     // (1+c)/2 = tanh^2(pi xi/(4 c1 mu p_n)), -F = mu N tanh: in elementary functions, and never full sliding
     const Plane plane;
     const PressureTable<double> uniform(Eigen::Array2d(-1, 1), Eigen::Array2d(peak, peak));
@@ -453,7 +453,7 @@ TEST_CASE("the exact border under a uniform pressure", "[friction]") {
     }
 }
 
-TEST_CASE("what has no single border goes to elements", "[friction]") {
+TEST_CASE("Problems without a single border are left to elements", "[friction]") {
     const Plane plane;
     const auto by_elements = [&](const auto& pressure, double ratio) {
         const auto solution = plane.solve(pressure, ratio);
@@ -494,7 +494,7 @@ TEST_CASE("what has no single border goes to elements", "[friction]") {
     by_elements(table({-1, -0.2, -0.2, 0.2, 0.2, 1}, {2, 2, 0, 0, 2, 2}), 0.3);
 }
 
-TEST_CASE("an exact border is never another number than that of elements", "[friction]") {
+TEST_CASE("An exact border never disagrees with elements", "[friction]") {
     std::mt19937 engine(20);
     const auto random = [&] { return 2 * static_cast<double>(engine()) / 4294967295.0 - 1; };
     int exact = 0, by_elements = 0;
@@ -542,7 +542,7 @@ void check_scalar(Scalar tolerance) {
     CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 10 * tolerance);
 }
 
-TEST_CASE("the exact border in other scalars", "[friction]") {
+TEST_CASE("The exact border works in other scalar types", "[friction]") {
     check_scalar<float>(2e-6F);
     check_scalar<long double>(1e-18L);
 }
