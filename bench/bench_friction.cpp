@@ -1,6 +1,5 @@
-// Friction: a step with unchanged and with changing zones, a point of a creep curve from scratch and from the point
-// before, or by the exact border, beside what they are measured in: a product of matrix and vector, and a solution by
-// LU.
+// Friction: steps with unchanged and with changing zones, points of a creep curve from scratch, from the previous point
+// and by the exact border. The units of comparison are a matrix-vector product and a solution by LU.
 
 #include <cmath>
 #include <numbers>
@@ -63,7 +62,7 @@ void BM_LuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_LuSolve)->Arg(20)->Arg(30)->Arg(40)->Arg(80)->Arg(160);
 
-// One point of the creep curve without elements, everything included. Argument: 100 times the creepage ratio.
+// One point of the creep curve by the exact border, all costs included. Argument: 100 times the creepage ratio.
 template <class Kernel>
 void exact_border(benchmark::State& state, double aspect) {
     const Contact<double> contact = Contact<double>::dimensionless(aspect, poisson_ratio);
@@ -80,12 +79,12 @@ void exact_border(benchmark::State& state, double aspect) {
 }
 void BM_StickBorder(benchmark::State& state) { exact_border<PlaneKernel<double>>(state, 1000); }
 BENCHMARK(BM_StickBorder)->Arg(1)->Arg(40)->Arg(50)->Arg(99);
-// the error is that of the plane limit as the exact solution
+// relative_error contains the difference between strip and plane
 void BM_StickBorderStrip(benchmark::State& state) { exact_border<StripKernel<double>>(state, 1000); }
 BENCHMARK(BM_StickBorderStrip)->Arg(40);
 
-// Steps at constant creepage in the steady state, where no element changes any more. Implicit Euler solves once for
-// stick and slip, sdirk2 twice.
+// Steps at constant creepage in the steady state, where no element changes its zone. Implicit Euler solves once per
+// step for stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
@@ -113,7 +112,7 @@ BENCHMARK(BM_FrictionStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepSdirk2(benchmark::State& state) { steps_unchanged(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// The same where mu falls with slip, 45 m/s, with a memory of 10 um, at 0.6 of the largest force.
+// The same with mu that falls with slip, at 45 m/s, with a memory of 10 um, at 0.6 of the largest force.
 void falling_steps_unchanged(benchmark::State& state, bool with_tangents) {
     constexpr double a = 4e-3, speed = 45;
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
@@ -146,7 +145,7 @@ BENCHMARK(BM_FrictionStepFalling)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepFallingTangent(benchmark::State& state) { falling_steps_unchanged(state, true); }
 BENCHMARK(BM_FrictionStepFallingTangent)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// A cycle of sinusoidal creepage. Counters: rounds a step, and the share of the steps in which elements change.
+// A cycle of sinusoidal creepage. Counters: rounds per step, and the share of steps in which elements change zones.
 void steps_changing(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
@@ -173,8 +172,8 @@ BENCHMARK(BM_FrictionStepChanging)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepChangingSdirk2(benchmark::State& state) { steps_changing(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// The same with another distance rolled in every step: what an integrator in time does that seeks the length of its
-// steps. Argument: n. To be held against BM_LuSolve.
+// The same with another distance rolled in every step, as by an integrator with variable step size. Argument: n. To be
+// compared with BM_LuSolve.
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
@@ -199,8 +198,8 @@ BENCHMARK(BM_FrictionStepNewLength)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 void BM_FrictionStepNewLengthSdirk2(benchmark::State& state) { steps_of_new_length(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepNewLengthSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
-// A load that varies by half, tangents by it included: on a mesh that breathes with the contact, where each stage has a
-// matrix of its own, and on a fixed one, where the matrix stays.
+// A load that varies by 50 %, with tangents by the load: on a breathing mesh, where each stage has its own matrix, and
+// on a fixed mesh, where the matrix is constant.
 void steps_under_load(benchmark::State& state, Integrator integrator, bool breathing) {
     const Eigen::Index n = state.range(0);
     const HertzLine<double> line(
@@ -244,7 +243,7 @@ BENCHMARK(BM_FrictionStepFixedMesh)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 void BM_FrictionStepFixedMeshSdirk2(benchmark::State& state) { steps_under_load(state, Integrator::sdirk2, false); }
 BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
-// One point of the creep curve from scratch, assembly apart.
+// One point of the creep curve from scratch, without assembly.
 void BM_FrictionSteady(benchmark::State& state) {
     const Scene scene(state.range(0));
     const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
@@ -286,7 +285,7 @@ void BM_FrictionSteadyWarm(benchmark::State& state) {
 }
 BENCHMARK(BM_FrictionSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// Both creepages. What they are measured in: a solution by LU of both directions' equations at once.
+// Both creepages. The unit of comparison: a solution by LU of the equations of both directions together.
 void BM_CombinedLuSolve(benchmark::State& state) {
     const Scene scene(state.range(0));
     const Eigen::Index n = state.range(0);
@@ -314,7 +313,7 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// One point from scratch, assembly apart, where it takes longest: the end of stick, obliquely.
+// One point from scratch, without assembly, in the most expensive case: oblique creepage where stick ends.
 void BM_CombinedSteady(benchmark::State& state) {
     const Scene scene(state.range(0));
     const SteadyCombinedModel<double> model = combined_steady_model(scene);
@@ -333,7 +332,7 @@ void BM_CombinedSteady(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// To and fro by 0.1 of the creepage ratio there.
+// The creepage ratio alternates there between two values 0.1 apart.
 void BM_CombinedSteadyWarm(benchmark::State& state) {
     const Scene scene(state.range(0));
     const SteadyCombinedModel<double> model = combined_steady_model(scene);
@@ -350,7 +349,7 @@ void BM_CombinedSteadyWarm(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// A creepage that grows, shrinks and turns.
+// A creepage that varies in size and direction.
 void combined_steps(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const CombinedFrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel),

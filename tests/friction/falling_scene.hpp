@@ -1,4 +1,4 @@
-// What the tests of friction that falls with slip share: a wheel on a rail in SI units, and its creep forces.
+// Shared by the tests of friction that falls with slip: a wheel on a rail in SI units.
 #pragma once
 
 #include <numbers>

@@ -148,8 +148,8 @@ struct LoadedRide {
     LoadedCombinedStep<double> both_result;
 };
 
-// The states of one scene: with friction by both integrators, and in full adhesion. An even ride goes on as it is until
-// no element changes any more.
+// The states of one scene, with friction by both integrators and in full adhesion. An even ride continues at constant
+// creepage until no element changes its zone any more.
 struct Ride {
     explicit Ride(const Scene& scene, bool even_ = false)
         : even(even_),

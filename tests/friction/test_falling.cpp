@@ -21,7 +21,7 @@ using Catch::Matchers::ContainsSubstring;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-TEST_CASE("Laws are mu_0 at rest, half way down at their half velocity, mu_k in the end", "[friction]") {
+TEST_CASE("Laws fall from mu_0 at rest to mu_k, halfway at their half velocity", "[friction]") {
     const auto check = [](const auto& falling, double late, double rest) {
         CHECK(falling(0.0) == Approx(0.3).epsilon(1e-15));
         CHECK(falling(0.2) == Approx(0.2).epsilon(1e-15));
@@ -44,7 +44,7 @@ constexpr double steady_forces[3][5] = {{0.34140, 0.59053, 0.80649, 0.68687, 0.6
                                         {0.34564, 0.60431, 0.84052, 0.70243, 0.62303},
                                         {0.34694, 0.61612, 0.90047, 0.78016, 0.65994}};
 
-TEST_CASE("Steady forces of a wheel at 45 m/s", "[friction]") {
+TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[friction]") {
     for (int k = 0; k < 3; ++k) {
         const Scene scene(uniform_mesh<double>(160), distances[k]);
         const SteadyFallingModel<Law> steady = scene.steady();
@@ -69,7 +69,7 @@ TEST_CASE("Steady forces of a wheel at 45 m/s", "[friction]") {
     }
 }
 
-TEST_CASE("A law that is constant is Coulomb's", "[friction]") {
+TEST_CASE("A constant law is Coulomb's", "[friction]") {
     const auto constant = [](double) { return 0.25; };
     using Constant = decltype(constant);
     const Scene scene(cosine_mesh<double>(24));
@@ -112,7 +112,7 @@ TEST_CASE("A law that is constant is Coulomb's", "[friction]") {
     }
 }
 
-// mu of the particle that comes to x, which has rolled: looked up anew, from the other end
+// mu of the particle that arrives at x, by an independent search from the other end
 double remembered(const ArrayX<double>& points, const ArrayX<double>& mu, double x, double ahead) {
     if (x >= 1) return ahead;
     for (Eigen::Index i = points.size() - 1; i >= 0; --i) {
@@ -124,7 +124,7 @@ double remembered(const ArrayX<double>& points, const ArrayX<double>& mu, double
     return mu[0];
 }
 
-TEST_CASE("Random motions: each implicit step obeys law and memory", "[friction]") {
+TEST_CASE("Each implicit step of random motions obeys law and memory", "[friction]") {
     std::mt19937 generator(7);
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(generator()) / 4294967296.0;
@@ -181,7 +181,7 @@ TEST_CASE("Random motions: each implicit step obeys law and memory", "[friction]
     CHECK(remembering > steps);
 }
 
-TEST_CASE("The tangent of a step in time against central differences", "[friction]") {
+TEST_CASE("The tangent of a step in time agrees with central differences", "[friction]") {
     for (const double distance : {0.0, 10e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             for (const bool linear : {false, true}) {
@@ -246,7 +246,7 @@ TEST_CASE("With memory, rolling in time tends to steady rolling as mesh and step
     }
 }
 
-TEST_CASE("sdirk2 is of second order with a memory", "[friction]") {
+TEST_CASE("With a memory, sdirk2 is of second order", "[friction]") {
     // against steps an eighth as long, over a way in which the creepage rises and falls once
     const Scene scene(uniform_mesh<double>(20), 20e-6);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -280,8 +280,8 @@ TEST_CASE("sdirk2 is of second order with a memory", "[friction]") {
     }
 }
 
-TEST_CASE("A little memory at the peak of the creep curve: the force falls and rises on its own", "[friction]") {
-    // steady rolling exists, but a run from rest does not come to it: the force falls within one step, however short,
+TEST_CASE("With little memory, the force oscillates at the peak of the creep curve", "[friction]") {
+    // a steady solution exists, but a run from rest does not reach it: the force drops within one step, however short,
     // and rises slowly again
     struct Case {
         bool cosine;
@@ -347,8 +347,8 @@ TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[fr
     CHECK(up.back() == Approx(down.back()).epsilon(1e-9));
 }
 
-TEST_CASE("Memory rides on a mesh that breathes", "[friction]") {
-    // full sliding from side to side, v = |creepage| V nearly, so that mu of a particle is known by itself
+TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
+    // full sliding with v = |creepage| V approximately, so that mu of a particle is known
     Scene scene(uniform_mesh<double>(40), 10e-6);
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(scene.contact);
     const Law weak{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
@@ -367,8 +367,8 @@ TEST_CASE("Memory rides on a mesh that breathes", "[friction]") {
         std::swap(now, next);
         CHECK(now.half_length == half_length);
     }
-    // d mu/dx = -(creepage/d) (mu - mu_s), from the leading edge on, in which a particle has come in: the contact's
-    // centre rolls on and its edge goes forth and back, but the way from the edge is as long as the particle has slid
+    // d mu/dx = -(creepage/d) (mu - mu_s) from the leading edge, where a particle has entered; the edge moves back and
+    // forth relative to the centre
     const ElementSystem<double> system = rolling_system(scene.mesh, scene.scheme, kernel);
     const ArrayX<double>& points = *system.points();
     const double end = weak(creepage * speed);
@@ -385,7 +385,7 @@ TEST_CASE("Memory rides on a mesh that breathes", "[friction]") {
     }
 }
 
-TEST_CASE("Where there is no pressure, nothing is remembered", "[friction]") {
+TEST_CASE("Elements without pressure lose their memory", "[friction]") {
     const Scene scene(uniform_mesh<double>(20), 10e-6);
     const FallingFrictionModel<Law> model = scene.transient();
     auto workspace = model.workspace();
@@ -402,7 +402,7 @@ TEST_CASE("Where there is no pressure, nothing is remembered", "[friction]") {
     CHECK(next.friction_coefficient.tail(10).minCoeff() < 0.29);
 }
 
-TEST_CASE("Results depend on state and arguments, to the last bit, and on nothing before", "[friction]") {
+TEST_CASE("Results depend on state and arguments alone, to the last bit", "[friction]") {
     const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; };
     std::mt19937 generator(11);
     const auto uniform = [&](double low, double high) {
@@ -503,7 +503,7 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
     CHECK((to.traction.array() == 0).all());
 }
 
-TEST_CASE("A law that is no number somewhere ends in a status", "[friction]") {
+TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
     const auto broken = [](double v) { return v > 0.05 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(20));
     const FallingFrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked,
@@ -517,7 +517,7 @@ TEST_CASE("A law that is no number somewhere ends in a status", "[friction]") {
     CHECK((next.friction_coefficient == 0.2).all());
 }
 
-TEST_CASE("Where no coefficient fits its slip, the status says so and by how much", "[friction]") {
+TEST_CASE("If no coefficient fits its slip, status and residual say so", "[friction]") {
     // it sticks at the coefficient of slip, and slips at that of rest
     const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene scene(uniform_mesh<double>(1));

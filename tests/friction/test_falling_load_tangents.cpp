@@ -1,4 +1,4 @@
-// rollbem/friction/falling_transient.hpp: tangents of a step under a load of its own.
+// rollbem/friction/falling_transient.hpp: tangents of a step under a given load.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -72,7 +72,7 @@ struct Trial {
     }
 };
 
-TEST_CASE("Tangents under a load that varies against central differences", "[friction][load]") {
+TEST_CASE("Tangents under a varying load agree with central differences", "[friction][load]") {
     constexpr By all[] = {By::creepage, By::load, By::half_length, By::load_and_half_length};
     for (const bool breathing : {true, false}) {
         for (const double distance : {0.0, 10e-6}) {
@@ -136,7 +136,7 @@ TEST_CASE("Tangents under a load that varies against central differences", "[fri
     }
 }
 
-TEST_CASE("Tangents that cannot be are not numbers", "[friction][load]") {
+TEST_CASE("Tangents that do not exist are NaN", "[friction][load]") {
     const LoadedScene loaded(true, 10e-6, Integrator::sdirk2);
     auto workspace = loaded.model.workspace();
     const State rest = loaded.model.at_rest();

@@ -1,4 +1,4 @@
-// rollbem/friction/falling_transient.hpp: steps in which nothing changes any more, which cost less than others.
+// rollbem/friction/falling_transient.hpp: steps in which nothing changes, which are cheaper.
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -23,7 +23,7 @@ bool same(const State& x, const State& y) {
            same(x.unchanged_distance, y.unchanged_distance);
 }
 
-TEST_CASE("Long runs give what a fresh workspace gives, laws that take turns in it included", "[friction]") {
+TEST_CASE("Long runs do not depend on the workspace, even if two laws share it", "[friction]") {
     constexpr Eigen::Index n = 16;
     constexpr double dq = 0.2 * a;
     struct Case {
@@ -66,7 +66,7 @@ TEST_CASE("Long runs give what a fresh workspace gives, laws that take turns in 
     }
 }
 
-TEST_CASE("The tangent of a step that changes nothing is that of central differences", "[friction]") {
+TEST_CASE("The tangent of a step that changes nothing agrees with central differences", "[friction]") {
     constexpr double dq = 0.2 * a;
     for (const double distance : {0.0, 10e-6}) {
         const Scene scene(cosine_mesh<double>(30), distance);

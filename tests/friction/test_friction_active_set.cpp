@@ -49,7 +49,7 @@ TEST_CASE("A solution is found whatever the matrix", "[friction]") {
     CHECK(fallbacks > 100);
 }
 
-TEST_CASE("A solution is found where all elements are alike", "[friction]") {
+TEST_CASE("A solution is found if all elements are alike", "[friction]") {
     // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
     std::mt19937 generator(1);
     int fallbacks = 0;
@@ -82,8 +82,7 @@ TEST_CASE("A solution is found where all elements are alike", "[friction]") {
     CHECK(fallbacks > 1000);
 }
 
-TEST_CASE("A solver that has solved other problems gives what a fresh one gives, singular matrices included",
-          "[friction]") {
+TEST_CASE("Results of a solver do not depend on earlier problems, singular matrices included", "[friction]") {
     std::mt19937 generator(1);
     const auto integer = [&](unsigned count) { return static_cast<double>(generator() % count); };
     int singular = 0;
@@ -109,8 +108,8 @@ TEST_CASE("A solver that has solved other problems gives what a fresh one gives,
     CHECK(singular > 10);
 }
 
-TEST_CASE("The transform gives what the equations give, or leaves it to them", "[friction]") {
-    // diagonals that make elimination without pivoting safe, fair and poor
+TEST_CASE("The transform satisfies the equations or is replaced by them", "[friction]") {
+    // diagonals for which elimination without pivoting is accurate, fair and poor
     std::mt19937 generator(3);
     std::normal_distribution<double> normal;
     const Eigen::Index n = 30;
@@ -140,7 +139,7 @@ TEST_CASE("The transform gives what the equations give, or leaves it to them", "
             CAPTURE(trial, change, outcome.residual, outcome.rounds);
             REQUIRE(outcome.status == StepStatus::ok);
             if (!solver.unchanged()) {
-                // to the last bit what the equations give alone
+                // identical to the solution of the equations alone
                 ++(checked && solver.zones() == zones ? inaccurate : left);
                 other.constant() = solver.constant();
                 other.begin(detail::Effort::equations);

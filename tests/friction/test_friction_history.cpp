@@ -165,7 +165,7 @@ TEST_CASE("Rejected steps, checkpoints and contacts in turn do not change result
     }
 }
 
-TEST_CASE("Long runs without a change of zones give what a fresh workspace gives at any step", "[friction]") {
+TEST_CASE("Long runs without a change of zones do not depend on the workspace", "[friction]") {
     constexpr Eigen::Index n = 18;
     const Scene scene(cosine_mesh<double>(n), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -175,7 +175,7 @@ TEST_CASE("Long runs without a change of zones give what a fresh workspace gives
         Workspace used = model.workspace();
         int cheap = 0, cut_short = 0, checked = 0;
         for (int k = 0; k < 1500; ++k) {
-            // long runs at one creepage, which end by another creepage, another distance or a shift
+            // long runs at one creepage, interrupted by other creepages, other distances and shifts
             const double xi = creepage(k % 300 < 150 ? 0.6 : -0.3 + 1e-4 * std::sin(k));
             const double dq = k % 300 < 80 ? 0.1 : 0.2;
             const auto step = [&](State& to, Workspace& workspace) {
@@ -204,7 +204,7 @@ TEST_CASE("Long runs without a change of zones give what a fresh workspace gives
     }
 }
 
-TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "[friction]") {
+TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     constexpr int high = std::numeric_limits<int>::max(), low = std::numeric_limits<int>::min();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -235,7 +235,7 @@ TEST_CASE("Counts of a state that no step leaves cost time, not the solution", "
             CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
             CHECK(same(next, expected));
         }
-        // counts that could be, but were not
+        // possible, but untrue counts
         for (const int steps : {1, 11, 12, 74}) {
             for (const double xi : {0.5, 1.2, -0.4}) {
                 now = rolled;

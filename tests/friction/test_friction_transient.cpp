@@ -328,7 +328,7 @@ TEST_CASE("The residual of a step is that of the worse of its two stages", "[fri
     CHECK(worse_last > 0);
 }
 
-TEST_CASE("Ten thousand steps, of which few are checked, stay within rounding", "[friction]") {
+TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[friction]") {
     // n = 24, implicit Euler, at a creepage that varies too little for any element to change its zone
     constexpr Eigen::Index n = 24;
     constexpr double dq = 0.05;
