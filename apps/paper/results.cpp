@@ -2,6 +2,7 @@
 #include "results.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,10 +16,16 @@
 namespace paper {
 
 std::string with_greek(std::string text) {
+    const auto is_letter = [&](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+    };
     for (const auto& [word, letter] :
          {std::pair{"alpha", "α"}, {"epsilon", "ε"}, {"lambda", "λ"}, {"omega", "ω"}, {"xi", "ξ"}}) {
-        for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i)) {
-            text.replace(i, std::string(word).size(), letter);
+        const std::size_t size = std::string(word).size();
+        for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) {
+            const bool plural = i + size < text.size() && text[i + size] == 's' && !is_letter(i + size + 1);
+            const bool apart = (i == 0 || !is_letter(i - 1)) && (plural || !is_letter(i + size));
+            if (apart) text.replace(i, size, letter);
         }
     }
     return text;

@@ -38,6 +38,7 @@ grep -q "^$statements statements of the paper: .* $additions additions: all hold
 
 # The page quotes the paper in the row of each statement, and every link of its contents has a target.
 page=$scratch/results/index.html
+grep -q approximation "$page" && ! grep -q 'ξm' "$page" || fail "a Greek letter within a word"
 failing=$(sed -n 's/.*hold, \([0-9]*\) do not hold as printed.*/\1/p' "$scratch/out")  # their rows appear twice
 [ "$(grep -c '<td>“..*”</td>' "$page")" -eq $((statements + failing)) ] || fail "statements without the paper's words"
 links=$(grep -o 'href="#[^"]*"' "$page" | sed 's/href="#\(.*\)"/\1/')
