@@ -1,4 +1,4 @@
-// Friction that depends on the velocity of slip, in two directions, on the elements of a mesh: the state, the workspace.
+// State and workspace of friction that depends on the velocity of slip, in two directions.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -75,8 +75,8 @@ public:
 
     /// The solution at a creepage and a speed V > 0 [m/s], sought from the zones, tractions and coefficients of `from`.
     /// As SteadyCombinedModel::solve; in addition, the status is invalid_step if the speed is not positive and finite,
-    /// wrong_state if a coefficient of `from` is negative or not finite, and no_solution if coefficients and slip do not
-    /// come to agree: complementarity_residual is then at least the error of a coefficient. Tangents are by both
+    /// wrong_state if a coefficient of `from` is negative or not finite, and no_solution if coefficients and slip do
+    /// not come to agree: complementarity_residual is then at least the error of a coefficient. Tangents are by both
     /// creepages at this speed.
     Step solve(const State& from, const Creepage<Scalar>& creepage, Scalar speed, State& to,
                Workspace& workspace) const noexcept {

@@ -25,9 +25,10 @@
 
 namespace rollbem {
 
-/// CombinedFrictionModel with mu of the slip velocity, v = |slip of the step| / duration with the slip as a vector. Const
-/// and free of caches: threads may share it if they may share the law. Memory, the choice among several solutions, and
-/// steps within which the force jumps are as in FallingFrictionModel, which is for one direction and costs less.
+/// CombinedFrictionModel with mu of the slip velocity, v = |slip of the step| / duration with the slip as a vector.
+/// Const and free of caches: threads may share it if they may share the law. Memory, the choice among several
+/// solutions, and steps within which the force jumps are as in FallingFrictionModel, which is for one direction and
+/// costs less.
 template <class Law_, class Scalar_ = double>
 class CombinedFallingModel {
 public:
@@ -99,9 +100,9 @@ public:
 
     /// Rolls on by dq [m] in `duration` [s], positive and finite; dq = 0 is a rigid shift, which has a duration too. As
     /// CombinedFrictionModel::advance; in addition, the status is invalid_step if the duration is not positive and
-    /// finite, wrong_state if a coefficient of `from` is negative or not finite, and no_solution if coefficients and slip
-    /// do not come to agree: complementarity_residual is then at least the error of a coefficient. Tangents are by both
-    /// creepages at this dq and duration.
+    /// finite, wrong_state if a coefficient of `from` is negative or not finite, and no_solution if coefficients and
+    /// slip do not come to agree: complementarity_residual is then at least the error of a coefficient. Tangents are by
+    /// both creepages at this dq and duration.
     Step advance(const State& from, Scalar dq, Scalar duration, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
         return roll(from, dq, duration, motion, {from.normal_pressure, from.half_length}, {}, to, workspace);

@@ -1,5 +1,5 @@
-// Steady rolling with Coulomb friction under longitudinal and lateral creepage: s/V = xi - G' p in both directions,
-// |p| <= mu p_n and slip against traction as vectors. One model for all creepages; each point starts from the one before.
+// Steady rolling with Coulomb friction under longitudinal and lateral creepage: s/V = xi - G' p in both directions, |p|
+// <= mu p_n and slip against traction as vectors. One model for all creepages; each point starts from the one before.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -26,8 +26,8 @@
 namespace rollbem {
 
 /// Steady rolling of one contact, mesh, scheme and law of friction at any creepage vector. Const and free of caches:
-/// threads may share it. Positive creepages give negative forces; in full sliding the force is against the creepage,
-/// else only about so, because across the rolling direction the bodies are softer.
+/// threads may share it. Positive creepages give negative forces. In full sliding the force opposes the creepage
+/// exactly, otherwise only approximately, because the bodies are more compliant across the rolling direction.
 ///
 /// The scheme must converge, which nothing here checks; see SteadyFrictionModel, which is for one direction of creepage
 /// and costs less.
@@ -48,8 +48,8 @@ public:
     using Step = CombinedFrictionStep<Scalar>;
     using Workspace = CombinedFrictionWorkspace<Scalar>;
 
-    /// The kernels of both directions. Throws std::invalid_argument as assemble_G_prime does, where the law breaks what
-    /// CoulombFriction asks for, and where a kernel's half-width is not the contact's.
+    /// The kernels of both directions. Throws std::invalid_argument as assemble_G_prime does, if the law is out of the
+    /// range that CoulombFriction states, and if the half-width of a kernel differs from the contact's.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
     SteadyCombinedModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                         const Kernel& longitudinal, const Kernel& lateral, const CoulombFriction<Scalar>& friction)
@@ -62,8 +62,8 @@ public:
         detail::require_same_aspect("SteadyCombinedModel", contact, detail::aspect_of<Scalar>(lateral));
     }
 
-    /// From ready G' of both directions (in units of 1/G) and the widths of the elements (in units of a); the law has as
-    /// many pressures. Throws std::invalid_argument as above, and where sizes differ, an entry is not finite or a width
+    /// From ready G' of both directions (in units of 1/G) and the widths of the elements (in units of a); the law has
+    /// as many pressures. Throws std::invalid_argument as above, and if sizes differ, an entry is not finite or a width
     /// is not positive.
     SteadyCombinedModel(const Contact<Scalar>& contact, MatrixX<Scalar> longitudinal_G_prime,
                         MatrixX<Scalar> lateral_G_prime, const ArrayX<Scalar>& widths,
@@ -81,7 +81,7 @@ public:
     Workspace workspace() const { return Workspace(size()); }
 
     /// The solution at a creepage, sought from the zones and tractions of `from` and under its pressures; its
-    /// half-length must be the contact's. `to` must be another state of as many elements; it is left alone where the
+    /// half-length must be the contact's. `to` must be another state of as many elements; it is left unchanged if the
     /// status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite. No allocation.
     Step solve(const State& from, const Creepage<Scalar>& creepage, State& to, Workspace& workspace) const noexcept {
         const StepStatus possible = check(from, to, workspace);
@@ -108,7 +108,7 @@ private:
                                   {from.normal_pressure, from.half_length}, to, workspace);
     }
 
-    struct Checked {};  // tells the constructor from the one whose law may come in braces
+    struct Checked {};  // distinguishes the constructor from the one whose law may be given in braces
 
     SteadyCombinedModel(Checked, const Contact<Scalar>& contact, std::array<MatrixX<Scalar>, 2> G_prime,
                         const ArrayX<Scalar>& widths, const std::optional<ArrayX<Scalar>>& points,

@@ -27,8 +27,8 @@
 namespace rollbem {
 
 /// The contact as a force element with friction in two directions, stepped like FrictionModel, which is for one
-/// direction and costs less. Const and free of caches: threads may share it. Integrators, order and what is asked of a
-/// scheme are those of FrictionModel.
+/// direction and costs less. Const and free of caches: threads may share it. Integrators, order and the requirements on
+/// the scheme are those of FrictionModel.
 ///
 ///     const auto longitudinal = rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact));
 ///     const auto lateral = rolling_system(mesh, scheme, StripKernel<double>::lateral(contact));
@@ -48,8 +48,8 @@ public:
     using Workspace = CombinedFrictionWorkspace<Scalar>;
     using Motion = RigidMotion<Creepage<Scalar>>;
 
-    /// Both systems from one mesh and scheme, of the contact's longitudinal and lateral kernels. Throws
-    /// std::invalid_argument as FrictionModel does of each, and where they differ in elements or their widths.
+    /// Both systems come from one mesh and scheme, with the contact's longitudinal and lateral kernels. Throws
+    /// std::invalid_argument as FrictionModel does for each, and if their elements differ in number or width.
     CombinedFrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> longitudinal,
                           const StabilityVerdict& longitudinal_verdict, ElementSystem<Scalar> lateral,
                           const StabilityVerdict& lateral_verdict, const CoulombFriction<Scalar>& friction,
@@ -59,7 +59,7 @@ public:
         detail::require_usable_in_time("CombinedFrictionModel", systems_[1], lateral_verdict);
     }
 
-    /// The same whatever the eigenvalues, and whether the scheme converges or not.
+    /// The same without any requirement on eigenvalues or convergence.
     CombinedFrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> longitudinal,
                           ElementSystem<Scalar> lateral, Unchecked, const CoulombFriction<Scalar>& friction,
                           Integrator integrator = Integrator::sdirk2)
@@ -88,18 +88,17 @@ public:
     /// 2b F_bar of a state [N]. The state must have size() elements.
     TangentialForce<Scalar> force(const State& state) const { return core_.force(state); }
 
-    /// Elastic energy of both bodies per unit width [J/m] and in all [J], as that of FrictionModel: the sum over both
+    /// Elastic energy of both bodies per unit width [J/m] and in total [J], as in FrictionModel, summed over both
     /// directions. The state must have size() elements.
     Scalar elastic_energy_per_width(const State& state) const { return core_.elastic_energy(state, systems_); }
     Scalar elastic_energy(const State& state) const { return core_.width() * elastic_energy_per_width(state); }
 
-    /// Steady rolling at a creepage under the load of `from`, to start from: what SteadyCombinedModel::solve does, with
+    /// Steady rolling at a creepage under the load of `from`, as an initial state: as SteadyCombinedModel::solve, with
     /// states of this model.
     Step steady(const State& from, const Creepage<Scalar>& creepage, State& to, Workspace& workspace) const noexcept {
         return settle(from, creepage, {from.normal_pressure, from.half_length}, to, workspace);
     }
-    /// The same under another load. Where the half-length is not the contact's, both systems must be ones that can
-    /// breathe.
+    /// The same under another load. If its half-length is not the contact's, both systems must be able to breathe.
     Step steady(const State& from, const Creepage<Scalar>& creepage, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept {
         const StepStatus possible = load.check(systems_[0].element_count());
@@ -107,10 +106,10 @@ public:
         return settle(from, creepage, {load.normal_pressure, load.half_length}, to, workspace);
     }
 
-    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling, under the load of `from`. `from`
-    /// is never written; `to` must be another state of as many elements. It is left alone where the status is
+    /// Rolls on by dq [m], positive and finite, or 0 for a rigid shift without rolling, under the load of `from`.
+    /// `from` is never written; `to` must be another state of as many elements. It is left unchanged if the status is
     /// invalid_step, wrong_state, invalid_load or needs_fixed_mesh or the motion is not finite, and becomes a copy of
-    /// `from` where the result is not finite. The result depends on `from` and the motion alone, to the last bit. No
+    /// `from` if the result is not finite. The result depends on `from` and the motion alone, to the last bit. No
     /// allocation; a new dq costs a factorisation.
     Step advance(const State& from, Scalar dq, const Motion& motion, State& to, Workspace& workspace) const noexcept {
         const Load load{from.normal_pressure, from.half_length};
@@ -122,8 +121,8 @@ public:
         return step;
     }
 
-    /// The same under a load that goes evenly from that of `from` to this one at the end of the step, as
-    /// FrictionModel::advance does.
+    /// The same under a load that changes linearly from that of `from` to this one at the end of the step, as in
+    /// FrictionModel::advance.
     LoadedStep advance(const State& from, Scalar dq, const Motion& motion, const NormalLoad<Scalar>& load, State& to,
                        Workspace& workspace) const noexcept {
         const Load end{load.normal_pressure, load.half_length};
@@ -158,7 +157,7 @@ private:
     static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
     static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
 
-    // Tangents besides those by creepages.
+    // Derivatives in addition to those by the creepages.
     struct Asked {
         bool by_load = false, by_half_length = false;
     };
@@ -209,7 +208,7 @@ private:
         }
     }
 
-    // What the first of two stages hands on, each tangent's part dq xi depending by `imposed` on its creepage.
+    // What the first of two stages passes on to the second; d(part dq xi)/d creepage = `imposed`.
     template <class AnyStages>
     void carry(AnyStages& stages, Scalar imposed, const Asked& asked, Memory& memory) const noexcept {
         for (const Parameter direction : {Parameter::longitudinal, Parameter::lateral}) {

@@ -1,5 +1,4 @@
-// The factors and the scratch memory of a friction problem with both creepages: what makes steps fast and changes no
-// result.
+// Factors and scratch memory of a friction problem with both creepages: they make steps fast and change no result.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -17,8 +16,8 @@ template <class Scalar>
 class CombinedCore;
 }
 
-/// Made by a model, and usable with any model of as many elements. Factors are kept for as long as the model and the
-/// distance rolled stay the same: contacts that take turns each want one of their own. Threads never share one at once.
+/// Made by a model, and usable with any model of as many elements. Factors are reused as long as the model and the
+/// distance rolled stay the same: contacts stepped in turn should each have their own. Not to be shared by threads.
 template <class Scalar_>
 class CombinedFrictionWorkspace {
 public:
@@ -29,13 +28,12 @@ public:
 
     Eigen::Index size() const { return memory_.work.size(); }
 
-    /// Slip of body 1 on body 2 in the equations of each element, where the scheme has its point, in what was solved
-    /// last: in a step or a rigid shift the distance slid meanwhile [m]; in a steady solution the slip velocity over
-    /// the rolling velocity, s/V [-].
+    /// Slip of body 1 on body 2 at the point of each element's equation, in the last solution: for a step or a rigid
+    /// shift the distance slid in it [m]; for a steady solution the slip velocity over the rolling velocity, s/V [-].
     const ElementVectors<Scalar>& slip() const { return memory_.slip; }
 
-    /// The terms of slip_work_per_width that each element contributes to the sum, none negative: per unit width [J/m],
-    /// of a steady solution per unit width and unit distance rolled [J/m^2].
+    /// Contribution of each element to slip_work_per_width, never negative: per unit width [J/m]; of a steady solution
+    /// per unit width and unit distance rolled [J/m^2].
     const VectorX<Scalar>& slip_work() const { return memory_.work; }
 
 private:

@@ -1,5 +1,5 @@
-// What the steady and the non-steady friction model with both creepages share: states, loads and results in SI units
-// around the solutions of stages in the contact's.
+// Common part of the steady and the non-steady friction model with both creepages: converts states, loads and results
+// between SI units and the dimensionless stages.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -69,7 +69,7 @@ public:
     using Memory = CombinedMemory<Scalar>;
     using Force = TangentialForce<Scalar>;
 
-    /// `widths` in a_0, `points` x/a of the equations where they are known, `friction` of as many elements, `system` the
+    /// `widths` in a_0, `points` x/a of the equations if known, `friction` of as many elements, `system` the
     /// fingerprint of the equations.
     CombinedCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
                  const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction, std::uint64_t system)
@@ -91,7 +91,7 @@ public:
                 friction_.normal_pressure, half_length_, fingerprint_};
     }
     Force force(const State& state) const { return sum(state.traction, width_ * state.half_length); }
-    /// Per unit width [J/m]; not a number under a half-length that the systems do not know.
+    /// Per unit width [J/m]; not a number for a half-length that the systems do not cover.
     Scalar elastic_energy(const State& state, const SystemPair<Scalar>& systems) const {
         const Scalar a = state.half_length / half_length_;
         Scalar energy = 0;
@@ -108,7 +108,7 @@ public:
     }
     static Memory& memory(Workspace& workspace) { return workspace.memory_; }
 
-    /// ok, wrong_state, or invalid_load where a state tells of a load that cannot be.
+    /// ok, wrong_state, or invalid_load if the load of a state is impossible.
     StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
         const auto sized = [this](const State& state) {
             return state.traction.rows() == size() && state.zones.size() == static_cast<std::size_t>(size()) &&
@@ -136,14 +136,14 @@ public:
         return true;
     }
 
-    /// Nothing slid yet; the tractions of `from` are where the first solution is sought.
+    /// No slip yet; the first solution is sought from the tractions of `from`.
     void begin(const State& from, Memory& memory) const noexcept {
         memory.slip.setZero();
         memory.work.setZero();
         memory.displacement.setZero();
         memory.start = from.traction / shear_modulus_;
     }
-    /// d bound by the load, from that of the pressures [Pa].
+    /// Derivative of the bounds by the load, from that of the pressures [Pa].
     void set_bound_rate(const ArrayX<Scalar>& pressure_rate, Memory& memory) const noexcept {
         memory.bound_rate = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
     }
@@ -154,15 +154,15 @@ public:
         Scalar half_length;
     };
 
-    /// What the stages of a step leave.
+    /// Summary of the stages of a step.
     struct Course {
         Scalar residual = 0;
         int rounds = 0;
         bool tangent_exists = true, solved = true, finite = true;
     };
 
-    /// One stage, c = imposed - displacement, under memory.pressure; its slip counts `weight` times. Its tractions are
-    /// where the next is sought.
+    /// One stage, c = imposed - displacement, under memory.pressure; its slip is weighted by `weight`. The next stage
+    /// is sought from its tractions.
     template <class Stages>
     void solve(Stages& stages, const Creepage<Scalar>& imposed, const std::vector<CombinedZone>& zones, Scalar weight,
                Memory& memory, Course& course) const noexcept {
@@ -177,7 +177,7 @@ public:
         course.rounds += outcome.rounds;
         course.tangent_exists = course.tangent_exists && outcome.tangent_exists;
         course.solved = course.solved && outcome.status == StepStatus::ok;
-        course.finite = course.finite && is_finite(outcome.residual);  // a maximum may lose what is not a number
+        course.finite = course.finite && is_finite(outcome.residual);  // std::max may drop a NaN
         memory.slip += weight * memory.solver.slip();
         memory.start = memory.solver.traction();
         for (Eigen::Index d = 0; d < 2; ++d) {
@@ -186,7 +186,7 @@ public:
         }
     }
 
-    /// Fills `to`, slip in multiples of `slip_unit`, and the result but for its tangents.
+    /// Fills `to`, the slip in units of `slip_unit`, and the result except for its tangents.
     void finish(const State& from, const Course& course, const Load& load, Scalar slip_unit, State& to, Memory& memory,
                 Step& step) const noexcept {
         slip_work_.end(memory.work);
@@ -226,7 +226,7 @@ public:
                       const Load& load, State& to, Workspace& workspace) const noexcept {
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
         Memory& memory = workspace.memory_;
-        // the equations do not know the half-length, slip work does
+        // slip work depends on the half-length, the equations do not
         if (claim({.distance = steadily, .half_length = load.half_length / half_length_}, memory)) {
             memory.solver.new_matrix(0) = -longitudinal_G_prime;
             memory.solver.new_matrix(1) = -lateral_G_prime;
@@ -243,8 +243,8 @@ public:
         return step;
     }
 
-    /// Tangents by both creepages at the end of the last or only stage, where part dq xi depends by `imposed` on each;
-    /// `carried`: memory.carried counts, from a stage before.
+    /// Tangents by both creepages at the end of the last or only stage, with d(part dq xi)/d creepage = `imposed`;
+    /// `carried`: memory.carried holds the contribution of an earlier stage.
     template <class Stages>
     void add_tangent(Stages& stages, Scalar imposed, bool carried, Scalar half_length, Memory& memory,
                      Step& step) const noexcept {
@@ -275,7 +275,7 @@ public:
         step.tangent_by_half_length = times(width_, step.tangent_by_half_length_per_width);
     }
 
-    /// Sum of the widths times vectors, times a factor.
+    /// `factor` times the sum of width times vector.
     Force sum(const ElementVectors<Scalar>& vectors, Scalar factor) const {
         return {factor * widths_.dot(vectors.col(0)), factor * widths_.dot(vectors.col(1))};
     }

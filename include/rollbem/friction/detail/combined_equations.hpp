@@ -1,5 +1,5 @@
 // The linear equations of a Newton step for friction in two directions: elements that stick, elements that slip.
-// What it computes depends on its arguments alone, to the last bit, never on what was solved before.
+// The result depends on the arguments alone, to the last bit, never on what was solved before.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -20,14 +20,13 @@
 
 namespace rollbem::detail {
 
-/// Finds the change dp of tractions that meets, with ds = M dp,
+/// Finds the change dp of tractions that satisfies, with ds = M dp,
 /// - where elements stick:  s + ds = 0;
 /// - where they slip:       dp = tau t and t.(s + ds) + k tau = 0, t the unit vector across the traction;
 /// - where they are free:   dp = 0.
-/// M acts on each direction by a matrix of its own, so that the elements that stick are eliminated one direction at a
-/// time; what is left are the tau, by LU with pivoting. Where the elements that stick are singular by themselves, as a
-/// leading one without influence on its own slip is, all equations are factorised together. Everything is allocated by
-/// the constructor.
+/// Each direction has its own matrix M, so the elements that stick are eliminated one direction at a time; LU with
+/// pivoting then gives the tau. If the equations of the sticking elements alone are singular, as for a leading element
+/// without influence on its own slip, all equations are factorised together. The constructor allocates everything.
 template <class Scalar>
 class CombinedEquations {
 public:
@@ -51,10 +50,10 @@ public:
     Index size() const { return factors_.rows(); }
     /// M of direction 0 (longitudinal) or 1 (lateral).
     const Matrix& matrix(std::size_t direction) const { return side_[direction].sticking.matrix(); }
-    /// The same, to be filled anew: the factors are void.
+    /// The same, to be filled again: the factors become invalid.
     Matrix& new_matrix(std::size_t direction) { return side_[direction].sticking.new_matrix(); }
 
-    /// Factorises for the elements that stick and slip; the stiffness is k. False where the equations are singular to
+    /// Factorises for the elements that stick and slip; the stiffness is k. False if the equations are singular to
     /// working precision.
     bool factorise(const CombinedPartition<Scalar>& part) {
         slipping_.take(part.slide);
@@ -76,12 +75,13 @@ public:
         }
     }
 
-    /// Elements that slip, as they were factorised for.
+    /// The elements that slip in the present factors.
     Index slipping_count() const { return slipping_.count; }
     Index slipping(Index k) const { return slipping_[k]; }
 
-    /// Column k: what the k-th element that slips does to each of them by a traction along its own, while the others
-    /// keep the size of theirs: their slip along their own traction. Rows of elements that do not slip stay as they are.
+    /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, along its own traction, due to
+    /// a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
+    /// that do not slip are left unchanged.
     void couple(Matrix& coupling) {
         if (!is_whole_) find_across();
         for (Index k = 0; k < slipping_.count; ++k) {
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    // Some of the elements, in memory for all: copies keep it.
+    // Some of the elements, in storage for all of them, which copies keep.
     struct List {
         explicit List(Index n) : elements(static_cast<std::size_t>(n)) {}
 
@@ -120,7 +120,7 @@ private:
         explicit Side(Index n)
             : sticking(n), answer(n, n), reduced(n, n), across(n, n), stuck(n), amplitude(n), induced(n) {}
 
-        // what slipping elements do to sticking ones, and through them to each other
+        // influence of slipping elements on sticking ones, and through them on each other
         void eliminate(const List& slipping) {
             const Index sticks = sticking.count(), slips = slipping.count;
             const Matrix& M = sticking.matrix();
@@ -137,7 +137,7 @@ private:
                     across.topLeftCorner(slips, sticks) * answer.col(l).head(sticks);
             }
         }
-        // dp of S while the elements of L keep their tractions, and the slip that it induces on them
+        // dp of S at fixed tractions of L, and the slip that it induces on L
         template <class Column>
         void start(const Column& s, Index slips) {
             const Index sticks = sticking.count();
@@ -202,7 +202,7 @@ private:
         }
     }
 
-    // Unknowns and equations of sticking elements longitudinal and lateral, then of slipping ones.
+    // Unknowns and equations: sticking elements longitudinal, then lateral, then slipping ones.
     bool factorise_whole(const Vector& stick, const Vector& stiffness) {
         sticking_.take(stick);
         const Index sticks = sticking_.count, slips = slipping_.count, size = 2 * sticks + slips;
@@ -249,7 +249,7 @@ private:
     // The unit vector along the traction of the k-th element that slips.
     Scalar along(Index k, std::size_t direction) const { return direction == 0 ? tangent_(k, 1) : -tangent_(k, 0); }
 
-    // Slip along tractions by tractions across them, to whole_, which is free.
+    // Slip along the tractions due to tractions across them, into whole_, which is not in use.
     void find_across() {
         const Index count = slipping_.count;
         for (Index k = 0; k < count; ++k) {
@@ -260,7 +260,7 @@ private:
         }
     }
 
-    // A column of couple(), to right_.
+    // A column of couple(), into right_.
     void couple_reduced(Index k) {
         const Index count = slipping_.count;
         auto turn = right_.segment(count, count);
@@ -282,7 +282,7 @@ private:
         }
     }
 
-    // The leading part of a matrix. False where it is singular to working precision.
+    // The leading part of a matrix. False if it is singular to working precision.
     bool factorise_first(Matrix& A, Index count) {
         factorise_in_place<Scalar>(A.topLeftCorner(count, count), swaps_.data());
         for (Index k = 0; k < count; ++k) {

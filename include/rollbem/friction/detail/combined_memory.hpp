@@ -16,7 +16,8 @@
 
 namespace rollbem::detail {
 
-/// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All is allocated by the constructor.
+/// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. Everything is allocated by the
+/// constructor.
 template <class Scalar>
 struct CombinedMemory {
     using Vectors = ElementVectors<Scalar>;

@@ -1,5 +1,4 @@
-// Which elements stick and which slip in what direction, and what is demanded of each: the conditions of friction in two
-// directions, element by element.
+// Which elements stick, which slip and in what direction, and the conditions of friction in two directions for each.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -15,7 +14,7 @@
 
 namespace rollbem::detail {
 
-/// What a Newton step takes for granted. An element sticks, or slips, or has no pressure and does neither.
+/// The zones assumed in a Newton step. An element sticks, or slips, or has no pressure and does neither.
 template <class Scalar>
 struct CombinedPartition {
     using Index = Eigen::Index;
@@ -27,7 +26,7 @@ struct CombinedPartition {
 
     void let_stick(Index i) { set(i, 1); }
     void let_go(Index i) { set(i, 0); }
-    /// The traction along (x, y), whose length is `norm`; k the slip against it over its size.
+    /// The traction points along (x, y), whose length is `norm`; k is the slip against it over its size.
     void let_slide(Index i, Scalar x, Scalar y, Scalar norm, Scalar k) {
         stick[i] = 0;
         slide[i] = 1;
@@ -37,7 +36,7 @@ struct CombinedPartition {
         stiffness[i] = std::min(k, std::numeric_limits<Scalar>::max() / 1000);
     }
 
-    /// Where the natural map puts an element, (x, y) = p - reach s. `margin`: the share of the bound that is rounding.
+    /// Zone from the natural map, (x, y) = p - reach s. `margin`: round-off relative to the bound.
     void place(Index i, Scalar x, Scalar y, Scalar bound, Scalar reach, Scalar margin) {
         const Scalar norm = std::hypot(x, y);
         if (bound == 0) {
@@ -49,7 +48,8 @@ struct CombinedPartition {
         }
     }
 
-    /// Whether tractions and slip meet all conditions: to `margin` of each bound, and to `creep` of the slip.
+    /// Whether tractions and slip satisfy all conditions, to `margin` relative to each bound and to `creep` in the
+    /// slip.
     bool holds(const Vector& bound, const Vectors& p, const Vectors& s, Scalar margin, Scalar creep) const {
         for (Index i = 0; i < bound.size(); ++i) {
             const Scalar x = p(i, 0), y = p(i, 1), u = s(i, 0), v = s(i, 1), norm = std::hypot(x, y);

@@ -1,4 +1,4 @@
-// How fast the elements of a CombinedSolver slip, and what their bounds do to that: FallingSet in two directions.
+// Slip of the elements of a CombinedSolver and its derivatives by their bounds, for FallingSet in two directions.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -16,7 +16,7 @@
 
 namespace rollbem::detail {
 
-/// As ActiveSetSlip. |s| of an element changes by the slip against its traction. Everything is allocated by the
+/// As ActiveSetSlip; d|s| of an element is the change of its slip against its traction. Everything is allocated by the
 /// constructor.
 template <class Scalar_>
 class CombinedSlip {
@@ -56,7 +56,7 @@ public:
     static Scalar size(const Solver& solver, Index i) { return std::hypot(solver.slip()(i, 0), solver.slip()(i, 1)); }
     static const Vector& sense(const Solver& solver) { return solver.slides(); }
 
-    /// Nothing slips for what has no tangent.
+    /// Without a tangent, as if nothing slipped.
     void linearise(Solver& solver) {
         if (revision_ == solution_) return;
         revision_ = solution_;

@@ -28,11 +28,11 @@ namespace rollbem::detail {
 /// Newton's method on the natural map p_i = P(p_i - rho_i s_i), P the projection onto the circle of the bound
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
-/// two. Steps are halved where the residual of the map would grow. As M may be any matrix, that can get stuck. Further
-/// attempts then halve nothing, and start from full sliding or from what CombinedSplit finds. When all have failed, the
-/// best point is returned with what it violates. At most `longest` steps each.
+/// two. A step is halved while the residual of the map would grow. As M may be any matrix, that can get stuck. Further
+/// attempts take full steps, and start from full sliding or from the result of CombinedSplit. If all fail, the best
+/// point is returned together with its violation. Each attempt takes at most `longest` steps.
 ///
-/// The result depends on M, c, the bounds and the point to start from, to the last bit, and on nothing that was solved
+/// The result depends on M, c, the bounds and the starting point alone, to the last bit, and on nothing that was solved
 /// before. Everything is allocated by the constructor.
 template <class Scalar>
 class CombinedSolver {
@@ -44,8 +44,8 @@ public:
 
     struct Outcome {
         int rounds = 0;  ///< Newton steps, of all attempts
-        /// Largest violation of a bound, or traction below it where there is slip (over the largest bound), and of the
-        /// slip: of stick, of its direction, against the traction (over the largest |c|).
+        /// Largest violation of a bound, or traction below it where an element slips (relative to the largest bound),
+        /// or wrong slip: of a sticking element, across the traction or along it (relative to the largest |c|).
         Scalar residual = 0;
         bool tangent_exists = false;
         StepStatus status = StepStatus::not_finite;
@@ -108,12 +108,12 @@ public:
         return outcome;
     }
 
-    /// dp that follows a change dc while no element changes between stick and slip. Only where the last outcome says
-    /// that a tangent exists.
+    /// dp due to a change dc while no element changes between stick and slip. Only if a tangent exists according to the
+    /// last outcome.
     void respond(const ElementVectors<Scalar>& change, ElementVectors<Scalar>& traction_change) {
         equations_.solve(change, traction_change);
     }
-    /// The same where the bounds change too, by `share` of `bound_change`: what slips follows its bound along its
+    /// The same if the bounds change too, by `share` times `bound_change`: slipping elements follow theirs along their
     /// traction.
     void respond(const ElementVectors<Scalar>& change, const Vector& bound_change,
                  ElementVectors<Scalar>& traction_change, Scalar share = 1) {
@@ -131,7 +131,7 @@ public:
     const ElementVectors<Scalar>& direction() const { return part_.direction; }
     /// 1 for each element that slips under pressure, zero for others.
     const Vector& slides() const { return part_.slide; }
-    /// What the last outcome's tangent is made of.
+    /// The factors behind respond().
     CombinedEquations<Scalar>& equations() { return equations_; }
 
 private:
@@ -139,12 +139,12 @@ private:
 
     enum class Start { given, sliding, split };
 
-    static constexpr int longest = 60;  // steps of an attempt; scenes of rolling take at most 16
+    static constexpr int longest = 60;  // steps of an attempt; rolling takes at most 16
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
     Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
 
-    // rho: the largest influence on an element. Its own may vanish, as under central differences about its centre.
+    // rho: from the largest influence on an element, as its own may vanish (central differences about its centre).
     void find_reach() {
         if (reach_is_known_) return;
         for (Index i = 0; i < size(); ++i) {
@@ -155,7 +155,7 @@ private:
         reach_is_known_ = true;
     }
 
-    // M p + c, and how much of it is rounding
+    // M p + c, and its round-off
     void find_slip(const Vectors& p, Vectors& s) {
         s.col(0).noalias() = matrix(0) * p.col(0);
         s.col(1).noalias() = matrix(1) * p.col(1);
@@ -223,7 +223,7 @@ private:
         best_ = p;
     }
 
-    // Newton steps. False when they do not settle; `careful`: halved where the residual grows.
+    // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
         for (int step = 0; step < longest; ++step) {
@@ -245,7 +245,7 @@ private:
         return false;
     }
 
-    // The whole step, to trial_: what slips goes back to its circle.
+    // The full step, into trial_: slipping elements return to their circles.
     void take_step(const Vector& bound) {
         trial_ = traction_;
         for (Index i = 0; i < size(); ++i) {
@@ -260,7 +260,7 @@ private:
         find_slip(trial_, trial_slip_);
     }
 
-    // Halves the step until the residual falls below what it was, or is as small as it may get.
+    // Halves the step until the residual is below the previous one, or the step is as short as it may get.
     Scalar shorten(const Vector& bound, Scalar before) {
         change_ = trial_ - traction_;
         Scalar residual = before;
@@ -273,7 +273,7 @@ private:
         return residual;
     }
 
-    // Whether the trial is a solution in the zones that it was sought with, to `factor` times rounding.
+    // Whether the trial is a solution in the assumed zones, to `factor` times round-off.
     bool settled(const Vector& bound, Scalar factor) const {
         return part_.holds(bound, trial_, trial_slip_, 4 * factor * rounding(), 4 * factor * slip_scale_);
     }
@@ -289,8 +289,8 @@ private:
         find_slip(traction_, slip_);
     }
 
-    // Zones, and slip without what rounding has left of it: the largest violation. Leaves direction and stiffness of
-    // what slips as they are at the solution.
+    // Publishes zones, and slip cleared of round-off; returns the largest violation. Leaves directions and stiffnesses
+    // of slipping elements as they are at the solution.
     Scalar publish(const Vector& bound) {
         Scalar slip = 0, excess = 0;
         bool finite = true;

@@ -1,4 +1,4 @@
-// Friction in two directions, taken one direction at a time: a start for where Newton's method has failed.
+// Friction in two directions, one direction at a time: a starting point for when Newton's method has failed.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -15,9 +15,9 @@
 
 namespace rollbem::detail {
 
-/// Solves each direction by itself under its share of the bounds, at the angle of the element's constant, by
-/// ComplementaryPath, which is certain to end. Where the constants of all elements are along one of the directions, that
-/// is a solution. Everything is allocated by the constructor.
+/// Solves each direction separately under its share of the bounds, taken at the angle of the element's constant, by
+/// ComplementaryPath, which always terminates. If the constants of all elements point along one of the directions, the
+/// result is a solution. Everything is allocated by the constructor.
 template <class Scalar>
 class CombinedSplit {
 public:
@@ -33,7 +33,7 @@ public:
     const ElementVectors<Scalar>& traction() const { return traction_; }
     const std::vector<CombinedZone>& zones() const { return zones_; }
 
-    /// `margin`: the share of a bound that is rounding.
+    /// `margin`: round-off relative to a bound.
     void find(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral,
               const ElementVectors<Scalar>& constant, const VectorX<Scalar>& bound, Scalar margin) {
         for (Index d = 0; d < 2; ++d) {

@@ -1,5 +1,5 @@
-// How the tractions of a stage that has been solved in two directions follow a change: of a creepage, of the load, of
-// the half-length, and of what an earlier stage has left.
+// Derivatives of the tractions of a solved stage in two directions by a creepage, the load or the half-length,
+// including the contribution of an earlier stage.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -18,18 +18,18 @@
 
 namespace rollbem::detail {
 
-/// What tangents are taken by: the place of each in CombinedMemory::carried.
+/// What derivatives are taken by; its index in CombinedMemory::carried.
 enum class Parameter : unsigned char { longitudinal, lateral, load, half_length };
 
 template <class Scalar>
 using SystemPair = std::array<ElementSystem<Scalar>, 2>;
 
-/// Derivatives of the stage that `stages` have solved last, in memory.solver, by one parameter. Each leaves dp in
+/// Derivatives by one parameter of the stage that `stages` have solved last in memory.solver. Each leaves dp in
 /// memory.response.
 template <class Scalar, class Stages>
 class CombinedTangent {
 public:
-    /// `carried`: what a stage before has left in memory.carried shifts the equations.
+    /// `carried`: memory.carried of an earlier stage shifts the equations.
     CombinedTangent(Stages& stages, CombinedMemory<Scalar>& memory, Parameter parameter, bool carried)
         : stages_(stages), memory_(memory), parameter_(parameter) {
         if (carried) {
@@ -39,13 +39,13 @@ public:
         }
     }
 
-    /// By a creepage, on which part dq xi depends by `imposed`.
+    /// By a creepage, with d(part dq xi)/d creepage = `imposed`.
     void by_creepage(Scalar imposed) {
         memory_.right.col(parameter_ == Parameter::longitudinal ? 0 : 1).array() += imposed;
         respond();
     }
 
-    /// By the load: bounds change by `progress` times memory.bound_rate, and what slips follows its bound.
+    /// By the load: bounds change by `progress` times memory.bound_rate, and slipping elements follow theirs.
     void by_load(Scalar progress) { respond(&memory_.bound_rate, progress); }
 
     /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p.
@@ -58,8 +58,8 @@ public:
         respond();
     }
 
-    /// To the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, and what
-    /// the half-length itself does by `progress`, where that is the parameter.
+    /// For the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, with
+    /// the direct effect of the half-length by `progress` if that is the parameter.
     void carry(const SystemPair<Scalar>& systems, Scalar ratio, Scalar progress) {
         ElementVectors<Scalar>& carried = memory_.carried[place(parameter_)];
         for (std::size_t d = 0; d < 2; ++d) {
