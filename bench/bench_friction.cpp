@@ -113,7 +113,8 @@ void BM_FrictionStepSdirk2(benchmark::State& state) { steps_unchanged(state, Int
 BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // The same with mu that falls with slip, at 45 m/s, with a memory of 10 um, at 0.6 of the largest force.
-void falling_steps_unchanged(benchmark::State& state, bool with_tangents) {
+void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
+                             Integrator integrator = Integrator::implicit_euler) {
     constexpr double a = 4e-3, speed = 45;
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
     const Contact<double> contact(
@@ -122,7 +123,7 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents) {
         {0.3, 0.18, 0.1}, {10e-6, 1e-3}, 495.169e6 * mean_hertz_pressure(mesh), with_tangents};
     const FallingFrictionModel<ExponentialFall<double>> model(
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
-        friction, Integrator::implicit_euler);
+        friction, integrator);
     FallingFrictionWorkspace<double> workspace = model.workspace();
     FallingFrictionState<double> now = model.at_rest(), next = now;
     FrictionStep<double> step;
@@ -144,6 +145,10 @@ void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(s
 BENCHMARK(BM_FrictionStepFalling)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepFallingTangent(benchmark::State& state) { falling_steps_unchanged(state, true); }
 BENCHMARK(BM_FrictionStepFallingTangent)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_FrictionStepFallingSdirk2(benchmark::State& state) {
+    falling_steps_unchanged(state, false, Integrator::sdirk2);
+}
+BENCHMARK(BM_FrictionStepFallingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A cycle of sinusoidal creepage. Counters: rounds per step, and the share of steps in which elements change zones.
 void steps_changing(benchmark::State& state, Integrator integrator) {

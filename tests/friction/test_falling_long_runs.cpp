@@ -29,10 +29,10 @@ TEST_CASE("Long runs do not depend on the workspace, even if two laws share it",
     struct Case {
         double distance;
         Integrator integrator;
-        int rounds;  // of a step in which nothing changes
+        int most_rounds;  // of a step in which nothing changes
     };
     for (const Case& c : {Case{0, Integrator::implicit_euler, 1}, Case{10e-6, Integrator::implicit_euler, 1},
-                          Case{10e-6, Integrator::sdirk2, 6}}) {
+                          Case{10e-6, Integrator::sdirk2, 5}}) {
         const Scene scene(cosine_mesh<double>(n), c.distance);
         FallingFriction<Law> steep = scene.friction();
         steep.law.half_velocity *= 0.9;
@@ -57,7 +57,7 @@ TEST_CASE("Long runs do not depend on the workspace, even if two laws share it",
             REQUIRE(same(found, expected));
             REQUIRE(same(next, alone));
             cheap += now[who].unchanged_steps > n / 2 ? 1 : 0;
-            settled += found.rounds == c.rounds ? 1 : 0;
+            settled += found.rounds <= c.most_rounds ? 1 : 0;
             std::swap(now[who], next);
         }
         CAPTURE(c.distance, name(c.integrator), cheap, settled);

@@ -116,6 +116,7 @@ public:
             return;
         }
         scratch_.rise = scratch_.friction - scratch_.before;
+        if (is_easy_) scratch_.friction = start_.matrix();
         AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
@@ -130,6 +131,7 @@ public:
         outcome.solution.residual = std::max(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         outcome.solution.tangent_exists = outcome.solution.tangent_exists && with_tangents_;
+        is_easy_ = outcome.solutions <= 4;
         pressure_ = &pressure;
         return outcome.solution;
     }
@@ -228,6 +230,9 @@ private:
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     bool steady_ = false, second_ = false;
+    // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is nearer
+    // than that of the first stage if little changes; after a jump it is the other way round.
+    bool is_easy_ = false;
     bool moves_paths_ = false;  // the last tangent was that by the half-length
     Scalar unit_ = 1, dq_ = 0, duration_ = 0;
     Scalar half_length_ = 1, per_half_length_ = 1;          // at the start of the step, and its reciprocal
