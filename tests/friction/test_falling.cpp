@@ -57,6 +57,7 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
             CAPTURE(distances[k], creepages[j]);
             CHECK(step.status == StepStatus::ok);
             CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
+            CHECK(step.rounds > 1);  // of all searches for stick and slip: the last takes one
             const Step other = transient.steady(other_rest, creepages[j], speed, state, workspace);
             CHECK(other.force_per_width == Approx(step.force_per_width).epsilon(1e-11));
             constexpr double h = 1e-7;
@@ -472,7 +473,10 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
     refused({nan, 0.2, 1}, {}, "friction coefficient at rest = nan");
     refused(law, {-1e-6, 0}, "distance of the memory = -1e-06 must be");
     refused(law, {nan, 0}, "distance of the memory = nan");
+    refused(law, {infinite, 0}, "distance of the memory = inf");
     refused(law, {1e-6, -1}, "least_velocity of the memory = -1 must be");
+    refused(law, {1e-6, infinite}, "least_velocity of the memory = inf");
+    refused({infinite, 0.2, 1}, {}, "friction coefficient at rest = inf");
     const ElementSystem<double> system = scene.system();
     const ElementSystem<double> pointless(system.G(), system.G_prime(), system.weights());
     CHECK_THROWS_WITH(FallingFrictionModel<Law>(scene.contact, pointless, unchecked, scene.friction()),
@@ -491,8 +495,16 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
         CHECK(scene.steady().solve(scene.steady().at_rest(), 1e-3, bad, to, workspace).status ==
               StepStatus::invalid_step);
     }
+    const SteadyFallingModel<Law> steady = scene.steady();
+    State steady_wrong = steady.at_rest(), steady_to = steady_wrong;
+    for (const double bad : {nan, infinite}) {
+        CHECK(model.steady(rest, bad, speed, to, workspace).status == StepStatus::not_finite);
+        CHECK(steady.solve(steady.at_rest(), bad, speed, steady_to, workspace).status == StepStatus::not_finite);
+    }
     for (const double bad : {-0.1, nan, infinite}) {
         wrong.friction_coefficient[3] = bad;
+        steady_wrong.friction_coefficient[3] = bad;
+        CHECK(steady.solve(steady_wrong, 1e-3, speed, steady_to, workspace).status == StepStatus::wrong_state);
         CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
         CHECK(model.steady(wrong, 1e-3, speed, to, workspace).status == StepStatus::wrong_state);
     }

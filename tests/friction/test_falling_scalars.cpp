@@ -1,8 +1,8 @@
 // rollbem/friction/falling.hpp in float and long double: the conditions of the law to the rounding of the type, and the
 // forces of double.
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <type_traits>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,24 +21,26 @@ using namespace rollbem;
 template <class Scalar>
 std::vector<double> ride(double distance, Integrator integrator) {
     using falling_tests::law, falling_tests::speed, falling_tests::full_force;
-    const Scalar a(falling_tests::a), modulus(falling_tests::shear_modulus), V(speed);
+    const auto a = static_cast<Scalar>(falling_tests::a), modulus = static_cast<Scalar>(falling_tests::shear_modulus);
+    const auto V = static_cast<Scalar>(speed);
     const Contact<Scalar> contact({.half_length = a,
                                    .half_width = 1000 * a,
                                    .shear_modulus = modulus,
-                                   .poisson_ratio = Scalar(falling_tests::poisson_ratio)});
+                                   .poisson_ratio = static_cast<Scalar>(falling_tests::poisson_ratio)});
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(20);
     const auto system =
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<Scalar>::longitudinal(contact));
-    const ExponentialFall<Scalar> falling{Scalar(law.mu_0), Scalar(law.mu_k), Scalar(law.half_velocity)};
-    const SlipMemory<Scalar> memory{Scalar(distance), Scalar(falling_tests::least_velocity)};
+    const ExponentialFall<Scalar> falling{static_cast<Scalar>(law.mu_0), static_cast<Scalar>(law.mu_k),
+                                          static_cast<Scalar>(law.half_velocity)};
+    const SlipMemory<Scalar> memory{static_cast<Scalar>(distance), static_cast<Scalar>(falling_tests::least_velocity)};
     const FallingFrictionModel<ExponentialFall<Scalar>, Scalar> model(
-        contact, system, unchecked, {falling, memory, Scalar(falling_tests::peak_pressure) * mean_hertz_pressure(mesh)},
-        integrator);
+        contact, system, unchecked,
+        {falling, memory, static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh)}, integrator);
     auto workspace = model.workspace();
     FallingFrictionState<Scalar> now = model.at_rest(), next = now;
     std::vector<double> forces;
     for (int k = 0; k <= 60; ++k) {
-        const Scalar creepage(0.002 * std::sin(0.2 * k + 0.4)), dq(0.1);
+        const auto creepage = static_cast<Scalar>(0.002 * std::sin(0.2 * k + 0.4)), dq = static_cast<Scalar>(0.1);
         const bool steady = k == 0;
         const Scalar duration = (steady ? 1 : dq) * a / V;
         const FrictionStep<Scalar> step = steady ? model.steady(now, creepage, V, next, workspace)
@@ -52,7 +54,6 @@ std::vector<double> ride(double distance, Integrator integrator) {
             CAPTURE(found.bound, found.stick, found.direction, found.friction);
             CHECK(found.worst() <= 1);
         }
-        CHECK(static_cast<bool>(std::is_same_v<Scalar, decltype(step.force)>));
         CHECK(std::isfinite(step.tangent));
         forces.push_back(-static_cast<double>(step.force_per_width) / full_force);
         std::swap(now, next);
@@ -77,7 +78,7 @@ void compare(double tolerance) {
 }
 
 TEST_CASE("Friction that falls with slip, in float", "[friction]") {
-    compare<float>(1e-4);
+    compare<float>(3e-5);
     ride<float>(0, Integrator::implicit_euler);
 }
 
