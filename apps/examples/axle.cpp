@@ -1,6 +1,6 @@
 // Two wheels of different load and radius on one axle that twists, driven at one end, in SI units. The lighter wheel
-// slips under a burst of torque, and the axle goes on swinging; because of the radii, both always creep against each
-// other. Integrated implicitly: Newton's method with the tangents of both contacts. Every joule is accounted for.
+// slips under a burst of torque, and the axle keeps oscillating; because of the radii, the wheels always creep against
+// each other. Integrated implicitly: Newton's method with the tangents of both contacts. Every joule is accounted for.
 //
 //     ./examples/axle
 //
@@ -61,7 +61,8 @@ struct State {
 };
 
 // 2. One step of the trapezoidal rule while both wheels roll on by dq [m], under a torque T [N m] on wheel 0. Returns
-// the number of trials, 0 where a contact refuses or Newton does not settle. The slip work of both goes to `heat` [J].
+// the number of trials, 0 if a contact refuses the step or Newton's method does not converge. The slip work of both
+// contacts goes to `heat` [J].
 int advance(const Axle& axle, const std::array<Model, 2>& models, double torque, double dq, const State& now,
             State& next, std::array<Model::Workspace, 2>& workspaces, std::array<double, 2>& heat) {
     next.speed = now.speed;
@@ -110,7 +111,7 @@ int advance(const Axle& axle, const std::array<Model, 2>& models, double torque,
     return 0;
 }
 
-// T [N m]: what keeps the speed; in between a burst that is too much for the lighter wheel.
+// T [N m]: enough to keep the speed, with a burst that is too much for the lighter wheel.
 double torque(const Axle& axle, double time) {
     const double steady = axle.resistance * axle.radius[0];
     return time > 0.03 && time < 0.06 ? 3 * steady : steady;
@@ -119,12 +120,12 @@ double torque(const Axle& axle, double time) {
 // 3. The ride, and its energies [J] since the start.
 struct Account {
     double torque = 0, resistance = 0, damping = 0, kinetic = 0, twist = 0, elastic = 0;
-    double spent = 0;  // of the wheels on the contacts, from their forces
+    double spent = 0;  // work of the wheels on the contacts, from their forces
     std::array<double, 2> heat{};
     int most_trials = 0;
 
     double total_heat() const { return heat[0] + heat[1]; }
-    /// What is missing, of the heat by slip and traction, or of that which the elastic energy leaves of `spent`.
+    /// What the balance lacks with the heat by slip and traction, or with that by `spent` and the elastic energy.
     double gap() const { return torque - resistance - damping - kinetic - twist - elastic - total_heat(); }
     double gap_by_energy() const { return gap() + total_heat() - (spent - elastic); }
 };
@@ -180,8 +181,8 @@ int main() {
         const double by_energy = std::abs(account.gap_by_energy()) / account.total_heat();
         std::printf("%3d %12d %13.4f %13.4f %10.4f %10.5f %20.2e %20.2e\n", int(n), account.most_trials,
                     account.heat[0], account.heat[1], account.damping, account.elastic, gap, by_energy);
-        // 4. Slip times traction, summed over the elements, balances to second order in 1/n; the elastic energy to
-        // rounding.
+        // 4. Slip times traction, summed over the elements, balances to second order in 1/n; with the elastic energy
+        // the heat balances to round-off.
         balanced = balanced && (n != 40 || gap < 3e-3) && (before == 0 || gap < before / 3) && by_energy < 1e-9;
         before = gap;
     }

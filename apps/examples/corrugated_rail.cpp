@@ -1,12 +1,12 @@
-// A driven wheel on a corrugated rail, in SI units: the normal load varies by 50 % over each wave, the length of the
-// contact with it, and so does what the contact can transfer. Integrated implicitly; the slip work of the elements maps
-// the wear of the rail over the wave. Every joule is accounted for; the varying load itself does no work on the contact.
+// A driven wheel on a corrugated rail, in SI units: the normal load varies by 50 % over each wave, and with it the
+// length of the contact and the force it can transfer. Integrated implicitly; the slip work of the elements maps the
+// wear of the rail over the wave. Every joule is accounted for; the varying load does no work on the contact.
 //
 //     ./examples/corrugated_rail
 //
 //      n    least F N  largest F N     heat J  elastic J   gap/heat, slip sum  gap/heat, by energy
 //     40      7317.44     14467.01    10.1177    0.03187             2.52e-03             8.93e-10
-//     wear of the rail over a wave, of its mean; the load is largest between the second and the third:
+//     wear of the rail over a wave, relative to its mean; the load peaks between the second and third:
 //         1.217    1.316    1.220    1.038    0.855    0.725    0.709    0.922
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ using Model = rollbem::FrictionModel<double>;
 // 1. The wheel, what it carries, and the rail. The rail force drives the vehicle: m dV/dt = F - D, J d(omega)/dt =
 // T - R F.
 constexpr double mass = 6000, inertia = 80, radius = 0.46;          // m [kg], J [kg m^2], R [m]
-constexpr double resistance = 11000, torque = radius * resistance;  // D [N], T [N m]: keep the speed in the mean
+constexpr double resistance = 11000, torque = radius * resistance;  // D [N], T [N m]: keep the mean speed
 constexpr double friction_coefficient = 0.3, half_width = 12e-3;    // mu, b [m]
 constexpr double mean_load = 60e3, variation = 0.5;                 // [N], [-]
 constexpr double wave = 50e-3;                                      // length of the corrugation [m]
@@ -50,8 +50,8 @@ struct State {
     double kinetic_energy() const { return (mass * speed * speed + inertia * rotation * rotation) / 2; }
 };
 
-// 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method, under what the load has
-// become at the end. Not ok where the contact refuses, or not finite where Newton does not settle.
+// 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method; `load` is that at the end
+// of the step. The status is not ok if the contact refuses the step or Newton's method does not converge.
 rollbem::FrictionStep<double> advance(const Model& model, double dq, const rollbem::NormalLoad<double>& load,
                                       const State& now, State& next, Model::Workspace& workspace) {
     next.speed = now.speed;
@@ -83,13 +83,13 @@ rollbem::FrictionStep<double> advance(const Model& model, double dq, const rollb
 // 3. The ride over 20 waves and a quarter, after 10 that let it settle, and its energies [J].
 struct Account {
     double driven = 0, resisted = 0, kinetic = 0, elastic = 0;
-    double heat = 0;   // of slip and traction, summed over elements and steps
-    double spent = 0;  // of the wheel on the contact, from its force
+    double heat = 0;   // slip times traction, summed over elements and steps
+    double spent = 0;  // work of the wheel on the contact, from its force
     double least_force = 1e300, largest_force = -1e300;
     std::array<double, 8> wear{};  // share of the heat by the eighth of the wave where the rail takes it
     bool complete = false;
 
-    /// What is missing, of the heat by slip and traction, or of that which the elastic energy leaves of `spent`.
+    /// What the balance lacks with the heat by slip and traction, or with that by `spent` and the elastic energy.
     double gap() const { return driven - resisted - kinetic - elastic - heat; }
     double gap_by_energy() const { return driven - resisted - kinetic - spent; }
 };
@@ -154,12 +154,12 @@ int main() {
         std::printf("%3d %12.2f %12.2f %10.4f %10.5f %20.2e %20.2e\n", int(n), account.least_force,
                     account.largest_force, account.heat, account.elastic, gap, by_energy);
         // 4. Slip times traction, summed over the elements, balances to second order in 1/n; with the elastic energy
-        // the heat balances to the rounding of the wheel's energies, which are a million times as large.
+        // the heat balances to the round-off of the wheel's energies, which are a million times as large.
         balanced = balanced && account.complete && (n != 40 || gap < 3e-3) && (before == 0 || gap < before / 3) &&
                    by_energy < 1e-7;
         before = gap;
     }
-    std::printf("wear of the rail over a wave, of its mean; the load is largest between the second and the third:\n");
+    std::printf("wear of the rail over a wave, relative to its mean; the load peaks between the second and third:\n");
     for (const double wear : account.wear) std::printf("%9.3f", 8 * wear / account.heat);
     std::printf("\n");
     return balanced ? EXIT_SUCCESS : EXIT_FAILURE;

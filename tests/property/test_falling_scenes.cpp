@@ -104,7 +104,7 @@ TEST_CASE("Friction that falls with slip obeys its law on random scenes", "[prop
         Tally tally;
         for (int k = 0; k < scenes; ++k) ride(draw, remembers, tally);
         CAPTURE(remembers, tally.solutions, tally.unsolved, tally.mixed, tally.forgetting);
-        CHECK(tally.unsolved <= tally.solutions / 2000);  // 2 of 240 000 in four seeds
+        CHECK(tally.unsolved <= tally.solutions / 5000);  // 2 of 240 000 in four seeds
         CHECK(tally.mixed > tally.solutions / 5);
         CHECK(tally.forgetting > tally.solutions / 5);
     }
