@@ -9,8 +9,8 @@
 
 namespace rollbem {
 
-extern template class detail::FallingSet<double>;
-extern template class detail::FallingStages<ExponentialFall<double>, double>;
+extern template class detail::FallingSet<detail::ActiveSetSlip<double>>;
+extern template class detail::FallingStages<ExponentialFall<double>, detail::ActiveSetSlip<double>>;
 extern template class SteadyFallingModel<ExponentialFall<double>, double>;
 extern template class FallingFrictionModel<ExponentialFall<double>, double>;
 
