@@ -240,7 +240,8 @@ private:
     }
 
     void find_sliding(const Vector& bound) {
-        right_ = -sign_.cwiseProduct(bound);
+        right_.setZero();
+        right_ -= sign_.cwiseProduct(bound);      // no zero with a sign, which == would not tell apart
         if (right_ == sliding_traction_) return;  // mostly the same elements slide as before
         sliding_traction_ = right_;
         sliding_product_.noalias() = equations_.matrix() * sliding_traction_;
