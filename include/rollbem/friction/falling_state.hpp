@@ -33,7 +33,7 @@ struct FallingFrictionState : FrictionState<Scalar_> {
     using Scalar = Scalar_;
 
     /// mu [-] of each unknown element, finite and not negative. Without memory it is mu_s(v), and only the starting
-    /// point of the next solution.
+    /// point of the next solution. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
 };
 

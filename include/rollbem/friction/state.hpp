@@ -30,8 +30,8 @@ struct FrictionState {
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
     /// Number of consecutive steps in which no element changed its zone, and the distance [m] rolled in each of their
     /// stages. After about n/2 of them a step becomes cheaper, and its slip is checked against the equations only once
-    /// in 64 steps, after which the count starts again from there. A count that no step has left costs time or a check,
-    /// but does not change the solution beyond round-off.
+    /// in 64 steps, after which the count starts again from there. Set both to 0 to have the next step checked;
+    /// other numbers than a step has left cost time or skip checks, which ill-conditioned schemes need.
     int unchanged_steps = 0;
     Scalar unchanged_distance = 0;
 };

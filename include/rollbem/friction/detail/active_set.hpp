@@ -235,7 +235,8 @@ private:
     }
 
     void find_sliding(const Vector& bound) {
-        right_ = -sign_.cwiseProduct(bound);
+        right_.setZero();
+        right_ -= sign_.cwiseProduct(bound);      // leaves no negative zero, which == does not tell from a positive one
         if (right_ == sliding_traction_) return;  // usually the zones and the bounds have not changed
         sliding_traction_ = right_;
         sliding_product_.noalias() = equations_.matrix() * sliding_traction_;

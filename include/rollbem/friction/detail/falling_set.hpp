@@ -95,6 +95,9 @@ public:
         Outcome outcome;
         start_ = friction;
         slip_.begin(start);
+        const Scalar rounding = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon();
+        const Scalar largest = std::max(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
+        Scalar settled = 0;  // what rounding explains; a law that rises may lead far above where it starts
         const auto find = [&](const Vector& mu) {
             tried_ = mu.cwiseProduct(passage.pressure);
             typename Slip::Outcome found = slip_.solve(tried_, solver);
@@ -102,11 +105,10 @@ public:
             outcome.solution = found;
             ++outcome.solutions;
             evaluate(law, memory, passage, solver, mu);
-            outcome.change = residual_.cwiseAbs().maxCoeff();
+            outcome.change = largest_difference();
+            settled = rounding * std::max(largest, mu.maxCoeff());
         };
         find(friction);
-        const Scalar settled = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon() *
-                               std::max(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
         Scalar scale = residual_.norm();
         for (int restart = 0;; ++restart) {
             if (newton(law, memory, passage, solver, settled, find, outcome, friction)) break;
@@ -183,6 +185,11 @@ private:
         }
     }
 
+    // Not a number where any is none, which a maximum of Eigen's may pass over.
+    Scalar largest_difference() const {
+        return all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
+    }
+
     template <class Law>
     static Scalar passed(const Law& law, const SlipMemory<Scalar>& memory, Scalar duration, Scalar before, Scalar v) {
         const Scalar kept = memory.kept(v, duration), now = static_cast<Scalar>(law(v));
@@ -192,7 +199,7 @@ private:
     // Newton steps until the residual is small enough (true) or cannot be reduced.
     template <class Law, class Find>
     bool newton(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                Solver& solver, Scalar settled, const Find& find, const Outcome& outcome, Vector& friction) {
+                Solver& solver, const Scalar& settled, const Find& find, const Outcome& outcome, Vector& friction) {
         for (int step = 0; step < most_steps; ++step) {
             if (outcome.change <= settled) return true;
             if (!is_finite(outcome.change)) return false;
@@ -214,7 +221,7 @@ private:
     // Fixed-point iterations until the residual has risen and fallen again. In the bottleneck, where it hardly changes,
     // the steps are enlarged; after unsuccessful restarts they are damped.
     template <class Find>
-    Scalar follow(Scalar settled, Scalar scale, int restart, const Find& find, Vector& friction) {
+    Scalar follow(const Scalar& settled, Scalar scale, int restart, const Find& find, Vector& friction) {
         const Scalar part = restart < 2 ? Scalar(1) : restart < 4 ? Scalar(0.4) : Scalar(0.15);
         const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
         Scalar before = residual_.norm(), peak = before;
