@@ -21,7 +21,7 @@
 namespace rollbem::detail {
 
 /// Piecewise linear function of x/a with given values at the `points`, in ascending order, and the value `ahead` from
-/// the leading edge on; constant behind the first point.
+/// the leading edge on, or from the last point on if that lies in front of the contact; constant behind the first point.
 template <class Scalar>
 class AlongContact {
 public:
