@@ -1,5 +1,5 @@
-// The rows of a creep curve, whichever way they are computed: by elements in one direction or in both, or with the exact
-// border of stick.
+// The rows of a creep curve, whichever way they are computed: by elements in one direction or in both, or with the
+// exact border of stick.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Friction that falls with slip in the units of the programs: --falling, --memory, and models at the rolling velocity 1.
+// Friction that falls with slip in the units of the programs: --falling, --memory, and models at the rolling velocity
+// 1.
 #pragma once
 
 #include <optional>

@@ -177,7 +177,7 @@ TEST_CASE("A step with friction does not allocate, whatever the size", "[frictio
             bool ok = true;
             int changes = 0, cheap = 0;
             const long before = allocations;
-            // zones and dq change from the first step; in the end there are enough steps without a change for cheap ones
+            // zones and dq change from the first step; at the end there are enough unchanged steps for cheap ones
             for (int k = 0; k < c.steps; ++k) {
                 const FrictionStep<double> step =
                     k >= 130 && k < 198 ? model.advance(now, 0.4, 0.2, next, workspace)

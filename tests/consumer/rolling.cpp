@@ -1,5 +1,5 @@
-// A user of the headers alone: the steady force, in full adhesion, is that of the model in time and of friction far from
-// its bound.
+// A user of the headers alone: the steady force, in full adhesion, is that of the model in time and of friction far
+// from its bound.
 #include <cmath>
 
 #include <rollbem/rollbem.hpp>

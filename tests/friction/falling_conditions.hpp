@@ -38,8 +38,8 @@ Scalar carried(const rollbem::ArrayX<Scalar>& points, const rollbem::ArrayX<Scal
     return mu[0];
 }
 
-/// Of a steady solution (`before` null, `way` 1) or of an implicit step by `way` (of a; imposed slip and slip in a, too)
-/// from `before`. `duration` [s] is that of the step, or of the passage of one half-length.
+/// Of a steady solution (`before` null, `way` 1) or of an implicit step by `way` (in a, as imposed slip and slip) from
+/// `before`. `duration` [s] is that of the step, or of the passage of one half-length.
 template <class Scalar, class Law>
 Violation<Scalar> violation(const Law& law, const rollbem::SlipMemory<Scalar>& memory,
                             const rollbem::ElementSystem<Scalar>& system, Scalar half_length, Scalar shear_modulus,

@@ -1,5 +1,5 @@
-// Rolling in time where friction falls with slip and nothing is remembered: which runs come to steady rolling, and which
-// do not.
+// Rolling in time where friction falls with slip and nothing is remembered: which runs come to steady rolling, and
+// which do not.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,8 +48,8 @@ TEST_CASE("A run without memory that stands still solves the equations of steady
     }
 }
 
-// Least and largest force over the last 10 a of a run over 20 a in steps of 0.02 a from steady rolling, disturbed in its
-// first step by a part of the creepage.
+// Least and largest force over the last 10 a of a run over 20 a in steps of 0.02 a from steady rolling, disturbed in
+// its first step by a part of the creepage.
 std::pair<double, double> swing(const FallingFrictionModel<Law>& model, double disturbance) {
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;

@@ -21,7 +21,8 @@
 namespace rollbem::detail {
 
 /// Piecewise linear function of x/a with given values at the `points`, in ascending order, and the value `ahead` from
-/// the leading edge on, or from the last point on if that lies in front of the contact; constant behind the first point.
+/// the leading edge on, or from the last point on if that lies in front of the contact; constant behind the
+/// first point.
 template <class Scalar>
 class AlongContact {
 public:
@@ -230,8 +231,8 @@ private:
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     bool steady_ = false, second_ = false;
-    // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is nearer
-    // than that of the first stage if little changes; after a jump it is the other way round.
+    // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is
+    // nearer than that of the first stage if little changes; after a jump it is the other way round.
     bool is_easy_ = false;
     bool moves_paths_ = false;  // the last tangent was that by the half-length
     Scalar unit_ = 1, dq_ = 0, duration_ = 0;
