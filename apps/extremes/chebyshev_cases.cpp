@@ -237,7 +237,7 @@ void add_refusals(std::vector<Case>& cases) {
     };
     cases.push_back({"0 states", "|c11|", at(0, plane(1000)), "Chebyshev: states = 0 must be at least 1"});
     cases.push_back({"10001 states", "|c11|", at(10001, plane(1000)), "must be at most 10000"});
-    cases.push_back({"12 states, b/a = 0.0009", "|c11|", at(12, strip(0.0009)), "take elements for so narrow a strip"});
+    cases.push_back({"12 states, b/a = 0.0009", "|c11|", at(12, strip(0.0009)), "use elements for so narrow a strip"});
     cases.push_back({"12 states, b/a = inf", "|c11|", at(12, plane(infinity)),
                      "an infinite half-width is for steady problems only"});
     cases.push_back({"12 states, b/a = 0.1, plane", "|c11|", at(12, plane(0.1)), "the plane model itself is unstable"});
