@@ -48,17 +48,27 @@ const Profile* most_telling(const Profiles& profiles) {
     return shown;
 }
 
-study::Plot draw_tractions(const Profile& shown, bool carter) {
+// What forces and tractions are drawn in units of.
+std::string coefficient(bool falling) { return falling ? "μ_0" : "μ"; }
+std::string creepage_label(bool falling) {
+    return "creepage ratio δ = ξ G / (2 (1 - ν) " + coefficient(falling) + " p_0)";
+}
+std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N") {
+    return force + " / (" + coefficient(falling) + " " + load + ")";
+}
+
+study::Plot draw_tractions(const Profile& shown, bool carter, bool falling) {
     const double ratio = shown.point.longitudinal;
     study::Plot panel{
         .title = "Traction, δ = " + study::Cell(ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
         .x_label = "x / a (leading edge at 1)",
-        .y_label = "-p / (μ p_0)",
+        .y_label = force_label(falling, "-p", "p_0"),
         .x_range = study::PlotRange{-1, 1},
         .series = {}};
     const double sign = ratio < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .points = {}, .markers = false, .reference = true};
-    study::Series bound{.label = "bound μ p_n", .points = {}, .markers = false, .reference = true};
+    study::Series bound{
+        .label = "bound " + coefficient(falling) + " p_n", .points = {}, .markers = false, .reference = true};
     // other colours than those of the first creep curves
     study::Series slip{.label = "slip", .points = {}, .line = false, .style = 7};
     study::Series stick{.label = "stick", .points = {}, .line = false, .style = 6};
@@ -81,10 +91,9 @@ study::Plot draw_tractions(const Profile& shown, bool carter) {
 
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const CreepCurve& curve) {
-    study::Plot plot{.title = "Creep curve",
-                     .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)",
-                     .y_label = "-F / (μ N)",
-                     .series = {}};
+    const bool falling = curve.falling.has_value();
+    study::Plot plot{
+        .title = "Creep curve", .x_label = creepage_label(falling), .y_label = force_label(falling), .series = {}};
     study::add_series(plot, columns, rows,
                       {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"},
                        .x = "creepage_ratio",
@@ -106,14 +115,17 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
     std::vector<double> ratios;
     for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
     if (carter) plot.series.push_back(carter_curve(ratios));
-    if (const Profile* shown = most_telling(*curve.profiles)) plot.beside.push_back(draw_tractions(*shown, carter));
+    if (const Profile* shown = most_telling(*curve.profiles))
+        plot.beside.push_back(draw_tractions(*shown, carter, falling));
     return plot;
 }
 
-study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    const auto panel = [&](const char* title, const char* y_label, const char* y) {
+study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                           const CreepCurve& curve) {
+    const bool falling = curve.falling.has_value();
+    const auto panel = [&](const char* title, const char* force, const char* y) {
         study::Plot plot{
-            .title = title, .x_label = "creepage ratio δ = ξ G / (2 (1 - ν) μ p_0)", .y_label = y_label, .series = {}};
+            .title = title, .x_label = creepage_label(falling), .y_label = force_label(falling, force), .series = {}};
         study::add_series(plot, columns, rows,
                           {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
                            .x = "creepage_ratio",
@@ -121,8 +133,8 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
         plot.y_range = force_range(plot);
         return plot;
     };
-    study::Plot plot = panel("Longitudinal force", "-F_x / (μ N)", "force_ratio");
-    plot.beside.push_back(panel("Lateral force", "-F_y / (μ N)", "lateral_force_ratio"));
+    study::Plot plot = panel("Longitudinal force", "-F_x", "force_ratio");
+    plot.beside.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
     return plot;
 }
 
@@ -156,7 +168,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
     });
     study::Plot plot{.title = "Rolling with friction",
                      .x_label = "distance rolled q/a",
-                     .y_label = shown.load_changes ? "-F / (μ N_0)" : "-F / (μ N)",
+                     .y_label = force_label(shown.falling, "-F", shown.load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, shown.end},
                      .series = {}};
     if (rows.empty()) return plot;  // of a shard

@@ -15,11 +15,13 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                           const CreepCurve& curve);
 
 /// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
-study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
+study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                           const CreepCurve& curve);
 
 /// What a picture of a run in time shows in addition to the force.
 struct TimePicture {
     bool creepage_changes, load_changes;
+    bool falling;  ///< mu falls with slip
     bool carter;   ///< his force in steady rolling
     double ratio;  ///< largest creepage ratio
     double end;    ///< distance rolled in the run [a_0]

@@ -74,7 +74,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
         if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        return both ? combined_creep(table.columns, rows) : creep_picture(table.columns, rows, curve);
+        return both ? combined_creep(table.columns, rows, curve) : creep_picture(table.columns, rows, curve);
     };
     study::write_table(options, table);
 }

@@ -244,6 +244,7 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
         return force_in_time(columns, rows,
                              {.creepage_changes = history.omega.has_value(),
                               .load_changes = history.load.has_value(),
+                              .falling = falling.has_value(),
                               .carter = pressure.hertz && layer == 0 && !falling && !history.lateral && !history.load,
                               .ratio = history.amplitude,
                               .end = double(steps.count) * steps.dq});
