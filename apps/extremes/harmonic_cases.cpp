@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 using rollbem::Collocation;
 using rollbem::Topology;
 
-constexpr Collocation recommended{.alpha_L = 0, .alpha_T = 0.63};
+constexpr Collocation paper_scheme{.alpha_L = 0, .alpha_T = 0.63};
 
 rollbem::PlaneKernel<double> plane(double aspect) { return {aspect, 1 - steel, steel}; }
 rollbem::StripKernel<double> strip(double aspect) { return {aspect, 1 - steel, steel}; }
@@ -62,8 +62,8 @@ void add_frequencies(std::vector<Case>& cases) {
         cases.push_back(
             {name + ", uniform 0/0.63, n = 200, Hessenberg", "|c11| against long double", [=] {
                  const rollbem::FrequencySweep<double> sweep(
-                     rollbem::rolling_system(rollbem::uniform_mesh(200), recommended, plane(1000)));
-                 const Complex reference(harmonic_c11({Topology::uniform, 200}, recommended, 1000, steel, z));
+                     rollbem::rolling_system(rollbem::uniform_mesh(200), paper_scheme, plane(1000)));
+                 const Complex reference(harmonic_c11({Topology::uniform, 200}, paper_scheme, 1000, steel, z));
                  Outcome outcome = from_sweep(sweep, z, reference, 0);
                  outcome.bound = 16 * rounding * outcome.condition;
                  return outcome;
@@ -71,8 +71,8 @@ void add_frequencies(std::vector<Case>& cases) {
         cases.push_back(
             {name + ", uniform 0/0.63, n = 200, LU", "|c11| against long double", [=] {
                  const auto full = rollbem::solve_harmonic<double>(
-                     rollbem::rolling_system(rollbem::uniform_mesh(200), recommended, plane(1000)), z);
-                 const Complex reference(harmonic_c11({Topology::uniform, 200}, recommended, 1000, steel, z));
+                     rollbem::rolling_system(rollbem::uniform_mesh(200), paper_scheme, plane(1000)), z);
+                 const Complex reference(harmonic_c11({Topology::uniform, 200}, paper_scheme, 1000, steel, z));
                  Outcome outcome = compare(full.c11, reference, 16 * rounding / full.rcond);
                  outcome.residual = full.residual;
                  outcome.condition = 1 / full.rcond;
