@@ -636,6 +636,15 @@ TEST_CASE("In two directions a falling law out of range is refused", "[friction]
         CHECK(model.steady(wrong, creepage, rolling_speed, to, workspace).status == StepStatus::wrong_state);
         CHECK(scene.steady().solve(wrong, creepage, rolling_speed, to, workspace).status == StepStatus::wrong_state);
     }
+    wrong = rest;
+    for (const double bad : {-0.1, nan, infinite}) {
+        wrong.stage_coefficient[3] = bad;
+        CHECK(model.advance(wrong, dq, duration, creepage, to, workspace).status == StepStatus::wrong_state);
+    }
+    wrong = rest;
+    wrong.stage_coefficient.resize(9);
+    CHECK(model.advance(wrong, dq, duration, creepage, to, workspace).status == StepStatus::wrong_state);
+    wrong = rest;
     wrong.friction_coefficient.resize(9);
     CHECK(model.advance(wrong, dq, duration, creepage, to, workspace).status == StepStatus::wrong_state);
     CHECK(model.advance(rest, dq, duration, creepage, wrong, workspace).status == StepStatus::wrong_state);

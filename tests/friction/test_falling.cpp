@@ -433,6 +433,7 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
                 CHECK((step.rounds == again.rounds && next.zones == other.zones));
                 CHECK((next.traction.array() == other.traction.array()).all());
                 CHECK((next.friction_coefficient == other.friction_coefficient).all());
+                CHECK((next.stage_coefficient == other.stage_coefficient).all());
                 if (generator() % 4 != 0) std::swap(now, next);
             }
         }
@@ -508,6 +509,15 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
         CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
         CHECK(model.steady(wrong, 1e-3, speed, to, workspace).status == StepStatus::wrong_state);
     }
+    wrong = rest;
+    for (const double bad : {-0.1, nan, infinite}) {
+        wrong.stage_coefficient[3] = bad;
+        CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
+    }
+    wrong = rest;
+    wrong.stage_coefficient.resize(9);
+    CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
+    wrong = rest;
     wrong.friction_coefficient.resize(9);
     CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
     CHECK(model.advance(rest, dq, duration, 1e-3, wrong, workspace).status == StepStatus::wrong_state);

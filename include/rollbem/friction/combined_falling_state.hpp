@@ -21,6 +21,9 @@ struct CombinedFallingState : CombinedFrictionState<Scalar_> {
     /// mu [-] of each unknown element, finite and not negative. Without memory it is mu_s(v), and the next solution is
     /// sought from it.
     ArrayX<Scalar> friction_coefficient;
+    /// mu [-] in the first stage of a step of sdirk2, from which the search for that of the next one starts; otherwise
+    /// as friction_coefficient. Changes results by round-off only, unless there are several solutions.
+    ArrayX<Scalar> stage_coefficient;
 };
 
 /// Factors and scratch memory, as CombinedFrictionWorkspace. Its slip() and slip_work() are those of what was solved

@@ -69,7 +69,7 @@ public:
 
     /// No traction anywhere, everything sticks at mu_s(0).
     State at_rest() const {
-        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(law_(Scalar(0))))};
+        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(law_(Scalar(0))));
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -89,7 +89,7 @@ public:
                                                                         model_.core_.widths(), from.half_length,
                                                                         with_tangents_, workspace.scratch_);
         const Step step = model_.solve(stages, from, creepage, to, workspace);
-        detail::hand_over(step, from, workspace.scratch_.friction, to);
+        detail::hand_over(step, from, stages, to);
         return step;
     }
 

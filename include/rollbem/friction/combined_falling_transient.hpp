@@ -75,7 +75,7 @@ public:
 
     /// No traction anywhere, everything sticks at mu_s(0).
     State at_rest() const {
-        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(law_(Scalar(0))))};
+        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(law_(Scalar(0))));
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -147,11 +147,12 @@ private:
         Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.systems_[0].points() : nullptr,
                       from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, with_tangents_,
                       workspace.scratch_);
+        stages.start_first_stage_from(from.stage_coefficient);
         auto& memory = Core::memory(workspace);
         const bool by_load = pressure_rate.size() > 0;
         if (by_load) model_.core_.set_bound_rate(pressure_rate, memory);
         model_.roll(stages, from, dq / unit, motion, load, {by_load, false}, to, memory, step);
-        detail::hand_over(step, from, workspace.scratch_.friction, to);
+        detail::hand_over(step, from, stages, to);
         return step;
     }
 
@@ -165,7 +166,7 @@ private:
                       with_tangents_, workspace.scratch_);
         const Step step = model_.core_.solve_steady(stages, from, creepage, model_.systems_[0].G_prime(),
                                                     model_.systems_[1].G_prime(), load, to, workspace);
-        detail::hand_over(step, from, workspace.scratch_.friction, to);
+        detail::hand_over(step, from, stages, to);
         return step;
     }
 

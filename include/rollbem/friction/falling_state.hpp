@@ -3,6 +3,8 @@
 
 #include "../detail/language.hpp"
 
+#include <utility>
+
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
@@ -35,6 +37,9 @@ struct FallingFrictionState : FrictionState<Scalar_> {
     /// mu [-] of each unknown element, finite and not negative. Without memory it is mu_s(v), and only the starting
     /// point of the next solution. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
+    /// mu [-] in the first stage of a step of sdirk2, from which the search for that of the next one starts; otherwise
+    /// as friction_coefficient. Changes results by round-off only, unless there are several solutions.
+    ArrayX<Scalar> stage_coefficient;
 };
 
 namespace detail {
@@ -52,21 +57,33 @@ FallingFriction<Law, Scalar> without_pressure(const FallingFriction<Law, Scalar>
     return {friction.law, friction.memory, {}, friction.with_tangents};
 }
 
+/// Adds the coefficients of elements at rest, mu_s(0), to a state.
+template <class State, class FrictionState>
+State with_coefficients(FrictionState state, typename State::Scalar at_rest) {
+    const ArrayX<typename State::Scalar> coefficients =
+        ArrayX<typename State::Scalar>::Constant(state.normal_pressure.size(), at_rest);
+    return {std::move(state), coefficients, coefficients};
+}
+
 /// Whether there is one coefficient per element, finite and not negative.
 template <class State>
 bool fits_friction(const State& from, const State& to, Eigen::Index size) noexcept {
-    return from.friction_coefficient.size() == size && to.friction_coefficient.size() == size &&
-           all_finite(from.friction_coefficient) && !(from.friction_coefficient.minCoeff() < 0);
+    const auto sized = [size](const State& state) {
+        return state.friction_coefficient.size() == size && state.stage_coefficient.size() == size;
+    };
+    return sized(from) && sized(to) && all_finite(from.friction_coefficient) && all_finite(from.stage_coefficient) &&
+           !(from.stage_coefficient.minCoeff() < 0) && !(from.friction_coefficient.minCoeff() < 0);
 }
 
 /// Writes the coefficients at the end of a step; those of its start if the step failed.
-template <class Step, class State>
-void hand_over(const Step& step, const State& from, const VectorX<typename State::Scalar>& friction,
-               State& to) noexcept {
+template <class Step, class State, class Stages>
+void hand_over(const Step& step, const State& from, const Stages& stages, State& to) noexcept {
     if (step.status == StepStatus::not_finite) {
         to.friction_coefficient = from.friction_coefficient;
+        to.stage_coefficient = from.stage_coefficient;
     } else {
-        to.friction_coefficient = friction.array();
+        to.friction_coefficient = stages.friction().array();
+        to.stage_coefficient = stages.stage_friction().array();
     }
 }
 

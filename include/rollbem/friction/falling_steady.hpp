@@ -61,7 +61,7 @@ public:
 
     /// No traction, all elements stick, mu = mu_s(0).
     State at_rest() const {
-        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(friction_.law(Scalar(0))))};
+        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(friction_.law(Scalar(0))));
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -80,7 +80,7 @@ public:
             friction_.law, friction_.memory, from.friction_coefficient, speed, model_.core_.widths(), from.half_length,
             friction_.with_tangents, workspace.scratch_);
         const Step step = model_.solve(stages, from, creepage, to, workspace);
-        detail::hand_over(step, from, workspace.scratch_.friction, to);
+        detail::hand_over(step, from, stages, to);
         return step;
     }
 

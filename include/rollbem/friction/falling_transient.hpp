@@ -70,7 +70,7 @@ public:
 
     /// No traction, all elements stick, mu = mu_s(0).
     State at_rest() const {
-        return {model_.at_rest(), ArrayX<Scalar>::Constant(size(), static_cast<Scalar>(friction_.law(Scalar(0))))};
+        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(friction_.law(Scalar(0))));
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -143,11 +143,12 @@ private:
         Stages stages(friction_.law, friction_.memory,
                       friction_.memory.distance > 0 ? &*model_.system_.points() : nullptr, from.friction_coefficient,
                       unit, dq / unit, duration, from.half_length / unit, friction_.with_tangents, workspace.scratch_);
+        stages.start_first_stage_from(from.stage_coefficient);
         if constexpr (loaded) {
             model_.core_.begin_tangents(*pressure_rate, model_.system_.log_strength() && dq > 0, workspace);
         }
         const Result step = model_.template roll<loaded>(stages, from, dq / unit, motion, load, to, workspace);
-        detail::hand_over(step, from, workspace.scratch_.friction, to);
+        detail::hand_over(step, from, stages, to);
         return step;
     }
 
@@ -162,7 +163,7 @@ private:
                       load.half_length, friction_.with_tangents, workspace.scratch_);
         const Step step =
             model_.core_.solve_steady(stages, from, creepage, model_.system_.G_prime(), load, to, workspace);
-        detail::hand_over(step, from, workspace.scratch_.friction, to);
+        detail::hand_over(step, from, stages, to);
         return step;
     }
 

@@ -23,6 +23,7 @@ struct FallingScratch {
           duration(friction),
           before(friction),
           rise(friction),
+          first_friction(friction),
           change(friction),
           bound(friction),
           path_change(friction),
@@ -33,11 +34,12 @@ struct FallingScratch {
     FallingSet<Slip> set;
     Vector friction;  // mu in the present stage
     Vector duration, before;
-    Vector rise;           // change of mu in the first stage along the paths of the particles
-    Vector change;         // d mu of the last tangent
-    Vector bound;          // d bound of the last tangent at constant mu
-    Vector path_change;    // d before by the half-length, on which the paths of the particles depend
-    Vector before_change;  // d before of the last tangent
+    Vector rise;            // change of mu in the first stage along the paths of the particles
+    Vector first_friction;  // mu in the first of two stages
+    Vector change;          // d mu of the last tangent
+    Vector bound;           // d bound of the last tangent at constant mu
+    Vector path_change;     // d before by the half-length, on which the paths of the particles depend
+    Vector before_change;   // d before of the last tangent
     std::array<Vector, Slip::parameters> carried_change;  // d rise of each tangent
 };
 

@@ -102,6 +102,14 @@ public:
         scratch_.duration = half_length / speed * widths;
     }
 
+    /// Where the search for mu begins in the first of two stages.
+    void start_first_stage_from(const ArrayX<Scalar>& friction) noexcept { first_start_ = &friction; }
+
+    /// mu in the stage solved last,
+    const Vector& friction() const { return scratch_.friction; }
+    /// and where the next step should start its first stage: from the first of this one, unless mu has jumped.
+    const Vector& stage_friction() const { return second_ && is_easy_ ? scratch_.first_friction : scratch_.friction; }
+
     void enter(const StagePlace<Scalar>& place, const RollingStage<Scalar>& stage) noexcept {
         const Scalar duration = place.part * duration_;
         velocity_per_slip_ = unit_ / duration;
@@ -109,6 +117,8 @@ public:
         second_ = place.progress > place.part;
         place_ = place;
         stage_half_length_ = stage.half_length;
+        const bool first_of_two = !second_ && place.part < 1;
+        if (first_of_two && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
         if (points_ == nullptr) return;
         AlongContact<Scalar> start = at_start();
         if (!second_) {
@@ -132,7 +142,8 @@ public:
         outcome.solution.residual = std::max(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         outcome.solution.tangent_exists = outcome.solution.tangent_exists && with_tangents_;
-        is_easy_ = outcome.solutions <= 4;
+        is_easy_ = outcome.solutions <= 4 && (is_easy_ || !second_);
+        if (!second_) scratch_.first_friction = scratch_.friction;
         pressure_ = &pressure;
         return outcome.solution;
     }
@@ -230,6 +241,7 @@ private:
     bool with_tangents_;
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
+    const ArrayX<Scalar>* first_start_ = nullptr;
     bool steady_ = false, second_ = false;
     // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is
     // nearer than that of the first stage if little changes; after a jump it is the other way round.
