@@ -50,9 +50,7 @@ public:
                                const Kernel& longitudinal, const Kernel& lateral,
                                const FallingFriction<Law, Scalar>& friction)
         : model_(contact, mesh, scheme, longitudinal, lateral, detail::checked_pressure(name, friction)),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {}
+          friction_(detail::without_pressure(friction)) {}
 
     /// From ready G' of both directions (in units of 1/G) and the widths of the elements (in units of a).
     SteadyCombinedFallingModel(const Contact<Scalar>& contact, MatrixX<Scalar> longitudinal_G_prime,
@@ -60,16 +58,14 @@ public:
                                const FallingFriction<Law, Scalar>& friction)
         : model_(contact, std::move(longitudinal_G_prime), std::move(lateral_G_prime), widths,
                  detail::checked_pressure(name, friction)),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {}
+          friction_(detail::without_pressure(friction)) {}
 
     Eigen::Index size() const { return model_.size(); }                 ///< number of unknown elements
     std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< of the G', widths, contact and pressures
 
     /// No traction anywhere, everything sticks at mu_s(0).
     State at_rest() const {
-        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(law_(Scalar(0))));
+        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(friction_.law(Scalar(0))));
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -85,9 +81,9 @@ public:
         if (possible == StepStatus::ok && !detail::is_finite(creepage)) possible = StepStatus::not_finite;
         if (possible == StepStatus::ok && !(detail::is_finite(speed) && speed > 0)) possible = StepStatus::invalid_step;
         if (possible != StepStatus::ok) return Core::failed(possible);
-        detail::FallingStages<Law, detail::CombinedSlip<Scalar>> stages(law_, memory_, from.friction_coefficient, speed,
-                                                                        model_.core_.widths(), from.half_length,
-                                                                        with_tangents_, workspace.scratch_);
+        detail::FallingStages<Law, detail::CombinedSlip<Scalar>> stages(
+            friction_.law, friction_.memory, from.friction_coefficient, speed, model_.core_.widths(), from.half_length,
+            friction_.with_tangents, workspace.scratch_);
         const Step step = model_.solve(stages, from, creepage, to, workspace);
         detail::hand_over(step, from, stages, to);
         return step;
@@ -99,9 +95,7 @@ private:
     static constexpr const char* name = "SteadyCombinedFallingModel";
 
     SteadyCombinedModel<Scalar> model_;
-    Law law_;
-    SlipMemory<Scalar> memory_;
-    bool with_tangents_;
+    FallingFriction<Law, Scalar> friction_;  // without pressures
 };
 
 template <class Scalar, class Scheme, class Kernel, class Law>

@@ -49,9 +49,7 @@ public:
                          Integrator integrator = Integrator::sdirk2)
         : model_(contact, std::move(longitudinal), longitudinal_verdict, std::move(lateral), lateral_verdict,
                  detail::checked_pressure(name, friction), integrator),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {
+          friction_(detail::without_pressure(friction)) {
         require_points();
     }
 
@@ -61,21 +59,17 @@ public:
                          Integrator integrator = Integrator::sdirk2)
         : model_(contact, std::move(longitudinal), std::move(lateral), unchecked,
                  detail::checked_pressure(name, friction), integrator),
-          law_(friction.law),
-          memory_(friction.memory),
-          with_tangents_(friction.with_tangents) {
+          friction_(detail::without_pressure(friction)) {
         require_points();
     }
 
-    Eigen::Index size() const { return model_.size(); }  ///< number of unknown elements
-    std::uint64_t fingerprint() const {
-        return model_.fingerprint();
-    }  ///< as of CombinedFrictionModel, without the law
+    Eigen::Index size() const { return model_.size(); }                 ///< number of unknown elements
+    std::uint64_t fingerprint() const { return model_.fingerprint(); }  ///< as of CombinedFrictionModel: not of the law
     Integrator integrator() const { return model_.integrator(); }
 
     /// No traction anywhere, everything sticks at mu_s(0).
     State at_rest() const {
-        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(law_(Scalar(0))));
+        return detail::with_coefficients<State>(model_.at_rest(), static_cast<Scalar>(friction_.law(Scalar(0))));
     }
     Workspace workspace() const { return Workspace(size()); }
 
@@ -132,8 +126,8 @@ private:
     static constexpr const char* name = "CombinedFallingModel";
 
     void require_points() const {
-        detail::require(memory_.distance == 0 || model_.systems_[0].points().has_value(), name,
-                        "distance of the memory", memory_.distance,
+        detail::require(friction_.memory.distance == 0 || model_.systems_[0].points().has_value(), name,
+                        "distance of the memory", friction_.memory.distance,
                         "be 0 for a system that does not know the points of its equations");
     }
 
@@ -144,9 +138,10 @@ private:
         if (step.status == StepStatus::ok) step.status = check(from, duration, to);
         if (step.status != StepStatus::ok) return step;
         const Scalar unit = model_.core_.half_length();
-        Stages stages(law_, memory_, memory_.distance > 0 ? &*model_.systems_[0].points() : nullptr,
-                      from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit, with_tangents_,
-                      workspace.scratch_);
+        Stages stages(friction_.law, friction_.memory,
+                      friction_.memory.distance > 0 ? &*model_.systems_[0].points() : nullptr,
+                      from.friction_coefficient, unit, dq / unit, duration, from.half_length / unit,
+                      friction_.with_tangents, workspace.scratch_);
         stages.start_first_stage_from(from.stage_coefficient);
         auto& memory = Core::memory(workspace);
         const bool by_load = pressure_rate.size() > 0;
@@ -162,8 +157,8 @@ private:
         if (possible == StepStatus::ok && !detail::is_finite(creepage)) possible = StepStatus::not_finite;
         if (possible == StepStatus::ok) possible = check(from, speed, to);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        Stages stages(law_, memory_, from.friction_coefficient, speed, model_.core_.widths(), load.half_length,
-                      with_tangents_, workspace.scratch_);
+        Stages stages(friction_.law, friction_.memory, from.friction_coefficient, speed, model_.core_.widths(),
+                      load.half_length, friction_.with_tangents, workspace.scratch_);
         const Step step = model_.core_.solve_steady(stages, from, creepage, model_.systems_[0].G_prime(),
                                                     model_.systems_[1].G_prime(), load, to, workspace);
         detail::hand_over(step, from, stages, to);
@@ -177,9 +172,7 @@ private:
     }
 
     CombinedFrictionModel<Scalar> model_;
-    Law law_;
-    SlipMemory<Scalar> memory_;
-    bool with_tangents_;
+    FallingFriction<Law, Scalar> friction_;  // without pressures
 };
 
 }  // namespace rollbem
