@@ -220,6 +220,15 @@ good 9 $branches --sweep down
 awk -F, 'NR == FNR { up[FNR] = $8; next } FNR > 1 { d = up[FNR] - $8; if (d < -1e-9) bad = 1; if (d > largest) largest = d; if ($30 != "down" || $21 != "ok") bad = 1 }
     END { exit bad || !(largest > 0.05) }' up out || fail "branches of a falling curve: $(cut -d, -f7,8 up out)"
 shards $branches --sweep down
+# the tangent is that of the force, however large the least velocity of the memory
+for lateral in '' '--lateral-ratio 0.3'; do
+    for least in 1 1e6 1e9; do
+        good 4 $study --n 20 --falling 0.6,1.23 --memory 0.3,$least --creepage-ratio 0.4999,0.5,0.5001 $lateral
+        awk -F, 'NR == 2 { low = $8 } NR == 3 { tangent = $18 } NR == 4 { high = $8 }
+            END { exit !(((high - low) / 0.0002 / tangent - 1) ^ 2 < 1e-5 ^ 2) }' out ||
+            fail "a tangent at a least velocity of $least $lateral: $(cut -d, -f8,18 out)"
+    done
+done
 # in both directions: the same along, by the size of the creepage where both are alike, each lateral ratio a sweep
 falls="$steady --falling 0.6,1.23 --memory 0.276,0.0123"
 good 5 $falls --n 30 --poisson 0 --creepage-ratio 0.25,0.5,1,2
