@@ -86,6 +86,8 @@ private:
         std::swap(now_, next_);
         Directions::read_force(step, moment);
         moment.slip_work = step.slip_work_per_width / mu_N;
+        moment.jump_work = step.jump_work_per_width / mu_N;
+        moment.elastic_energy = model_.elastic_energy_per_width(now_) / mu_N;
         moment.stick_count = step.stick_count;
         return moment;
     }

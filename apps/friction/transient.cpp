@@ -54,7 +54,9 @@ const std::vector<std::string> columns = study::joined({"q_over_a",
                                                         "falling_ratio",
                                                         "half_velocity",
                                                         "memory_distance",
-                                                        "least_velocity"},
+                                                        "least_velocity",
+                                                        "elastic_energy",
+                                                        "jump_work"},
                                                        study::setting_columns());
 
 /// Creepage ratios and load over q/a, and what comes before.
@@ -156,7 +158,7 @@ std::string why_ended(double q, rollbem::StepStatus status) {
 std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
     const std::unique_ptr<Rolling> contact = maker.start();
     const bool both_ends = integrator == rollbem::Integrator::sdirk2;
-    double slip_work = 0, work = 0;
+    double slip_work = 0, jump_work = 0, work = 0;
     std::size_t row = 0;
     const auto record = [&](double q, const Ratios& ratios, double shift, const std::optional<Moment>& of_row,
                             std::optional<double> exact) {
@@ -197,7 +199,9 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
                             falling ? study::Cell(falling->law.mu_k) : study::Cell(),
                             falling ? study::Cell(falling->law.half_velocity) : study::Cell(),
                             falling ? study::Cell(falling->memory.distance) : study::Cell(),
-                            falling ? study::Cell(falling->memory.least_velocity) : study::Cell()},
+                            falling ? study::Cell(falling->memory.least_velocity) : study::Cell(),
+                            valid(moment.elastic_energy),
+                            valid(jump_work)},
                            study::setting_cells(scene)));
     };
     Moment now{.force_ratio = 0, .lateral_force_ratio = 0, .status = rollbem::StepStatus::ok};
@@ -207,6 +211,7 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
         now = next;
         if (next.status == rollbem::StepStatus::ok) {
             slip_work += next.slip_work;
+            jump_work += next.jump_work;
             work += done;
         } else {
             ended = why_ended(q, next.status);
@@ -220,7 +225,7 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
     }
     if (history.from_steady) {
         Moment next = contact->settle(history.at(0));
-        next.slip_work = 0;
+        next.slip_work = next.jump_work = 0;
         keep(next, 0, 0);
     }
     int rounds = 0;

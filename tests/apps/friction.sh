@@ -317,6 +317,25 @@ awk -F, 'NR == FNR { force = $4; next } END { exit !((force - $8) ^ 2 < 3e-3 ^ 2
 good 561 $fallen --memory 0.275996,0.0122663 --creepage-ratio 0.766676 --integrator implicit-euler --dq 0.025 --until 14
 awk -F, 'NR > 1 { if (last - $4 > 0.1 && last > 0.8 && $4 < 0.7) ++falls; last = $4; if ($12 != "unchecked") bad = 1 } END { exit bad || falls < 1 }' out ||
     fail 'the force falls on its own'
+# balance WHAT GAP JUMP: creep work is slip work, jump work and elastic energy, up to GAP of it; without jump work at
+# least JUMP of it is missing
+balance() {
+    awk -F, -v elastic="$(column elastic_energy)" -v jump="$(column jump_work)" -v most="$2" -v least="$3" '
+        NR > 1 { gap = $25 - $7 - $jump - $elastic; if (gap ^ 2 > (most * $25) ^ 2 && $1 > 2) bad = 1 }
+        END { exit bad || !($jump > least * $25 && $elastic > 0) }' out || fail "energy, $1: $(tail -n 1 out)"
+}
+balance 'implicit Euler' 1e-3 0.012
+jumps="$study --transient --n 40 --mesh uniform --unchecked --kernel plane --falling $fall --creepage-ratio 0.766676"
+good 241 $jumps --memory 0.275996,0.0122663 --until 12
+balance sdirk2 2e-3 0.01
+good 241 $jumps --memory 0.275996,0.0122663 --until 12 --lateral-ratio 0.4
+balance 'both directions' 2e-3 0.005
+good 241 $jumps --memory 0.275996,0.0122663 --until 12 --load-sine 0.5,8 --breathing
+balance 'a breathing contact' 3e-3 0.01
+for lateral in '' '--lateral-ratio 0.2'; do
+    good 2 $study --transient --n 20 --creepage-ratio 0.5 --shift 4 --until 0.05 --shard 1/2 $lateral
+    check "the energy of a shift $lateral" "(\$25 - \$7 - \$$(column jump_work) - \$$(column elastic_energy)) ^ 2 < 1e-24 && \$$(column jump_work) < -0.01"
+done
 shards $fallen --creepage-ratio 0.5 --until 1
 good 9 $rolling --creepage-ratio 0.5 --until 4 --dq 0.5 --load-sine 0.5,8 --breathing --falling 0.6,1 --memory 0.3,0.01
 check 'falling friction under a load' '$12 == "ok" && $4 > 0 && $4 < $22'
