@@ -332,6 +332,8 @@ good 241 $jumps --memory 0.275996,0.0122663 --until 12 --lateral-ratio 0.4
 balance 'both directions' 2e-3 0.005
 good 241 $jumps --memory 0.275996,0.0122663 --until 12 --load-sine 0.5,8 --breathing
 balance 'a breathing contact' 3e-3 0.01
+# without jumps it vanishes with dq
+orders "$(column jump_work)" $study --transient --n 40 --mesh uniform --falling 0.6,1.23 --memory 1.38,0.0123 --creepage-ratio 0.4 --until 4
 for lateral in '' '--lateral-ratio 0.2'; do
     good 2 $study --transient --n 20 --creepage-ratio 0.5 --shift 4 --until 0.05 --shard 1/2 $lateral
     check "the energy of a shift $lateral" "(\$25 - \$7 - \$$(column jump_work) - \$$(column elastic_energy)) ^ 2 < 1e-24 && \$$(column jump_work) < -0.01"
