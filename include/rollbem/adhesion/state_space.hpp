@@ -20,14 +20,15 @@
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B xi, C x + D xi = -F_bar/(a G): the input is creepage, the output force per unit width; q = V t
-/// is the distance rolled, x are the unknowns of the system from which it was made, x = 0 at rest.
-/// c11(s) = C (s I - A)^-1 B + D, s in V/a.
+/// d x/d(q/a) = A x + B v, C x + D v = y: for a line the input v is the creepage xi, and the output y the force per
+/// unit width, -F_bar/(a G); with k inputs and k outputs v are the motions and y the forces of the system from which it
+/// was made. q = V t is the distance rolled, x are the unknowns of that system, x = 0 at rest. The creep coefficients
+/// are c(s) = C (s I - A)^-1 B + D, s in V/a, k x k: for a line c11.
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
-    MatrixX<Scalar> B, C;  ///< n x 1, 1 x n
-    MatrixX<Scalar> D;     ///< 1 x 1, zero
+    MatrixX<Scalar> B, C;  ///< n x k, k x n
+    MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
 };
 
 /// dx/dt = A x + B xi, F = C x + D xi: the input is creepage [-], the output force [N] on body 1 over the width 2b,
@@ -38,7 +39,7 @@ struct StateSpaceSI {
     MatrixX<Scalar> A;  ///< n x n [1/s]
     MatrixX<Scalar> B;  ///< n x 1 [1/s]
     MatrixX<Scalar> C;  ///< 1 x n [N]
-    MatrixX<Scalar> D;  ///< 1 x 1 [N], zero
+    MatrixX<Scalar> D;  ///< 1 x 1 [N]; zero, but for a reduced system
 };
 
 /// For any system: A = G^-1 G', B = -G^-1 1, C = -weights. Throws std::invalid_argument, naming rcond(G), if G is
