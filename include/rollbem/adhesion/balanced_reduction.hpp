@@ -107,12 +107,12 @@ Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::comp
     const ComplexMatrix reversed = gramian_factor<Scalar>(T.adjoint().reverse(), outputs);
     Matrix M_o = real_factor<Scalar>(Z, reversed.colwise().reverse());
 
+    if (!is_finite(M_c.norm() * M_o.norm())) return {.status = Status::not_finite};
     const Eigen::Index rank = std::max(numerical_rank(M_c), numerical_rank(M_o));
     M_c.conservativeResize(Eigen::NoChange, rank);
     M_o.conservativeResize(Eigen::NoChange, rank);
     const Matrix product = M_o.transpose() * M_c;
-    if (!all_finite(product)) return {.status = Status::not_finite};
-    if (rank == 0) return {.status = Status::ill_conditioned};
+    if (product.norm() == 0) return {.status = Status::ill_conditioned};
     const Eigen::JacobiSVD<Matrix, Eigen::NoQRPreconditioner> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const ArrayX<Scalar> sigma = svd.singularValues();
     const Scalar rounding = static_cast<Scalar>(space.A.rows()) * std::numeric_limits<Scalar>::epsilon() * sigma[0];
