@@ -55,8 +55,7 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 /// Of elements or Chebyshev states.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
-/// What columns called status say in addition to the library's names.
-inline constexpr const char* ok = "ok";
+/// Further words of columns called status.
 inline constexpr const char* unresolved = "unresolved";  ///< a sine with fewer than six steps in a period
 inline constexpr const char* unchecked = "unchecked";    ///< ok, except for the checks that --unchecked leaves out
 
