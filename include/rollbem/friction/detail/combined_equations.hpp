@@ -16,13 +16,15 @@
 #include "../../types.hpp"
 #include "../combined_state.hpp"
 #include "combined_partition.hpp"
+#include "slip_turn.hpp"
 #include "stick_equations.hpp"
 
 namespace rollbem::detail {
 
 /// Finds the change dp of tractions that satisfies, with ds = M dp,
 /// - where elements stick:  s + ds = 0;
-/// - where they slip:       dp = tau t and t.(s + ds) + k tau = 0, t the unit vector across the traction;
+/// - where they slip:       dp = tau t and t.R(s + ds) + k tau = 0, t the unit vector across the traction, R the turn of
+///                          the element's slip, if slip is turned;
 /// - where they are free:   dp = 0.
 /// Each direction has its own matrix M, so the elements that stick are eliminated one direction at a time; LU with
 /// pivoting then gives the tau. If the equations of the sticking elements alone are singular, as for a leading element
@@ -40,6 +42,7 @@ public:
           whole_(2 * n, 2 * n),
           right_(2 * n),
           tangent_(ElementVectors<Scalar>::Zero(n, 2)),
+          test_(ElementVectors<Scalar>::Zero(n, 2)),
           slip_(ElementVectors<Scalar>::Zero(n, 2)),
           change_(ElementVectors<Scalar>::Zero(n, 2)),
           slipping_(n),
@@ -55,12 +58,14 @@ public:
 
     /// Factorises for the elements that stick and slip; the stiffness is k. False if the equations are singular to
     /// working precision.
-    bool factorise(const CombinedPartition<Scalar>& part) {
+    bool factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
         slipping_.take(part.slide);
         for (Index k = 0; k < slipping_.count; ++k) {
             tangent_(k, 0) = -part.direction(slipping_[k], 1);
             tangent_(k, 1) = part.direction(slipping_[k], 0);
         }
+        test_ = tangent_;
+        for (Index k = 0; k < slipping_.count; ++k) turn.take_back(slipping_[k], test_, k);
         is_whole_ = !eliminate(part.stick);
         return is_whole_ ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
     }
@@ -79,8 +84,8 @@ public:
     Index slipping_count() const { return slipping_.count; }
     Index slipping(Index k) const { return slipping_[k]; }
 
-    /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, along its own traction, due to
-    /// a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
+    /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, against its present slip, due
+    /// to a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
     /// that do not slip are left unchanged.
     void couple(Matrix& coupling) {
         if (!is_whole_) find_across();
@@ -172,10 +177,10 @@ private:
 
     bool factorise_reduced(const Vector& stiffness) {
         const Index count = slipping_.count;
-        const auto across = [&](Index d) { return tangent_.col(d).head(count); };
+        const auto test = [&](Index d) { return test_.col(d).head(count); };
         for (Index k = 0; k < count; ++k) {
-            factors_.col(k).head(count) = tangent_(k, 0) * across(0).cwiseProduct(side_[0].reduced.col(k).head(count)) +
-                                          tangent_(k, 1) * across(1).cwiseProduct(side_[1].reduced.col(k).head(count));
+            factors_.col(k).head(count) = tangent_(k, 0) * test(0).cwiseProduct(side_[0].reduced.col(k).head(count)) +
+                                          tangent_(k, 1) * test(1).cwiseProduct(side_[1].reduced.col(k).head(count));
             factors_(k, k) += stiffness[slipping_[k]];
         }
         return factorise_first(factors_, count);
@@ -187,7 +192,7 @@ private:
         for (std::size_t d = 0; d < 2; ++d) {
             side_[d].start(s.col(column(d)), count);
             for (Index k = 0; k < count; ++k) {
-                right_[k] -= tangent_(k, column(d)) * (s(slipping_[k], column(d)) + side_[d].induced[k]);
+                right_[k] -= test_(k, column(d)) * (s(slipping_[k], column(d)) + side_[d].induced[k]);
             }
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
@@ -213,7 +218,7 @@ private:
                 const auto influence = matrix(d).col(sticking_[k]);
                 for (Index j = 0; j < sticks; ++j) whole_(first + j, first + k) = influence[sticking_[j]];
                 for (Index j = 0; j < slips; ++j) {
-                    whole_(last + j, first + k) = tangent_(j, column(d)) * influence[slipping_[j]];
+                    whole_(last + j, first + k) = test_(j, column(d)) * influence[slipping_[j]];
                 }
             }
             for (Index k = 0; k < slips; ++k) {
@@ -221,7 +226,7 @@ private:
                 const Scalar share = tangent_(k, column(d));
                 for (Index j = 0; j < sticks; ++j) whole_(first + j, last + k) = share * influence[sticking_[j]];
                 for (Index j = 0; j < slips; ++j) {
-                    whole_(last + j, last + k) += share * tangent_(j, column(d)) * influence[slipping_[j]];
+                    whole_(last + j, last + k) += share * test_(j, column(d)) * influence[slipping_[j]];
                 }
             }
         }
@@ -237,7 +242,7 @@ private:
         }
         for (Index k = 0; k < slips; ++k) {
             const Index i = slipping_[k];
-            right_[2 * sticks + k] = -(tangent_(k, 0) * s(i, 0) + tangent_(k, 1) * s(i, 1));
+            right_[2 * sticks + k] = -(test_(k, 0) * s(i, 0) + test_(k, 1) * s(i, 1));
         }
         solve_in_place<Scalar>(whole_.topLeftCorner(size, size), swaps_.data(), right_.head(size));
         for (Index d = 0; d < 2; ++d) {
@@ -246,16 +251,18 @@ private:
         }
     }
 
-    // The unit vector along the traction of the k-th element that slips.
+    // The unit vector along the traction of the k-th element that slips,
     Scalar along(Index k, std::size_t direction) const { return direction == 0 ? tangent_(k, 1) : -tangent_(k, 0); }
+    // and that against its slip: the same turned back.
+    Scalar against(Index k, std::size_t direction) const { return direction == 0 ? test_(k, 1) : -test_(k, 0); }
 
-    // Slip along the tractions due to tractions across them, into whole_, which is not in use.
+    // Slip along its own line due to tractions across theirs, into whole_, which is not in use.
     void find_across() {
         const Index count = slipping_.count;
         for (Index k = 0; k < count; ++k) {
             for (Index l = 0; l < count; ++l) {
-                whole_(l, k) = along(l, 0) * side_[0].reduced(l, k) * tangent_(k, 0) +
-                               along(l, 1) * side_[1].reduced(l, k) * tangent_(k, 1);
+                whole_(l, k) = against(l, 0) * side_[0].reduced(l, k) * tangent_(k, 0) +
+                               against(l, 1) * side_[1].reduced(l, k) * tangent_(k, 1);
             }
         }
     }
@@ -266,8 +273,8 @@ private:
         auto turn = right_.segment(count, count);
         for (Index l = 0; l < count; ++l) {
             const Scalar x = side_[0].reduced(l, k) * along(k, 0), y = side_[1].reduced(l, k) * along(k, 1);
-            right_[l] = along(l, 0) * x + along(l, 1) * y;
-            turn[l] = tangent_(l, 0) * x + tangent_(l, 1) * y;
+            right_[l] = against(l, 0) * x + against(l, 1) * y;
+            turn[l] = test_(l, 0) * x + test_(l, 1) * y;
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), turn);
         right_.head(count).noalias() -= whole_.topLeftCorner(count, count) * turn;
@@ -278,7 +285,7 @@ private:
         solve_whole(slip_, change_);
         for (std::size_t d = 0; d < 2; ++d) slip_.col(column(d)).noalias() += matrix(d) * change_.col(column(d));
         for (Index l = 0; l < slipping_.count; ++l) {
-            right_[l] = along(l, 0) * slip_(slipping_[l], 0) + along(l, 1) * slip_(slipping_[l], 1);
+            right_[l] = against(l, 0) * slip_(slipping_[l], 0) + against(l, 1) * slip_(slipping_[l], 1);
         }
     }
 
@@ -294,7 +301,8 @@ private:
     std::array<Side, 2> side_;
     Matrix factors_, whole_;
     Vector right_;
-    ElementVectors<Scalar> tangent_;  // of the elements that slip, in their order
+    ElementVectors<Scalar> tangent_;  // t of the elements that slip, in their order
+    ElementVectors<Scalar> test_;     // R^-1 t of the same: the component of the slip that their equations take
     ElementVectors<Scalar> slip_, change_;
     List slipping_, sticking_, eliminated_for_;
     std::vector<Index> swaps_;
