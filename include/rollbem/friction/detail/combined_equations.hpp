@@ -60,14 +60,19 @@ public:
     /// working precision.
     bool factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
         slipping_.take(part.slide);
+        aim(part, turn);
+        is_whole_ = !eliminate(part.stick);
+        return is_whole_ ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
+    }
+
+    /// Takes the directions of traction and slip from `part`, with the same elements slipping, but keeps the factors.
+    void aim(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
         for (Index k = 0; k < slipping_.count; ++k) {
             tangent_(k, 0) = -part.direction(slipping_[k], 1);
             tangent_(k, 1) = part.direction(slipping_[k], 0);
         }
         test_ = tangent_;
         for (Index k = 0; k < slipping_.count; ++k) turn.take_back(slipping_[k], test_, k);
-        is_whole_ = !eliminate(part.stick);
-        return is_whole_ ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
     }
 
     /// dp for the slip s.
@@ -80,6 +85,12 @@ public:
         }
     }
 
+    /// Whether the present factors are for the same elements that slip.
+    bool slips_as(const CombinedPartition<Scalar>& part) const {
+        Index slips = 0;
+        for (Index k = 0; k < slipping_.count; ++k) slips += part.slide[slipping_[k]] != 0 ? 1 : 0;
+        return slips == slipping_.count && static_cast<Scalar>(slips) == part.slide.sum();
+    }
     /// The elements that slip in the present factors.
     Index slipping_count() const { return slipping_.count; }
     Index slipping(Index k) const { return slipping_[k]; }

@@ -259,8 +259,13 @@ private:
     // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
+        bool keeps_factors = false;
         for (int step = 0; step < longest; ++step) {
-            if (!equations_.factorise(part_, turn_)) return false;
+            if (keeps_factors) {
+                equations_.aim(part_, turn_);
+            } else if (!equations_.factorise(part_, turn_)) {
+                return false;
+            }
             ++outcome.rounds;
             take_step(bound);
             Scalar residual = natural_residual(bound, reach_, trial_, trial_slip_);
@@ -272,8 +277,9 @@ private:
             slip_ = trial_slip_;
             note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
-            before = residual;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
+            keeps_factors = may_keep_factors_ && residual < Scalar(1e-3) * before && equations_.slips_as(part_);
+            before = residual;
         }
         return false;
     }
@@ -365,6 +371,7 @@ private:
     Zones begin_zones_;
     SlipTurn<Scalar> turn_;
     CombinedSplit<Scalar> split_;  // where the last attempts start
+    bool may_keep_factors_ = false;
     Scalar imposed_ = 0;           // max |c|
     Scalar slip_scale_ = 0;        // rounding of the slip
     Scalar least_ = 0;             // residual of the natural map at best_
