@@ -55,8 +55,9 @@ public:
         StepStatus status = StepStatus::not_finite;
     };
 
-    explicit CombinedSolver(Index n)
-        : equations_(n),
+    /// `coupled`: traction in one direction causes slip in the other, too.
+    explicit CombinedSolver(Index n, bool coupled = false)
+        : equations_(n, coupled),
           zones_(static_cast<std::size_t>(n), CombinedZone::stick),
           part_(n),
           reach_(Vector::Zero(n)),
@@ -79,12 +80,18 @@ public:
 
     Index size() const { return equations_.size(); }
 
-    /// M of direction 0 (longitudinal) or 1 (lateral), to be filled before the first solve and whenever it changes.
-    Matrix& new_matrix(std::size_t direction) {
+    bool coupled() const { return equations_.coupled(); }
+    /// The blocks of M, to be filled before the first solve and whenever they change: slip in direction `slip`
+    /// (0 longitudinal, 1 lateral) by tractions in direction `by`. Unless coupled, both directions are the same.
+    Matrix& new_matrix(std::size_t slip, std::size_t by) {
         reach_is_known_ = false;
-        return equations_.new_matrix(direction);
+        return equations_.new_matrix(slip, by);
     }
-    const Matrix& matrix(std::size_t direction) const { return equations_.matrix(direction); }
+    Matrix& new_matrix(std::size_t direction) { return new_matrix(direction, direction); }
+    const Matrix& matrix(std::size_t slip, std::size_t by) const { return equations_.matrix(slip, by); }
+    const Matrix& matrix(std::size_t direction) const { return matrix(direction, direction); }
+    /// s = M p
+    void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const { equations_.multiply(p, s); }
     /// c, to be filled before each solve.
     ElementVectors<Scalar>& constant() { return constant_; }
 
@@ -125,12 +132,9 @@ public:
     /// traction.
     void respond(const ElementVectors<Scalar>& change, const Vector& bound_change,
                  ElementVectors<Scalar>& traction_change, Scalar share = 1) {
-        for (std::size_t d = 0; d < 2; ++d) {
-            const auto column = static_cast<Index>(d);
-            trial_.col(column) = share * bound_change.cwiseProduct(part_.direction.col(column));
-            trial_slip_.col(column) = change.col(column);
-            trial_slip_.col(column).noalias() += matrix(d) * trial_.col(column);
-        }
+        trial_ = (share * bound_change).asDiagonal() * part_.direction;
+        multiply(trial_, trial_slip_);
+        trial_slip_ += change;
         equations_.solve(trial_slip_, traction_change);
         traction_change += trial_;
     }
@@ -183,8 +187,7 @@ private:
 
     // M p + c, and its round-off
     void find_slip(const Vectors& p, Vectors& s) {
-        s.col(0).noalias() = matrix(0) * p.col(0);
-        s.col(1).noalias() = matrix(1) * p.col(1);
+        multiply(p, s);
         slip_scale_ = rounding() * (s.cwiseAbs().maxCoeff() + imposed_);
         s += constant_;
     }
@@ -278,7 +281,7 @@ private:
             note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
-            keeps_factors = may_keep_factors_ && residual < Scalar(1e-3) * before && equations_.slips_as(part_);
+            keeps_factors = coupled() && residual < Scalar(1e-3) * before && equations_.slips_as(part_);
             before = residual;
         }
         return false;
@@ -371,7 +374,6 @@ private:
     Zones begin_zones_;
     SlipTurn<Scalar> turn_;
     CombinedSplit<Scalar> split_;  // where the last attempts start
-    bool may_keep_factors_ = false;
     Scalar imposed_ = 0;           // max |c|
     Scalar slip_scale_ = 0;        // rounding of the slip
     Scalar least_ = 0;             // residual of the natural map at best_
