@@ -268,6 +268,7 @@ int main(int argc, char** argv) {
         "points", "N",
         "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
         "61");
+    options.replaces("omega", {"omega-min", "omega-max", "points"});
     options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
     options.add(
         "order", "LIST",

@@ -240,6 +240,9 @@ int main(int argc, char** argv) {
         "history",
         "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
         "after the last; two rows at one q_over_a make a jump (dimensionless)");
+    options.replaces("step", {"ramp", "sine", "history"});
+    options.replaces("ramp", {"sine", "history"});
+    options.replaces("sine", {"history"});
     study::add_steps(options, "");
     options.add(
         "integrator", "NAME",

@@ -53,11 +53,11 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
     return scene.visit(of_elements, of_states);
 }
 
-/// Plain numbers, comma-separated, one row a line; no negative zeros.
+/// Plain numbers, comma-separated, one row a line.
 void write(study::OutputFile& file, const Eigen::MatrixXd& matrix) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         study::Row row;
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k) + 0.0);
+        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k));
         file.write(study::csv_line(row));
     }
     file.close();
