@@ -210,9 +210,11 @@ void Options::refuse_group(const std::string& heading, const std::string& reason
 }
 
 void Options::footer(const std::string& text) {
-    app_->footer(text +
-                 "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
-                 "3 --plot without\ngnuplot (the CSV is written); 4 error while writing; 130 interrupted.");
+    app_->footer(
+        text +
+        "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
+        "3 no picture, as gnuplot\nis missing or fails or no row has a point to draw (the CSV is written); 4 error "
+        "while writing; 130 interrupted.");
 }
 
 void Options::replaces(const std::string& name, std::vector<std::string> others) {
