@@ -188,6 +188,57 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const study
     }
 }
 
+/// 5. --plot: the complex plane up to the highest wavenumber that the elements resolve, with a margin.
+study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+    Eigen::Index n = 0;
+    for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
+    const double height = std::numbers::pi / 2 * static_cast<double>(n);
+    const std::string mesh = scenes.front().mesh_name;
+    study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
+                     .x_label = "Re(ν a)",
+                     .y_label = "Im(ν a)",
+                     .series = {}};
+    study::add_series(
+        plot, spectrum_columns, rows,
+        {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
+    double left = -1, right = 0;
+    for (study::Series& series : plot.series) {
+        series.line = false;
+        if (plot.series.size() == 1) series.label = "computed";
+        for (const auto& [re, im] : series.points) {
+            if (std::abs(im) > height) continue;
+            left = std::min(left, std::max(re, -height / 4));
+            right = std::max(right, std::min(re, height));
+        }
+    }
+    study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
+    for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
+        const stability::ExactSpectrum known(contact, {Complex(0, height)});
+        for (const Complex& nu : known.upper_half()) {
+            exact.points.emplace_back(nu.real(), nu.imag());
+            if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
+            left = std::min(left, nu.real());
+        }
+    }
+    plot.series.push_back(exact);
+    const double margin = (right - left) / 20;
+    plot.x_range = {left - margin, right + margin};
+    plot.y_range = {-height, height};
+    std::size_t inside = 0;
+    for (const study::Series& series : plot.series) {
+        if (series.reference) continue;
+        inside += std::size_t(std::count_if(series.points.begin(), series.points.end(), [&](const auto& nu) {
+            return std::abs(nu.first - (left + right) / 2) <= (right - left) / 2 + margin &&
+                   std::abs(nu.second) <= height;
+        }));
+    }
+    if (inside < rows.size()) {
+        plot.title +=
+            "; " + std::to_string(rows.size() - inside) + " of " + std::to_string(rows.size()) + " are not shown";
+    }
+    return plot;
+}
+
 study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
     study::Table table;
     table.columns = spectrum_columns;
@@ -202,56 +253,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
         emit_spectrum(scenes[task], range, emit);
     };
 
-    // 5. --plot: the complex plane up to the highest wavenumber that the elements resolve, with a margin.
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        Eigen::Index n = 0;
-        for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
-        const double height = std::numbers::pi / 2 * static_cast<double>(n);
-        const std::string mesh = scenes.front().mesh_name;
-        study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
-                         .x_label = "Re(ν a)",
-                         .y_label = "Im(ν a)",
-                         .series = {}};
-        study::add_series(
-            plot, spectrum_columns, rows,
-            {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
-        double left = -1, right = 0;
-        for (study::Series& series : plot.series) {
-            series.line = false;
-            if (plot.series.size() == 1) series.label = "computed";
-            for (const auto& [re, im] : series.points) {
-                if (std::abs(im) > height) continue;
-                left = std::min(left, std::max(re, -height / 4));
-                right = std::max(right, std::min(re, height));
-            }
-        }
-        study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
-        for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
-            const stability::ExactSpectrum known(contact, {Complex(0, height)});
-            for (const Complex& nu : known.upper_half()) {
-                exact.points.emplace_back(nu.real(), nu.imag());
-                if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
-                left = std::min(left, nu.real());
-            }
-        }
-        plot.series.push_back(exact);
-        const double margin = (right - left) / 20;
-        plot.x_range = {left - margin, right + margin};
-        plot.y_range = {-height, height};
-        std::size_t inside = 0;
-        for (const study::Series& series : plot.series) {
-            if (series.reference) continue;
-            inside += std::size_t(std::count_if(series.points.begin(), series.points.end(), [&](const auto& nu) {
-                return std::abs(nu.first - (left + right) / 2) <= (right - left) / 2 + margin &&
-                       std::abs(nu.second) <= height;
-            }));
-        }
-        if (inside < rows.size()) {
-            plot.title +=
-                "; " + std::to_string(rows.size() - inside) + " of " + std::to_string(rows.size()) + " are not shown";
-        }
-        return plot;
-    };
+    table.plot = [&](const std::vector<study::Row>& rows) { return draw_spectrum(scenes, rows); };
     return table;
 }
 

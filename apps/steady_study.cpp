@@ -77,6 +77,55 @@ study::Row steady_row(const study::Options& options, const study::Scene& scene) 
         study::setting_cells(scene));
 }
 
+/// 6. --plot: the error over n, one line for each scheme; over alpha if there are more alphas than n.
+study::Plot draw_errors(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+    std::set<Eigen::Index> numbers;
+    std::set<double> alphas_L, alphas_T;
+    bool equal = true;
+    for (const study::Scene& scene : scenes) {
+        numbers.insert(scene.n());
+        alphas_L.insert(scene.alpha_L.value_or(0));
+        alphas_T.insert(scene.alpha_T.value_or(0));
+        equal = equal && scene.alpha_L == scene.alpha_T;
+    }
+    const bool over_L = alphas_L.size() > alphas_T.size();
+    const bool over_alpha = std::max(alphas_L.size(), alphas_T.size()) > numbers.size();
+    study::Plot plot{.title = "Steady rolling",
+                     .x_label = scenes.front().n_label(),
+                     .y_label = "|c_{11} / c_{11,exact} - 1|",
+                     .log_x = !over_alpha,
+                     .log_y = true,
+                     .series = {}};
+    study::Selection selection{.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
+                               .x = "n",
+                               .y = "relative_error",
+                               .absolute = true,
+                               .apart = study::setting_columns()};
+    if (over_alpha) {
+        plot.x_label = equal ? "α_L = α_T" : over_L ? "α_L" : "α_T";
+        selection.by = {"method", "derivative", "mesh", "n"};
+        if (!equal) selection.by.emplace_back(over_L ? "alpha_T" : "alpha_L");
+        selection.x = over_L ? "alpha_L" : "alpha_T";
+    }
+    study::add_series(plot, columns, rows, selection);
+    for (study::Series& series : plot.series) {  // a logarithmic axis has no zero, and states can be exact
+        for (auto& [n, error] : series.points) {
+            error = std::max(error, study::least_drawn);
+        }
+    }
+    study::add_model_differences(plot, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
+        const double c11 = solve_steady(states, kernel).c11;
+        const double difference = std::abs(c11 / rollbem::steady_c11(contact.poisson_ratio()) - 1);
+        std::vector<std::pair<double, double>> points;
+        for (const study::Row& row : rows) {
+            points.emplace_back(*row[selection.x == "n" ? 3 : over_L ? 4 : 5].number(), difference);
+        }
+        std::sort(points.begin(), points.end());
+        return points;
+    });
+    return plot;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -117,55 +166,7 @@ with few states in narrow strips (4 at b/a = 0.3), status is not_converged and c
             emit(steady_row(given, scenes[task]));
         };
 
-        // 6. --plot: the error over n, one line for each scheme; over alpha if there are more alphas than n.
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            std::set<Eigen::Index> numbers;
-            std::set<double> alphas_L, alphas_T;
-            bool equal = true;
-            for (const study::Scene& scene : scenes) {
-                numbers.insert(scene.n());
-                alphas_L.insert(scene.alpha_L.value_or(0));
-                alphas_T.insert(scene.alpha_T.value_or(0));
-                equal = equal && scene.alpha_L == scene.alpha_T;
-            }
-            const bool over_L = alphas_L.size() > alphas_T.size();
-            const bool over_alpha = std::max(alphas_L.size(), alphas_T.size()) > numbers.size();
-            study::Plot plot{.title = "Steady rolling",
-                             .x_label = scenes.front().n_label(),
-                             .y_label = "|c_{11} / c_{11,exact} - 1|",
-                             .log_x = !over_alpha,
-                             .log_y = true,
-                             .series = {}};
-            study::Selection selection{.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
-                                       .x = "n",
-                                       .y = "relative_error",
-                                       .absolute = true,
-                                       .apart = study::setting_columns()};
-            if (over_alpha) {
-                plot.x_label = equal ? "α_L = α_T" : over_L ? "α_L" : "α_T";
-                selection.by = {"method", "derivative", "mesh", "n"};
-                if (!equal) selection.by.emplace_back(over_L ? "alpha_T" : "alpha_L");
-                selection.x = over_L ? "alpha_L" : "alpha_T";
-            }
-            study::add_series(plot, table.columns, rows, selection);
-            for (study::Series& series : plot.series) {  // a logarithmic axis has no zero, and states can be exact
-                for (auto& [n, error] : series.points) {
-                    error = std::max(error, study::least_drawn);
-                }
-            }
-            study::add_model_differences(
-                plot, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
-                    const double c11 = solve_steady(states, kernel).c11;
-                    const double difference = std::abs(c11 / rollbem::steady_c11(contact.poisson_ratio()) - 1);
-                    std::vector<std::pair<double, double>> points;
-                    for (const study::Row& row : rows) {
-                        points.emplace_back(*row[selection.x == "n" ? 3 : over_L ? 4 : 5].number(), difference);
-                    }
-                    std::sort(points.begin(), points.end());
-                    return points;
-                });
-            return plot;
-        };
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_errors(scenes, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

@@ -96,10 +96,7 @@ std::optional<LoadHistory> read_load(const study::Options& options, double until
 }
 
 rollbem::HertzLoad<double> hertz_load(const LoadHistory& history, const rollbem::Mesh<double>& mesh) {
-    // E* = 2 and R = 1 give a_0 = p_0 = 1 under N_0 = pi/2
-    const rollbem::ElasticBody<double> body{.young_modulus = 4, .poisson_ratio = 0};
-    const rollbem::HertzLine<double> line(
-        {.load_per_width = mu_N, .combined_radius = 1, .body_1 = body, .body_2 = body});
+    const auto line = rollbem::HertzLine<double>::dimensionless();
     return history.breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
                              : rollbem::HertzLoad<double>::fixed(line, mesh, history.largest_half_length());
 }
