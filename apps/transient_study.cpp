@@ -82,7 +82,7 @@ History make_history(const study::Options& options) {
     if (given[0] == "history") return history_from_file(options);
     History history{.knots = {}, .knot_values = {}};
     if (given[0] == "sine") {
-        const study::Sine sine = study::read_sine(options, {is_not_zero, "finite and not 0"});
+        const study::Sine sine = study::read_sine(options);
         history.kind = History::Kind::sine;
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;

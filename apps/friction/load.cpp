@@ -49,6 +49,9 @@ LoadHistory load_of_table(const study::Options& options, double until, bool brea
         throw study::BadInput(said + " must have one row only at q_over_a = " + study::Cell(*twin).text(6));
     }
     for (const double ratio : history.ratios) {
+        if (ratio > 1e12) {
+            throw study::BadInput(said + ": load_ratio = " + study::Cell(ratio).text(6) + " must be at most 1e12");
+        }
         if (!(breathing ? ratio > 0 : ratio >= 0)) {
             throw study::BadInput(said + ": load_ratio = " + study::Cell(ratio).text(6) + " must be " +
                                   (breathing ? "positive where the mesh breathes" : "at least 0"));

@@ -43,13 +43,14 @@ std::vector<Scene> make_non_steady_scenes(const Options& options, Methods method
     return scenes;
 }
 
-Sine read_sine(const Options& options, const Rule& rule) {
+Sine read_sine(const Options& options) {
     const std::string text = options.text("sine");
     const std::size_t comma = text.find(',');
     const auto amplitude = detail::parse_number<double>(text.substr(0, comma));
     const auto omega = comma == std::string::npos ? std::nullopt : detail::parse_number<double>(text.substr(comma + 1));
-    if (!amplitude || !omega || !rule.holds(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
-        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP " + rule.text + " and OMEGA > 0");
+    if (!amplitude || !omega || !std::isfinite(*amplitude) || *amplitude == 0 || !(*omega > 0) ||
+        !std::isfinite(*omega)) {
+        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
     }
     return {*amplitude, *omega};
 }

@@ -37,9 +37,8 @@ struct Sine {
 /// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
 inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
-/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP obeys the rule, whose text follows
-/// "must be AMP,OMEGA with AMP".
-Sine read_sine(const Options& options, const Rule& amplitude);
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
 
 /// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
 /// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,

@@ -209,9 +209,15 @@ void Options::refuse_group(const std::string& heading, const std::string& reason
     for (const std::string& name : members(heading, allowed)) refuse(name, reason);
 }
 
-void Options::footer(const std::string& text) {
+void Options::footer(const std::string& text, std::vector<Topic> topics) {
+    topics_ = std::move(topics);
+    std::string listed = topics_.empty() ? "" : "\nMore by --help TOPIC:\n";
+    for (const Topic& topic : topics_) {
+        listed += "  " + topic.name + std::string(topic.name.size() < 11 ? 11 - topic.name.size() : 1, ' ') +
+                  topic.summary + "\n";
+    }
     app_->footer(
-        text +
+        text + listed +
         "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
         "3 no picture, as gnuplot\nis missing or fails or no row has a point to draw (the CSV is written); 4 error "
         "while writing; 130 interrupted.");
@@ -223,6 +229,7 @@ void Options::replaces(const std::string& name, std::vector<std::string> others)
 
 std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     words_.assign(argv, argv + argc);
+    if (std::optional<std::string> text = topic()) return text;
     check_words();
     try {
         app_->parse(argc, argv);
@@ -424,6 +431,23 @@ void Options::read_config() {
         }
         found->second.configured = std::move(setting.values);
     }
+}
+
+std::optional<std::string> Options::topic() const {
+    const auto help = std::find_if(words_.begin(), words_.end(), [](const std::string& word) {
+        return word == "-h" || word == "--help" || word.rfind("--help=", 0) == 0;
+    });
+    if (topics_.empty() || help == words_.end()) return std::nullopt;
+    const std::size_t equals = help->find('=');
+    const bool follows = equals == std::string::npos && help + 1 != words_.end() && help[1].rfind('-', 0) != 0;
+    if (equals == std::string::npos && !follows) return std::nullopt;
+    const std::string name = follows ? help[1] : help->substr(equals + 1);
+    std::vector<std::string> names;
+    for (const Topic& topic : topics_) {
+        if (topic.name == name) return topic.text;
+        names.push_back(topic.name);
+    }
+    throw BadInput("--help = " + name + " must be one of " + join(names, ", "));
 }
 
 void Options::check_words() const {

@@ -51,6 +51,12 @@ std::optional<Number> parse_number(std::string_view text) {
 /// The words joined by `separator`.
 std::string join(const std::vector<std::string>& words, const std::string& separator);
 
+/// A part of the help that --help NAME prints instead of the options.
+struct Topic {
+    std::string name, summary;  ///< one line
+    std::string text;
+};
+
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
@@ -96,8 +102,8 @@ public:
     /// side on the command line.
     void replaces(const std::string& name, std::vector<std::string> others);
 
-    /// Text below the options in --help, exactly as given; the exit codes follow it.
-    void footer(const std::string& text);
+    /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
+    void footer(const std::string& text, std::vector<Topic> topics = {});
 
     /// Reads the command line. Returns a text to print instead of running (--help, --version); throws BadInput.
     std::optional<std::string> parse(int argc, const char* const* argv);
@@ -180,6 +186,9 @@ private:
     /// The words that CLI11 did not expect, for a message.
     std::string unexpected() const;
 
+    /// The text of --help TOPIC, if that is what the words ask for. Throws BadInput for an unknown topic.
+    std::optional<std::string> topic() const;
+
     /// Throws BadInput if an option that takes a value has none: the next word would be taken for it.
     void check_words() const;
 
@@ -208,6 +217,7 @@ private:
     std::map<std::string, Entry> entries_;
     std::vector<std::pair<std::string, std::string>> refused_;
     std::vector<std::string> words_;
+    std::vector<Topic> topics_;
     std::vector<std::pair<std::string, std::vector<std::string>>> alternatives_;
     bool replays_ = false;                         ///< --config is the file beside a CSV file
     std::map<std::string, std::string> expected_;  ///< checksums of the run to repeat, by option
