@@ -312,7 +312,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene, or order, and frequency.
         const std::string method =
-            given.choice("method", {"collocation", "galerkin", "knothe-bc", "chebyshev", "polynomial"});
+            given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
         const std::vector<double> omegas = make_omegas(given);
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
