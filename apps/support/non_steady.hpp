@@ -56,8 +56,9 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
 /// Further words of columns called status.
-inline constexpr const char* unresolved = "unresolved";  ///< a sine with fewer than six steps in a period
-inline constexpr const char* unchecked = "unchecked";    ///< ok, except for the checks that --unchecked leaves out
+inline constexpr const char* unresolved = "unresolved";        ///< a sine with fewer than six steps in a period
+inline constexpr const char* after_failure = "after_failure";  ///< of a run in time: a step before has failed
+inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
 /// steady_status of a scene's `system`.
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system);
