@@ -65,13 +65,16 @@ std::vector<double> make_omegas(const study::Options& options) {
     return omegas;
 }
 
+/// The response of the plane model; unknown if that does not decay.
+Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
+    if (!study::plane_model_decays(contact)) return unknown;
+    return rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect());
+}
+
 /// The row's cells up to relative_error. Where `c11` is not finite, it and the error are left out, as is what needs the
 /// exact value where the plane model has none.
 study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& contact, double omega, Complex c11) {
-    const bool has_exact = study::plane_model_decays(contact);
-    const Complex exact =
-        has_exact ? rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect())
-                  : unknown;
+    const Complex exact = exact_c11(contact, omega);
     return {n, omega, c11.real(), c11.imag(), exact.real(), exact.imag(), std::abs(c11 / exact - 1.0)};
 }
 
@@ -80,13 +83,18 @@ study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& 
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Emit& emit) {
     // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
-    const rollbem::RollingSystem<double> system = study::system_of(scene);
-    const std::string steady = study::status_of(rollbem::Status::ok, scene, system);
-    const rollbem::FrequencySweep<double> sweep(system);
+    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
+    std::string steady;
+    std::optional<rollbem::FrequencySweep<double>> sweep;
+    if (system) {
+        steady = study::status_of(rollbem::Status::ok, scene, *system);
+        sweep.emplace(*system);
+    }
 
     // 4. Solve for each. A c11 that cannot be trusted is left out, unless --unchecked is given.
     for (std::size_t i = range.first; i < range.last; ++i) {
-        const rollbem::SweepPoint<double> point = sweep(omegas[i]);
+        rollbem::SweepPoint<double> point{.c11 = unknown, .rcond = std::nan("")};  // its status is not_finite
+        if (sweep) point = (*sweep)(omegas[i]);
         const std::string status = point.status == rollbem::Status::ok ? steady : name(point.status);
         const Complex c11 = status == study::ok || !checked ? point.c11 : unknown;
         study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
@@ -177,11 +185,12 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
 // --- the plot ------------------------------------------------------------------------------------------------------
 
 /// The Argand diagram, and beside it both parts over the frequency.
-study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title, bool order_given) {
+study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
+                          const std::vector<study::Scene>& scenes, const std::vector<double>& omegas) {
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
     if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
 
-    study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
+    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
     const std::vector<std::string> apart = study::all_setting_columns();
     study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
     const std::size_t cases = argand.series.size();
@@ -251,6 +260,17 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         for (auto& [omega, error] : errors.series[k].points) error = std::max(error, study::least_drawn);
     }
     errors.title.clear();
+    study::add_model_differences(errors, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
+        std::vector<std::pair<double, double>> points;
+        if (!study::plane_model_decays(contact)) return points;
+        const rollbem::FrequencySweep<double> strip(rolling_system(states, kernel));
+        for (const double omega : omegas) {
+            if (omega > 20) continue;  // more than the states resolve
+            const Complex plane = exact_c11(contact, omega);
+            points.emplace_back(omega, std::abs(strip(omega).c11 / plane - 1.0));
+        }
+        return points;
+    });
     argand.beside.push_back(std::move(parts));
     if (can_be_drawn(errors)) argand.beside.push_back(std::move(errors));
     return argand;
@@ -269,6 +289,7 @@ int main(int argc, char** argv) {
         "points", "N",
         "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
         "61");
+    options.replaces("omega", {"omega-min", "omega-max", "points"});
     options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
     options.add(
         "order", "LIST",
@@ -297,9 +318,10 @@ without --unchecked. If status is not ok, c11 is empty, or wrong with --unchecke
 equations are singular to working precision; inconsistent if the scheme does not converge to full adhesion
 (alpha at or below 0, or above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half;
 not_converged if --order is too low for eight digits, or states are too few. exact and error are empty for
-contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal condition;
-rounding contributes 2e-16/rcond to the error of c11. error_estimate: relative, of c11 by polynomials, truncation
-and rounding.
+contacts so narrow that the plane model does not decay. rcond: estimate of the reciprocal condition of the
+equations of elements or states; rounding contributes 2e-16/rcond to the error of c11. error_estimate: relative,
+of c11 by polynomials, truncation and rounding. not_finite, with empty cells: b/a is so small or large that G
+or G' is not finite.
 --method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
 up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 is empty if more states would
 change its steady value by more than 1e-2.
@@ -348,7 +370,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
 
         // 5. --plot.
         table.plot = [&](const std::vector<study::Row>& rows) {
-            return draw_response(rows, "Harmonic creepage, " + method, given.given("order"));
+            return draw_response(rows, given.given("order"), scenes, omegas);
         };
         study::write_table(given, table);
         return study::exit_ok;

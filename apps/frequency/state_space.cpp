@@ -77,11 +77,11 @@ std::string reduce(const study::Options& options, Space& space) {
            study::Cell(reduced.error_bound).text() + "  # of c11, at every frequency\n";
 }
 
-/// Plain numbers, comma-separated, one row a line; no negative zeros.
+/// Plain numbers, comma-separated, one row a line.
 void write(study::OutputFile& file, const Eigen::MatrixXd& matrix) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         study::Row row;
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k) + 0.0);
+        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k));
         file.write(study::csv_line(row));
     }
     file.close();
