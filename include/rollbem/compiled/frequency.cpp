@@ -2,7 +2,7 @@
 
 namespace rollbem {
 
-template decltype(solve_exponential<double>) solve_exponential<double>;
+template decltype(solve_response<double>) solve_response<double>;
 template class FrequencySweep<double>;
 
 }  // namespace rollbem
