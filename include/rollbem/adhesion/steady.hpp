@@ -162,7 +162,7 @@ namespace detail {
 
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 UnitSteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
+    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
     const KernelView<Scalar> view(kernel);
     const ArrayX<Scalar> widths = segment(mesh.widths(), 0, rows.unknown_count);
     MatrixX<Scalar> G_prime = influence_matrix<Scalar>(mesh, rows, view, Quantity::slope);
