@@ -61,8 +61,8 @@ public:
         }
     }
 
-    Eigen::Index strip_count() const { return widths_.size(); }              ///< m
-    Eigen::Index elements_per_strip() const { return data_.along.size(); }   ///< n
+    Eigen::Index strip_count() const { return widths_.size(); }                 ///< m
+    Eigen::Index elements_per_strip() const { return data_.along.size(); }      ///< n
     Eigen::Index size() const { return strip_count() * elements_per_strip(); }  ///< N = n m
     const Mesh<Scalar>& along() const { return data_.along; }
     const Array& edges() const { return data_.edges; }

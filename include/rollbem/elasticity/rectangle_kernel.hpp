@@ -65,7 +65,8 @@ public:
     bool couples() const { return nu_ != 0; }
 
     Influence<Scalar> corner(Scalar x, Scalar y) const {
-        const Scalar r = std::sqrt(x * x + y * y), width = std::max(std::abs(x), least), height = std::max(std::abs(y), least);
+        const Scalar r = std::sqrt(x * x + y * y), width = std::max(std::abs(x), least),
+                     height = std::max(std::abs(y), least);
         // asinh(y/|x|) = ln((|y| + r)/|x|) for y > 0; each product is 0 where its first factor is
         const Scalar along = std::copysign(x, x * y) * std::log((height + r) / width);
         const Scalar across = std::copysign(y, x * y) * std::log((width + r) / height);
@@ -76,8 +77,8 @@ public:
     Influence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {
         const Scalar r0 = std::sqrt(x * x + y0 * y0), r1 = std::sqrt(x * x + y1 * y1);
         // (y0/r0 - y1/r1)/x, whose numerator cancels if both have the same sign
-        const Scalar angle = y0 * y1 > 0 ? x * (y0 - y1) * (y0 + y1) / (r0 * r1 * (y0 * r1 + y1 * r0))
-                                         : (y0 / r0 - y1 / r1) / x;
+        const Scalar angle =
+            y0 * y1 > 0 ? x * (y0 - y1) * (y0 + y1) / (r0 * r1 * (y0 * r1 + y1 * r0)) : (y0 / r0 - y1 / r1) / x;
         const Scalar cube0 = r0 * r0 * r0, cube1 = r1 * r1 * r1;
         const Scalar shear = nu_ * x * (y0 / cube0 - y1 / cube1);
         constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;

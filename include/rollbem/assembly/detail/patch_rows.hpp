@@ -11,10 +11,10 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/require.hpp"
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
 #include "../../elasticity/rectangle_kernel.hpp"
-#include "../../detail/require.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -141,7 +141,8 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
                     const Scalar x =
                         place.from_leading < 1
                             ? leading_ends + (scale * along.edges_from_leading()[c] - row_scale * place.from_leading)
-                            : trailing_ends + (row_scale * place.from_trailing - scale * along.edges_from_trailing()[c]);
+                            : trailing_ends +
+                                  (row_scale * place.from_trailing - scale * along.edges_from_trailing()[c]);
                     *entry++ = kernel.corner(x, y0) - kernel.corner(x, y1);
                 }
             }
@@ -166,8 +167,9 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
                             continue;
                         }
                     }
-                    result.set(row, column,
-                               (1 / d) * ((trailing[place + 1] - leading[place + 1]) - (trailing[place] - leading[place])));
+                    result.set(
+                        row, column,
+                        (1 / d) * ((trailing[place + 1] - leading[place + 1]) - (trailing[place] - leading[place])));
                 }
             }
         }
