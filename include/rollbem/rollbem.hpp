@@ -7,6 +7,7 @@
 
 #include "accuracy/recommendation.hpp"
 #include "accuracy/richardson.hpp"
+#include "adhesion/balanced_reduction.hpp"
 #include "adhesion/critical_alpha.hpp"
 #include "adhesion/frequency.hpp"
 #include "adhesion/response.hpp"

@@ -1,5 +1,6 @@
 // rollbem/adhesion/frequency.hpp
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -13,6 +14,7 @@
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/observed_order.hpp"
 
 namespace {
 

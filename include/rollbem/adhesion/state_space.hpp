@@ -27,7 +27,7 @@ template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
     MatrixX<Scalar> B, C;  ///< n x k, k x n
-    MatrixX<Scalar> D;     ///< k x k, zero
+    MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
 };
 
 /// dx/dt = A x + B xi, F = C x + D xi: the input is creepage [-], the output force [N] on body 1 over the width 2b,
@@ -38,7 +38,7 @@ struct StateSpaceSI {
     MatrixX<Scalar> A;  ///< n x n [1/s]
     MatrixX<Scalar> B;  ///< n x 1 [1/s]
     MatrixX<Scalar> C;  ///< 1 x n [N]
-    MatrixX<Scalar> D;  ///< 1 x 1 [N], zero
+    MatrixX<Scalar> D;  ///< 1 x 1 [N]; zero, but for a reduced system
 };
 
 /// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G is

@@ -172,6 +172,13 @@ ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
     return points;
 }
 
+/// Whether each row belongs to a point half an element ahead of its element's centre, in G and in G'.
+template <class Scalar, class Scheme>
+bool rows_lie_half_an_element_ahead(const Scheme& scheme, const Mesh<Scalar>& mesh) {
+    return scheme_rows(scheme, Quantity::slope, mesh).half_element_ahead &&
+           scheme_rows(scheme, Quantity::displacement, mesh).half_element_ahead;
+}
+
 /// Whether the equations of a scheme hold at points, the same for G and G'. Differences count, as they are the mean of
 /// the slope over the width of one element; Galerkin's integrals and quadratures do not.
 template <class Scalar, class Scheme>
@@ -180,15 +187,7 @@ bool holds_at_points(const Scheme& scheme, const Mesh<Scalar>& mesh) {
     const SchemeRows<Scalar> displacement = scheme_rows(scheme, Quantity::displacement, mesh);
     return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
            displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&
-           ((slope.half_element_ahead && displacement.half_element_ahead) ||
-            (slope.alpha == displacement.alpha).all());
-}
-
-/// Whether each row belongs to a point half an element ahead of its element's centre, in G and in G'.
-template <class Scalar, class Scheme>
-bool rows_lie_half_an_element_ahead(const Scheme& scheme, const Mesh<Scalar>& mesh) {
-    return scheme_rows(scheme, Quantity::slope, mesh).half_element_ahead &&
-           scheme_rows(scheme, Quantity::displacement, mesh).half_element_ahead;
+           (rows_lie_half_an_element_ahead(scheme, mesh) || (slope.alpha == displacement.alpha).all());
 }
 
 /// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
@@ -208,9 +207,11 @@ void require_one_system(const Scheme& scheme, const Mesh<Scalar>& mesh) {
 /// scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
+    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
+    const Eigen::Index n = rows.unknown_count;
     Elements<Scalar> elements;
     elements.x = detail::equation_points(mesh, scheme);
-    const Eigen::Index n = elements.x.size();
+    elements.intervals = rows.lengths.segment(rows.first_equation, n) * mesh.widths().segment(rows.first_equation, n);
     elements.y = ArrayX<Scalar>::Zero(n);
     elements.centre_x = mesh.centres().head(n);
     elements.centre_y = ArrayX<Scalar>::Zero(n);
