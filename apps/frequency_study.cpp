@@ -5,6 +5,7 @@
 //     ./frequency_study --n 60 --omega 0.1,1,5
 //     ./frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
 //     ./frequency_study --method chebyshev --n 8 --omega 0,1,5 --state-space contact
+//     ./frequency_study --n 60 --mesh cosine --alpha 0.5 --omega 0,1,5 --state-space contact --states 6
 //     ./frequency_study --method polynomial --basis chebyshev --omega 200
 #include <algorithm>
 #include <cmath>
@@ -300,6 +301,9 @@ int main(int argc, char** argv) {
         "also write the scheme, a single one, as linear differential equations: A.csv, B.csv, C.csv, D.csv "
         "and state_space.toml in this folder, which is made if it does not exist (dimensionless)",
         frequency::StateSpaceFiles::names());
+    options.add("states", "K",
+                "with --state-space: reduce to the K states that matter most (balanced reduction, the steady state "
+                "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
     options.footer(R"(Example: three meshes, with the Argand diagram and both parts over the frequency
   frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
@@ -323,17 +327,19 @@ up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 i
 change its steady value by more than 1e-2.
 --state-space: d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi, so that c11(s) = C (s I - A)^-1 B + D, s in V/a.
 Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements need a regular
-G. The table is written as well.
+G. The table is written as well, of the full system. With --states D is not zero; error_bound in state_space.toml
+holds for |c11| at every omega, and is twice the sum of the Hankel singular values left out.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene, or order, and frequency.
         const std::string method =
-            given.choice("method", {"collocation", "galerkin", "knothe-bc", "chebyshev", "polynomial"});
+            given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
         const std::vector<double> omegas = make_omegas(given);
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
+        if (!given.given("state-space")) given.ignored("states", "without --state-space");
         study::Table table;
         table.columns = columns;
         std::vector<study::Scene> scenes;

@@ -11,7 +11,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include <rollbem/adhesion/critical_alpha.hpp>
@@ -109,7 +108,7 @@ const std::vector<std::string> critical_columns = study::joined(
 
 std::optional<double> critical_alpha_T(const study::Scene& scene) {
     return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) -> std::optional<double> {
-        if constexpr (std::is_same_v<std::decay_t<decltype(scheme)>, rollbem::KnotheBoundary>) {
+        if constexpr (!requires { scheme.alpha_T; }) {
             return std::nullopt;  // refused in main: it has no alpha_T
         } else {
             const auto scheme_of = [&scheme](double alpha_T) {
@@ -289,7 +288,8 @@ closed form, also for the strip kernel, whose model differs by order (a/b)^2. In
 singular G has, are rows with empty re and im. exact cells are empty for them, for |nu a| > 3e4, which no mesh
 resolves, and for contacts so narrow that the plane model does not decay.
 --method chebyshev: columns that apply to elements only are empty. Few states give the first eigenvalues to
-rounding; the fastest, of about n^2/10, are artefacts of the method. There is no alpha_T, hence no --critical.
+rounding; the fastest, of about n^2/10, are artefacts of the method. There is no alpha_T, hence no --critical, as
+with --method nodes and knothe-bc.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -300,7 +300,7 @@ rounding; the fastest, of about n^2/10, are artefacts of the method. There is no
             given.ignored("alpha-T", "with --critical, which searches for it");
             given.ignored("alpha", "with --critical, which takes --alpha-L and searches for alpha_T");
             const std::string method = given.text("method");
-            if (method == "knothe-bc" || method == "chebyshev") {
+            if (method == "knothe-bc" || method == "nodes" || method == "chebyshev") {
                 throw study::BadInput(given.said("method") +
                                       " must be collocation or galerkin with --critical: it has no alpha_T");
             }

@@ -110,8 +110,11 @@ Options::Options(std::string program, const std::string& purpose)
         join(mesh_names(rollbem::Grading::epsilon), ", ") +
             " mesh: size of the end element over that of an inner one, 1e-12 to 1e12 (dimensionless)",
         "0.4");
-    add("method", "NAME", "collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary conditions)",
+    add("method", "NAME",
+        "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions) or nodes (differences "
+        "between the --nodes of neighbouring elements)",
         "collocation");
+    add("nodes", "NAME", "with --method nodes: centres of elements, or chebyshev with --mesh cosine", "centres");
     add("quadrature", "N|exact", "galerkin: 1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact");
     add("alpha-L", "LIST",
         "position of the leading element's point ahead of its centre, in widths of the element, -2 to 2 "
