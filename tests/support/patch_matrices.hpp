@@ -17,10 +17,10 @@ namespace rollbem_tests {
 /// its trailing edge.
 struct PatchMatrices {
     std::array<Eigen::MatrixXd, 4> G, G_prime;
-    Eigen::VectorXd x, y;                // where the rigid slip is taken
+    Eigen::VectorXd x, y;  // where the rigid slip is taken
     Eigen::VectorXd centre_x, centre_y, areas;
-    Eigen::VectorXd pressure;            // Hertz, for N = 1
-    std::vector<Eigen::Index> behind;    // -1: none
+    Eigen::VectorXd pressure;          // Hertz, for N = 1
+    std::vector<Eigen::Index> behind;  // -1: none
 
     Eigen::Index size() const { return areas.size(); }
 };
