@@ -84,7 +84,7 @@ History make_history(const study::Options& options, double until) {
     history.from_steady = options.choice("from", {"rest", "steady"}) == "steady";
     if (options.given("sine")) {
         options.ignored("creepage-ratio", "with --sine");
-        const study::Sine sine = study::read_sine(options, {study::finite().holds, "finite"});
+        const study::Sine sine = study::read_sine(options);
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
         return history;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,15 +42,43 @@ std::vector<Scene> make_non_steady_scenes(const Options& options, Methods method
     return scenes;
 }
 
-Sine read_sine(const Options& options, const Rule& rule) {
+Sine read_sine(const Options& options) {
     const std::string text = options.text("sine");
     const std::size_t comma = text.find(',');
     const auto amplitude = detail::parse_number<double>(text.substr(0, comma));
     const auto omega = comma == std::string::npos ? std::nullopt : detail::parse_number<double>(text.substr(comma + 1));
-    if (!amplitude || !omega || !rule.holds(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
-        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP " + rule.text + " and OMEGA > 0");
+    if (!amplitude || !omega || !std::isfinite(*amplitude) || *amplitude == 0 || !(*omega > 0) ||
+        !std::isfinite(*omega)) {
+        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
     }
     return {*amplitude, *omega};
+}
+
+void add_model_differences(
+    Plot& plot, const std::vector<Scene>& scenes,
+    const std::function<std::vector<std::pair<double, double>>(
+        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference) {
+    constexpr Eigen::Index states = 64;  // exact to rounding for b/a down to 0.3
+    double least = HUGE_VAL;
+    for (const Series& series : plot.series) {
+        for (const auto& [x, error] : series.points) least = error > 0 ? std::min(least, error) : least;
+    }
+    std::vector<Scene> strips;
+    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(strips), [](const Scene& scene) {
+        return std::holds_alternative<rollbem::StripKernel<double>>(scene.kernel) && scene.contact.aspect() >= 0.3;
+    });
+    const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
+    for (const rollbem::Contact<double>& contact : contacts) {
+        const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
+        Series line{.label = "strip against plane", .points = {}, .markers = false, .reference = true};
+        if (contacts.size() > 1) {
+            line.label +=
+                ", b/a = " + Cell(contact.aspect()).text(6) + ", ν = " + Cell(contact.poisson_ratio()).text(6);
+        }
+        line.points = difference(rollbem::Chebyshev{states}, kernel, contact);
+        const auto is_near = [&](const auto& point) { return point.second > least / 10; };
+        if (std::any_of(line.points.begin(), line.points.end(), is_near)) plot.series.push_back(std::move(line));
+    }
 }
 
 void add_steps(Options& options, const std::string& when) {
@@ -84,11 +115,22 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
     return allowed[static_cast<std::size_t>(chosen - words.begin())];
 }
 
-rollbem::RollingSystem<double> system_of(const Scene& scene) {
+std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene) {
     using System = rollbem::RollingSystem<double>;
-    return scene.visit([](const auto& mesh, const auto& scheme,
-                          const auto& kernel) -> System { return rollbem::rolling_system(mesh, scheme, kernel); },
-                       [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
+    try {
+        return scene.visit(
+            [](const auto& mesh, const auto& scheme, const auto& kernel) -> System {
+                return rollbem::rolling_system(mesh, scheme, kernel);
+            },
+            [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
+    } catch (const std::invalid_argument&) {  // all else has been checked with the options
+        return std::nullopt;
+    }
+}
+
+rollbem::RollingSystem<double> system_of(const Scene& scene) {
+    if (std::optional<rollbem::RollingSystem<double>> system = system_if_finite(scene)) return *std::move(system);
+    throw BadInput("--aspect = " + aspect_cell(scene.contact).text() + " must be such that G and G' are finite");
 }
 
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/integrator.hpp>
@@ -12,6 +15,7 @@
 #include <rollbem/status.hpp>
 
 #include "options.hpp"
+#include "plot.hpp"
 #include "scenes.hpp"
 
 namespace study {
@@ -33,9 +37,16 @@ struct Sine {
 /// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
 inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
-/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP obeys the rule, whose text follows
-/// "must be AMP,OMEGA with AMP".
-Sine read_sine(const Options& options, const Rule& amplitude);
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
+
+/// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
+/// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,
+/// contact) are the points (x, |strip/plane - 1|). Left out where the curves lie far above.
+void add_model_differences(
+    Plot& plot, const std::vector<Scene>& scenes,
+    const std::function<std::vector<std::pair<double, double>>(
+        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference);
 
 /// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
 /// --help. Throws BadInput.
@@ -52,7 +63,11 @@ std::string word(rollbem::Integrator integrator);
 /// --integrator, one of those `allowed`. Throws BadInput.
 rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
 
-/// Of elements or Chebyshev states.
+/// Of elements or Chebyshev states; nothing if a matrix has entries that are not finite, as for b/a near the limits of
+/// double.
+std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene);
+
+/// The same, but throws BadInput, naming --aspect, if there is none.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
 /// Further words of columns called status.

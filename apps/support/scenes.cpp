@@ -135,7 +135,8 @@ std::vector<Scene> make_chebyshev_scenes(const Options& options,
 }  // namespace
 
 const std::vector<std::string>& setting_columns() {
-    static const std::vector<std::string> columns{"kernel", "aspect", "poisson", "size_ratio", "epsilon", "quadrature"};
+    static const std::vector<std::string> columns{"kernel",  "aspect",     "poisson", "size_ratio",
+                                                  "epsilon", "quadrature", "nodes"};
     return columns;
 }
 
@@ -151,7 +152,8 @@ Row setting_cells(const Scene& scene) {
             scene.contact.poisson_ratio(),
             scene.size_ratio,
             scene.epsilon,
-            scene.quadrature};
+            scene.quadrature,
+            scene.nodes};
 }
 
 Row all_setting_cells(const Scene& scene) {
@@ -196,14 +198,15 @@ void offer_chebyshev(Options& options, const std::string& further) {
     options.set_help(
         "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 (dimensionless)");
     options.set_help("method",
-                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), or chebyshev: "
-                     "n states in place of elements, to which no other option of this group applies" +
+                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), nodes "
+                     "(differences between the --nodes of neighbouring elements), or chebyshev: n states in place of "
+                     "elements, to which no other option of this group applies" +
                          further);
 }
 
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
     using rollbem::Derivative;
-    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc"};
+    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
     if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
     if (methods == Methods::elements && options.text("method") == "chebyshev") {
         throw BadInput(options.said("method") + " must be one of " + join(names, ", ") +
@@ -211,18 +214,25 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     }
     const std::string method = options.choice("method", names);
     if (method == "chebyshev") return make_chebyshev_scenes(options, make_contacts(options, problem));
-    const bool has_alphas = method != "knothe-bc";
+    const bool by_nodes = method == "nodes", has_alphas = !by_nodes && method != "knothe-bc";
     if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
     if (!has_alphas) {
         for (const char* name : {"alpha-L", "alpha-T", "alpha", "lambda"}) {
-            options.ignored(name, "with --method knothe-bc, which takes the centres of the elements");
+            options.ignored(name, by_nodes ? "with --method nodes, which takes differences between --nodes"
+                                           : "with --method knothe-bc, which takes the centres of the elements");
         }
+    }
+    if (by_nodes) {
+        options.ignored("derivative", "with --method nodes, which takes differences");
+    } else {
+        options.ignored("nodes", "with --method " + method + "; it is for nodes");
     }
     const int quadrature =
         options.text("quadrature") == "exact" ? rollbem::exact_quadrature : int(options.integer("quadrature", 1, 1000));
     const std::string usual = method == "galerkin" && quadrature == rollbem::exact_quadrature ? "analytic" : "fd";
-    const std::string derivative_name =
-        options.given("derivative") ? options.choice("derivative", {"fd", "analytic"}) : usual;
+    const std::string derivative_name = by_nodes                      ? ""
+                                        : options.given("derivative") ? options.choice("derivative", {"fd", "analytic"})
+                                                                      : usual;
     const Derivative derivative = derivative_name == "fd" ? Derivative::finite_difference : Derivative::analytic;
 
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
@@ -230,6 +240,10 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
     const auto [mesh_name, meshes] = make_meshes(options);
+    const std::string nodes = by_nodes ? options.choice("nodes", {"centres", "chebyshev"}) : "";
+    if (nodes == "chebyshev" && mesh_name != "cosine") {
+        throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
+    }
 
     std::vector<Scene> scenes;
     for (const std::vector<GradedMesh>& graded : meshes) {
@@ -245,12 +259,17 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
                             .kernel = make_kernel(options, contacts.front())};
                 const std::string n = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
                                       std::to_string(mesh->size()) + " must be at least 2 ";
-                if (!has_alphas && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
+                if (method == "knothe-bc" && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
                 if (has_alphas) {
                     if (mesh->size() < 2 && alpha_L != alpha_T) throw BadInput(n + "where alpha-L and alpha-T differ");
                     scene.alpha_L = alpha_L;
                     scene.alpha_T = alpha_T;
                     scene.lambda = lambda;
+                }
+                if (by_nodes) {
+                    scene.scheme = rollbem::NodeDifference{nodes == "centres" ? rollbem::Nodes::centres
+                                                                              : rollbem::Nodes::chebyshev};
+                    scene.nodes = nodes;
                 }
                 if (method == "collocation") scene.scheme = rollbem::Collocation{alpha_L, alpha_T, derivative, lambda};
                 if (method == "galerkin") {

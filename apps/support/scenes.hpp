@@ -28,14 +28,15 @@ enum class Methods { elements, elements_and_states };
 
 /// One case to compute, and its names in the columns.
 struct Scene {
-    std::string method, derivative{}, mesh_name{};         ///< the latter two empty for Chebyshev states
+    std::string method, derivative{}, mesh_name{};         ///< the latter two empty where the method has none
     std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
     std::optional<double> size_ratio{}, epsilon{};         ///< [-]; empty where the mesh has none
     std::string quadrature{};                              ///< a number of points or exact; empty except for galerkin
+    std::string nodes{};                                   ///< empty except for nodes
     rollbem::Contact<double> contact;                      ///< a = G = 1
     std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
-    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary> scheme{};
+    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference> scheme{};
     std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>> kernel;
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh->size(); }
@@ -62,7 +63,7 @@ struct Scene {
 };
 
 /// Columns that tell scenes apart after those of method, n, alphas and lambda: kernel, aspect, poisson, size_ratio,
-/// epsilon, quadrature. And the same after method, derivative and mesh.
+/// epsilon, quadrature, nodes. And the same after method, derivative and mesh.
 const std::vector<std::string>& setting_columns();
 const std::vector<std::string>& all_setting_columns();
 

@@ -32,6 +32,7 @@
 #include "elasticity/line_kernel.hpp"
 #include "elasticity/rectangle_kernel.hpp"
 #include "friction/friction.hpp"
+#include "normal/hertz_ellipse.hpp"
 #include "scene/contact.hpp"
 #include "scene/creepage.hpp"
 #include "scene/outline.hpp"

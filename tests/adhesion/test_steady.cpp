@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/LU>
+
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
@@ -195,8 +197,9 @@ TEST_CASE("Node differences are of second order on the cosine mesh, in force and
             const NodeDifference scheme{expected.nodes};
             const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
             const Eigen::PartialPivLU<MatrixX<double>> G_prime(system.G_prime());
-            const ArrayX<double> p = G_prime.solve(VectorX<double>::Ones(n)), w = mesh.widths();
-            const ArrayX<double> by_spin = G_prime.solve(system.points()->matrix());
+            const VectorX<double> ones = VectorX<double>::Ones(n), x = system.points()->matrix();
+            const VectorX<double> unit = G_prime.solve(ones), spun = G_prime.solve(x);
+            const ArrayX<double> p = unit.array(), by_spin = spun.array(), w = mesh.widths();
             CHECK((w * p).sum() == Approx(-solve_steady(mesh, scheme, kernel).c11).epsilon(1e-12));
             c11.push_back(-(w * p).sum() / steady_c11(0.28) - 1);
             spin_force.push_back(-(w * by_spin).sum() * 4 * c1 / std::numbers::pi - 1);
