@@ -333,14 +333,14 @@ TEST_CASE("Slip along one line is not turned", "[friction]") {
 
 TEST_CASE("A Newton step satisfies its equations, however many elements slip", "[friction]") {
     std::mt19937 generator(6);
-    const auto draw = [&](unsigned count) { return generator() % count; };
+    const auto draw = [&](unsigned count) { return static_cast<int>(generator() % count); };
     for (int trial = 0; trial < 800; ++trial) {
         const Eigen::Index n = 1 + trial % 15;
         const bool coupled = trial % 2 == 1;
         const Kind kind = trial % 8 < 6 ? Kind::definite : Kind::any;
         Problem problem = random_problem(generator, n, kind, coupled);
         // an element that sticks alone has no solution of its own, all together have
-        if (trial % 10 == 0) problem.x(n - 1, n - 1) = 0;
+        if (trial % 10 == 0 && n > 3) problem.x(n - 1, n - 1) = 0;
         detail::CombinedEquations<double> equations(n, coupled);
         equations.new_matrix(0, 0) = problem.x;
         equations.new_matrix(1, 1) = problem.y;
@@ -351,9 +351,9 @@ TEST_CASE("A Newton step satisfies its equations, however many elements slip", "
         detail::CombinedPartition<double> part(n);
         detail::SlipTurn<double> turn(n);
         ElementVectors<double> slip = random_problem(generator, n, kind).constant;
-        const unsigned stick = draw(5), slide = 5 - stick;  // shares
+        const int stick = draw(5), slide = 5 - stick;  // shares
         for (Eigen::Index i = 0; i < n; ++i) {
-            const unsigned zone = draw(6);
+            const int zone = draw(6);
             const double angle = draw(1000), stiffness = draw(7) == 0 ? 1e300 : draw(100) / 30.0;
             if (zone < stick)
                 part.let_stick(i);
