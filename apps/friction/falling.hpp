@@ -19,7 +19,7 @@ struct FallingLaw {
     rollbem::SlipMemory<double> memory;
 };
 
-/// --falling and --memory; nothing without. Throws BadInput, also for what does not go with them.
+/// --falling and --memory; std::nullopt without --falling. Throws BadInput, also for what does not go with them.
 std::optional<FallingLaw> read_falling(const study::Options& options);
 
 /// A steady model of falling friction with the signatures of the one for constant friction, V = 1.
@@ -60,6 +60,7 @@ public:
 
     State at_rest() const { return model_.at_rest(); }
     Workspace workspace() const { return model_.workspace(); }
+    double elastic_energy_per_width(const State& state) const { return model_.elastic_energy_per_width(state); }
     Step steady(const State& from, const Creepage& creepage, State& to, Workspace& workspace) const {
         return model_.steady(from, creepage, 1, to, workspace);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,8 @@ struct Sine {
 /// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
 inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
-/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP obeys the rule, whose text follows
-/// "must be AMP,OMEGA with AMP".
-Sine read_sine(const Options& options, const Rule& amplitude);
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
 
 /// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
 /// --help. Throws BadInput.
@@ -52,20 +52,19 @@ std::string word(rollbem::Integrator integrator);
 /// --integrator, one of those `allowed`. Throws BadInput.
 rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
 
-/// Of elements or Chebyshev states.
+/// Of elements or Chebyshev states; nothing if a matrix has entries that are not finite, as for b/a near the limits of
+/// double.
+std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene);
+
+/// The same, but throws BadInput, naming --aspect, if there is none.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
-/// What columns called status say in addition to the library's names.
-inline constexpr const char* ok = "ok";
-inline constexpr const char* coarse = "coarse";          ///< few elements, and an error of c11 above 50 %
-inline constexpr const char* unresolved = "unresolved";  ///< a sine with fewer than six steps in a period
-inline constexpr const char* unchecked = "unchecked";    ///< ok, except for the checks that --unchecked leaves out
+/// Further words of columns called status.
+inline constexpr const char* unresolved = "unresolved";        ///< a sine with fewer than six steps in a period
+inline constexpr const char* after_failure = "after_failure";  ///< of a run in time: a step before has failed
+inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
-/// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
-/// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
-std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
-
-/// The same for a scene's `system`.
+/// steady_status of a scene's `system`.
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
 /// `status` or, if that is ok, the flaw that the scene's `system` shows in steady rolling: inconsistent, coarse, or

@@ -2,9 +2,11 @@
 // kernel. n is the outermost loop, then lambda, alpha_L, alpha_T, the mesh's grading, the aspect and Poisson's ratio.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,9 +15,11 @@
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/status.hpp>
 
 #include "csv.hpp"
 #include "options.hpp"
+#include "plot.hpp"
 
 namespace study {
 
@@ -27,14 +31,15 @@ enum class Methods { elements, elements_and_states };
 
 /// One case to compute, and its names in the columns.
 struct Scene {
-    std::string method, derivative{}, mesh_name{};         ///< the latter two empty for Chebyshev states
+    std::string method, derivative{}, mesh_name{};         ///< the latter two empty where the method has none
     std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
     std::optional<double> size_ratio{}, epsilon{};         ///< [-]; empty where the mesh has none
     std::string quadrature{};                              ///< a number of points or exact; empty except for galerkin
+    std::string nodes{};                                   ///< empty except for nodes
     rollbem::Contact<double> contact;                      ///< a = G = 1
     std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
-    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary> scheme{};
+    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference> scheme{};
     std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>> kernel;
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh->size(); }
@@ -61,7 +66,7 @@ struct Scene {
 };
 
 /// Columns that tell scenes apart after those of method, n, alphas and lambda: kernel, aspect, poisson, size_ratio,
-/// epsilon, quadrature. And the same after method, derivative and mesh.
+/// epsilon, quadrature, nodes. And the same after method, derivative and mesh.
 const std::vector<std::string>& setting_columns();
 const std::vector<std::string>& all_setting_columns();
 
@@ -93,5 +98,21 @@ void offer_chebyshev(Options& options, const std::string& further = "");
 
 /// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods = Methods::elements);
+
+/// What columns called status say in addition to the library's names.
+inline constexpr const char* ok = "ok";
+inline constexpr const char* coarse = "coarse";  ///< few elements, and an error of c11 above 50 %
+
+/// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
+/// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
+std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
+
+/// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
+/// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,
+/// contact) are the points (x, |strip/plane - 1|). Left out where the curves lie far above.
+void add_model_differences(
+    Plot& plot, const std::vector<Scene>& scenes,
+    const std::function<std::vector<std::pair<double, double>>(
+        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference);
 
 }  // namespace study

@@ -1,5 +1,6 @@
 // rollbem/adhesion/frequency.hpp
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -13,6 +14,8 @@
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/observed_order.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -26,10 +29,10 @@ PlaneKernel<double> plane(double aspect) {
 }
 
 /// c11(z) of the plane model in closed form.
-Complex exact_c11(double z, double aspect) {
+Complex exact_c11(double z, double aspect, double poisson_ratio = nu) {
     const Complex wave(gsl_sf_bessel_J0(z), gsl_sf_bessel_J1(z));
     const Complex i(0, 1);
-    return steady_c11(nu) * wave / (gsl_sf_bessel_J0(z) + i * z * plane_lambda(nu, aspect) * wave);
+    return steady_c11(poisson_ratio) * wave / (gsl_sf_bessel_J0(z) + i * z * plane_lambda(poisson_ratio, aspect) * wave);
 }
 
 std::vector<double> logarithmic(double first, double last, int count) {
@@ -77,6 +80,26 @@ TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]"
     CAPTURE(order);
     CHECK(order > 1.85);
     CHECK(order < 2.15);
+}
+
+TEST_CASE("Node differences are of second order in frequency", "[frequency]") {
+    const double nu_ = 0.28, z = 1;
+    const std::vector<double> sizes{10, 20, 40, 80};
+    for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+        const std::array<double, 4> known = nodes == Nodes::centres ? std::array{1.0e-3, 2.3e-4, 5.1e-5, 1.2e-5}
+                                                                    : std::array{1.0e-3, 2.6e-4, 6.4e-5, 1.6e-5};
+        std::vector<double> errors;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const PlaneKernel<double> kernel(100, 1 - nu_, nu_);
+            const Complex c11 =
+                solve_harmonic(cosine_mesh(static_cast<Eigen::Index>(sizes[k])), NodeDifference{nodes}, kernel, z).c11;
+            errors.push_back(std::abs(c11 / exact_c11(z, 100, nu_) - 1.0));
+            CAPTURE(nodes == Nodes::centres, errors.back());
+            CHECK(std::abs(errors[k] / known[k] - 1) < 0.06);
+        }
+        CAPTURE(nodes == Nodes::centres, support::observed_order(sizes, errors));
+        CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.15);
+    }
 }
 
 TEST_CASE("A sweep reports a scheme that does not converge to full adhesion", "[frequency]") {
@@ -247,6 +270,32 @@ TEST_CASE("Two equal equations are detected at any frequency", "[frequency]") {
     CHECK(solve_harmonic(system, 0).status == Status::ill_conditioned);
     CHECK(solve_harmonic(system, 0).rcond == 0);
     CHECK(solve_steady<double>(system.G_prime(), three).status == Status::ill_conditioned);
+}
+
+// c11 by the sweep, compared with the direct solution to the round-off of the type.
+template <class Scalar>
+std::complex<long double> c11_of_sweep(long double z) {
+    const Mesh<Scalar> mesh = cosine_mesh<Scalar>(40);
+    const RollingSystem<Scalar> system = rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
+                                                        PlaneKernel<Scalar>(1000, Scalar(0.75), Scalar(0.25)));
+    const FrequencySweep<Scalar> sweep(system);
+    const SweepPoint<Scalar> point = sweep(static_cast<Scalar>(z));
+    const HarmonicSolution<Scalar> plain = solve_harmonic(system, static_cast<Scalar>(z));
+    CHECK(sweep.reduced());
+    CHECK(point.status == Status::ok);
+    CHECK(plain.status == Status::ok);
+    CHECK(std::abs(point.c11 / plain.c11 - Scalar(1)) < 100 * std::numeric_limits<Scalar>::epsilon());
+    return {point.c11.real(), point.c11.imag()};
+}
+
+TEST_CASE("Sweeps agree with the direct solution to round-off in long double, too", "[frequency]") {
+    for (const long double z : {0.125L, 1.0L, 5.0L}) {
+        const auto difference =
+            static_cast<double>(std::abs(c11_of_sweep<double>(z) / c11_of_sweep<long double>(z) - 1.0L));
+        CAPTURE(z, difference);
+        CHECK(difference < 100 * std::numeric_limits<double>::epsilon());
+        CHECK(difference > 0);  // two types, not one
+    }
 }
 
 }  // namespace

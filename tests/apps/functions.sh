@@ -41,6 +41,10 @@ bad_pairs() {
     done
     printf '%s\n0.5,1\n0,1\n' "$columns" >"$scratch/pairs"
     bad 'line 3 = 0,1 must not lie before' "$@" "$scratch/pairs"
+    printf '%s\n0,1\n0.5,1\n0.5,2\n0.5,1\n' "$columns" >"$scratch/pairs"
+    bad "line 5 = 0.5,1 must not be the third row at one ${columns%,*}" "$@" "$scratch/pairs"
+    printf '%s,%s\n0,1,2\n' "$columns" "${columns#*,}" >"$scratch/pairs"
+    bad "line 1 = $columns,${columns#*,} must have one column ${columns#*,} only" "$@" "$scratch/pairs"
     printf '%s\n' "$columns" >"$scratch/pairs"
     bad 'must have at least one row below its header' "$@" "$scratch/pairs"
 }
@@ -54,6 +58,18 @@ good() {
     [ $code -eq 0 ] || fail "exit $code instead of 0: $*: $(cat err)"
     [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
     [ ! -s err ] || fail "something on stderr: $*"
+}
+
+# ends_early LINES TEXT PROGRAM ARG...: exit 1, this number of lines in the file out, one line with TEXT on stderr.
+ends_early() {
+    lines=$1
+    text=$2
+    shift 2
+    "$@" >out 2>err </dev/null
+    code=$?
+    [ $code -eq 1 ] || fail "exit $code instead of 1: $*: $(cat err)"
+    [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
+    [ "$(wc -l <err)" -eq 1 ] && grep -qF -e "$text" err || fail "no single line with '$text' in '$(cat err)': $*"
 }
 
 # check WHAT CONDITION: an awk expression that must hold in every row of the file out.

@@ -43,6 +43,13 @@ TEST_CASE("Hertz's line contact has the exact half-length, pressures and elastic
     CHECK(contact.shear_modulus() == Approx(2.1e11 / 2.56).epsilon(1e-14));
     CHECK(contact.poisson_ratio() == Approx(0.28).epsilon(1e-14));
     CHECK(contact.half_length() == hertz.half_length());
+    // a = 1 whatever the peak pressure, of equal bodies
+    for (const double peak : {0.1, 1.0, 30.0}) {
+        const auto unit = HertzLine<double>::dimensionless(peak);
+        CHECK(unit.half_length() == Approx(1).epsilon(1e-15));
+        CHECK(unit.peak_pressure() == Approx(peak).epsilon(1e-15));
+    }
+    CHECK_THROWS_AS(HertzLine<double>::dimensionless(0), std::invalid_argument);
     // a soft body on a hard one: half the compliance of the soft one, and its Poisson's ratio
     const HertzLine<double> soft({.load_per_width = 1e3,
                                   .combined_radius = 0.1,

@@ -62,6 +62,8 @@ struct CombinedFrictionStep {
     /// Work that slip turns into heat, never negative: of a step or a shift per unit width [J/m]; of a steady solution
     /// per unit width and unit distance rolled [J/m^2]. Computed as in FrictionStep, over both directions.
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
+    /// As in FrictionStep, over both directions.
+    Scalar jump_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or below it
     /// where an element slips. Of the slip, relative to the largest slip without traction: slip of an element that
     /// sticks, or across the traction, or along it.

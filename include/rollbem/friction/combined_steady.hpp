@@ -57,7 +57,7 @@ public:
                               {assemble_G_prime(mesh, scheme, longitudinal), assemble_G_prime(mesh, scheme, lateral)},
                               unknown_widths(mesh, scheme), detail::equation_points(mesh, scheme),
                               detail::checked_friction("SteadyCombinedModel", friction, mesh.size(),
-                                                       unknown_count(scheme, mesh.size()))) {
+                                                       unknown_count(scheme, mesh))) {
         detail::require_same_aspect("SteadyCombinedModel", contact, detail::aspect_of<Scalar>(longitudinal));
         detail::require_same_aspect("SteadyCombinedModel", contact, detail::aspect_of<Scalar>(lateral));
     }

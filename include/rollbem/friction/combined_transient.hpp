@@ -180,6 +180,9 @@ private:
             stages.enter({part, part}, stage);
             memory.pressure = from.normal_pressure + part * (load.pressure.head(size()) - from.normal_pressure);
             core_.solve(stages, between(motion, gamma, travel), from.zones, ratio, memory, course);
+            for (std::size_t d = 0; d < 2 && !AnyStages::bounds_are_given; ++d) {
+                memory.jump_work[d].keep_first(memory.start.col(static_cast<Eigen::Index>(d)));
+            }
             if (course.tangent_exists) carry(stages, motion.is_linear() ? gamma * travel : travel, asked, memory);
             remember(memory.stage.half_length, ratio, memory);
         }
@@ -190,6 +193,7 @@ private:
         core_.solve(stages, between(motion, 1, travel), two_stages ? memory.solver.zones() : from.zones, 1, memory,
                     course);
         core_.finish(from, course, load, unit, to, memory, step);
+        core_.template add_jump_work<AnyStages>(from, systems_, two_stages, dq > 0, load, memory, step);
         if (step.status == StepStatus::not_finite || !course.tangent_exists) return;
         core_.add_tangent(stages, travel, two_stages, load.half_length, memory, step);
         if (asked.by_load) core_.add_load_tangent(stages, two_stages, load.half_length, memory, step);

@@ -51,6 +51,15 @@ struct FrictionStep {
     /// second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage
     /// ratio of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order.
     Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
+    /// Elastic energy that jumps of the tractions release in a step [J/m], as friction that falls with slip lets them:
+    ///
+    ///     work of the rigid bodies = slip work + jump work + change of elastic energy
+    ///
+    /// It turns into heat during a slip that is too short for the step to resolve (see detail::JumpWork for the
+    /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
+    /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
+    /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.
+    Scalar jump_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
     /// Largest violation of |p| <= mu p_n (relative to the largest mu p_n) and of the conditions on the slip (relative
     /// to the largest slip that would occur without traction). It is 0 in a step whose slip is not checked (see
     /// FrictionState::unchanged_steps): tractions and slip satisfy the law exactly there, and the equations up to a

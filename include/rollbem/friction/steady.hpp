@@ -57,7 +57,7 @@ public:
         : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
                               detail::equation_points(mesh, scheme),
                               detail::checked_friction("SteadyFrictionModel", friction, mesh.size(),
-                                                       unknown_count(scheme, mesh.size()))) {
+                                                       unknown_count(scheme, mesh))) {
         detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
     }
 

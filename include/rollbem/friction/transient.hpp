@@ -187,7 +187,8 @@ private:
         stages.enter(last, stage);
         if (loaded || !two_stages) core_.press(load.pressure, workspace);
         core_.impose(travel * motion.end(), system_, workspace);
-        const Step step = core_.solve_last(stages, from, before, gain, load, unit, to, workspace);
+        Step step = core_.solve_last(stages, from, before, gain, load, unit, to, workspace);
+        core_.template add_jump_work<Stages>(from, system_, two_stages, dq > 0, load, workspace, step);
         if constexpr (loaded) {
             return core_.with_tangents(stages, step, system_, last, load, workspace);
         } else {

@@ -10,6 +10,7 @@
 
 #include "../types.hpp"
 #include "detail/active_set.hpp"
+#include "detail/jump_work.hpp"
 #include "detail/load_tangents.hpp"
 #include "detail/rolling_stage.hpp"
 #include "detail/stage_memory.hpp"
@@ -36,6 +37,7 @@ public:
           work_(VectorX<Scalar>::Zero(n)),
           bound_(VectorX<Scalar>::Zero(n)),
           memory_(n),
+          jump_work_(n),
           load_tangents_(n),
           carried_(VectorX<Scalar>::Zero(n)),
           response_(VectorX<Scalar>::Zero(n)),
@@ -60,6 +62,7 @@ private:
     VectorX<Scalar> slip_, work_;
     VectorX<Scalar> bound_;  // mu p_n / G of the present stage
     detail::StageMemory<Scalar> memory_;
+    detail::JumpWork<Scalar> jump_work_;
     detail::LoadTangents<Scalar> load_tangents_;
     VectorX<Scalar> carried_;  // dc of the last stage by dc of the first
     VectorX<Scalar> response_, slip_change_;

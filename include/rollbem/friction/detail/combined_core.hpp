@@ -41,6 +41,7 @@ struct CombinedStart {
 template <class Scalar>
 struct ConstantCombinedStages {
     using Solver = CombinedSolver<Scalar>;
+    static constexpr bool bounds_are_given = true;
 
     void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
     typename Solver::Outcome solve(Solver& solver, const VectorX<Scalar>& bound,
@@ -213,10 +214,32 @@ public:
         step.force_per_width = force;
         step.force = times(width_, force);
         step.slip_work_per_width = work;
+        step.jump_work_per_width = 0;
         step.complementarity_residual = course.residual;
         step.rounds = course.rounds;
         step.stick_count = memory.solver.stick_count();
         step.status = course.solved ? StepStatus::ok : StepStatus::no_solution;
+    }
+
+    /// After finish().
+    template <class Stages>
+    void add_jump_work(const State& from, const SystemPair<Scalar>& systems, bool two_stages, bool rolls,
+                       const Load& load, Memory& memory, Step& step) const noexcept {
+        if (step.status == StepStatus::not_finite) return;
+        const Scalar a = load.half_length / half_length_;
+        for (std::size_t d = 0; d < 2; ++d) {
+            const auto column = static_cast<Eigen::Index>(d);
+            const auto start = 1 / shear_modulus_ * from.traction.col(column);
+            const auto end = memory.start.col(column);
+            if (!rolls) {
+                const auto slip = 1 / half_length_ * memory.slip.col(column);
+                step.jump_work_per_width += memory.jump_work[d].shifted(slip_work_, a, start, end, slip);
+            } else if constexpr (!Stages::bounds_are_given) {
+                step.jump_work_per_width +=
+                    memory.jump_work[d].rolled(systems[d], slip_work_, a, two_stages, start, end);
+            }
+        }
+        step.jump_work_per_width *= shear_modulus_ * half_length_ * half_length_;
     }
 
     /// Steady rolling, s/V = creepage - G' p, sought from `from` under a load that has been checked.

@@ -12,6 +12,7 @@
 #include "../../types.hpp"
 #include "../combined_state.hpp"
 #include "combined_solver.hpp"
+#include "jump_work.hpp"
 #include "rolling_stage.hpp"
 
 namespace rollbem::detail {
@@ -36,7 +37,8 @@ struct CombinedMemory {
           displacement(Vectors::Zero(n, 2)),
           right(Vectors::Zero(n, 2)),
           response(Vectors::Zero(n, 2)),
-          carried{right, right, right, right} {}
+          carried{right, right, right, right},
+          jump_work{JumpWork<Scalar>(n), JumpWork<Scalar>(n)} {}
 
     CombinedSolver<Scalar> solver;
     std::uint64_t system = 0;  // the solver's matrices are those of this model and stage
@@ -50,6 +52,7 @@ struct CombinedMemory {
     Vectors displacement;  // that it starts from
     Vectors right, response;
     std::array<Vectors, 4> carried;  // what the first stage adds to the constants of the second, by each parameter
+    std::array<JumpWork<Scalar>, 2> jump_work;
 };
 
 }  // namespace rollbem::detail

@@ -166,6 +166,7 @@ public:
         workspace.work_.setZero();
         slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, workspace.stage_.half_length);
         if constexpr (!Stages::bounds_are_given) {
+            workspace.jump_work_.keep_first(solver.traction());
             if (outcome.tangent_exists) {
                 stages.respond(solver, ones_, 0, workspace.response_);
                 stages.carry_response();
@@ -232,6 +233,7 @@ public:
         step.force_per_width = force_per_width;
         step.force = width_ * step.force_per_width;
         step.slip_work_per_width = work_per_width;
+        step.jump_work_per_width = 0;
         if (before.tangent_exists && outcome.tangent_exists) {
             step.tangent_per_width = load.half_length * shear_modulus_ * tangent(stages, gain, workspace);
             step.tangent = width_ * step.tangent_per_width;
@@ -241,6 +243,23 @@ public:
         step.pivots = before.pivots + outcome.pivots;
         step.status = before.solved ? outcome.status : StepStatus::no_solution;
         return step;
+    }
+
+    /// After the last stage of a step from `from`, whose slip is known in the workspace.
+    template <class Stages>
+    void add_jump_work(const State& from, const RollingSystem<Scalar>& system, bool two_stages, bool rolls,
+                       const Load& load, Workspace& workspace, Step& step) const noexcept {
+        if (step.status == StepStatus::not_finite) return;
+        const auto start = 1 / shear_modulus_ * from.traction;
+        const VectorX<Scalar>& end = workspace.solver_.traction();
+        const Scalar a = load.half_length / half_length_;
+        if (!rolls) {
+            const auto slip = 1 / half_length_ * workspace.slip_;
+            step.jump_work_per_width = workspace.jump_work_.shifted(slip_work_, a, start, end, slip);
+        } else if constexpr (!Stages::bounds_are_given) {
+            step.jump_work_per_width = workspace.jump_work_.rolled(system, slip_work_, a, two_stages, start, end);
+        }
+        step.jump_work_per_width *= shear_modulus_ * half_length_ * half_length_;
     }
 
     /// Chooses the tangents of the step that follows: by the half-length or not, by the load if there are rates.
