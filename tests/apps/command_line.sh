@@ -112,7 +112,7 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
 
 # everything that is varied has a column, and every empty cell a reason
 good 9 "$steady" --n 12 --mesh knothe --epsilon 0.3,0.4 --aspect 10,inf --poisson 0.1,0.2 --alpha 0.5
-[ "$(head -n 1 out | cut -d, -f15-)" = status,kernel,aspect,poisson,size_ratio,epsilon,quadrature ] || fail "settings"
+[ "$(head -n 1 out | cut -d, -f15-)" = status,kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes ] || fail "settings"
 check 'settings of a steady row' '$15 == "ok" && $16 == ($17 == "inf" ? "plane" : "strip") && $19 == "" && $21 == ""'
 [ "$(tail -n +2 out | cut -d, -f17,18,20 | tr '\n' ' ')" = "10,0.1,0.3 10,0.2,0.3 inf,0.1,0.3 inf,0.2,0.3 \
 10,0.1,0.4 10,0.2,0.4 inf,0.1,0.4 inf,0.2,0.4 " ] || fail "order of settings"
