@@ -1,4 +1,4 @@
-// RollingSystem: G' p - (1/V) G dp/dt = xi, Eq. (12), and the weights that turn its unknowns into the force. All
+// RollingSystem: G' p - (1/V) G dp/dt = inputs . v, Eq. (12), and the outputs that turn its unknowns into forces. All
 // problems that are not steady start from it, and know nothing of meshes, schemes and kernels.
 #pragma once
 
@@ -22,35 +22,49 @@
 #include "../elasticity/plane_model.hpp"
 #include "../scene/contact.hpp"
 #include "../types.hpp"
+#include "elements.hpp"
 #include "influence.hpp"
 
 namespace rollbem {
 
-/// G' p - G dp/dq = xi with the same xi in every equation, q = V t/a; F_bar/(a G) = weights . p. Dimensionless: G in
-/// units of a/G, G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
+/// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the same
+/// in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of a/G,
+/// G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
 ///
-/// Invariant: n >= 1; G and G' are n x n, there are n weights, and all numbers are finite.
+/// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite.
 template <class Scalar_>
 class RollingSystem {
 public:
     using Scalar = Scalar_;
 
-    /// From ready matrices. Throws std::invalid_argument if they break the invariant.
-    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> weights)
-        : G_(std::move(G)), G_prime_(std::move(G_prime)), weights_(std::move(weights)) {
-        const Eigen::Index n = weights_.size();
+    /// From ready matrices, for one creepage. Throws std::invalid_argument if they break the invariant.
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& weights)
+        : RollingSystem(std::move(G), std::move(G_prime), MatrixX<Scalar>::Ones(weights.size(), 1), weights.matrix()) {}
+
+    /// The same for k creepages, a column each in `inputs`, and their forces, a column each in `outputs`.
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs, MatrixX<Scalar> outputs)
+        : G_(std::move(G)), G_prime_(std::move(G_prime)), inputs_(std::move(inputs)), outputs_(std::move(outputs)) {
+        const Eigen::Index n = outputs_.rows();
         detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
-        require_entries("G", G_, n);
-        require_entries("G_prime", G_prime_, n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require(detail::is_finite(weights_[i]), "RollingSystem", "weight", weights_[i], "be finite");
-        }
+        detail::require(outputs_.cols() >= 1, "RollingSystem", "number of outputs", outputs_.cols(), "be at least 1");
+        detail::require(inputs_.cols() == outputs_.cols(), "RollingSystem", "number of inputs", inputs_.cols(),
+                        "equal the number of outputs");
+        detail::require_square("RollingSystem", "G", G_, n, "weights");
+        detail::require_square("RollingSystem", "G_prime", G_prime_, n, "weights");
+        detail::require(inputs_.rows() == n, "RollingSystem", "number of rows of inputs", inputs_.rows(),
+                        "equal the number of weights");
+        detail::require_finite("RollingSystem", "inputs", inputs_);
+        detail::require_finite("RollingSystem", outputs_.cols() == 1 ? "weights" : "outputs", outputs_);
     }
 
-    Eigen::Index size() const { return weights_.size(); }        ///< n, number of unknowns
+    Eigen::Index size() const { return outputs_.rows(); }        ///< n, number of unknowns
+    Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
     const MatrixX<Scalar>& G() const { return G_; }              ///< [a/G]
     const MatrixX<Scalar>& G_prime() const { return G_prime_; }  ///< [1/G]
-    const ArrayX<Scalar>& weights() const { return weights_; }   ///< widths in units of a where p are tractions
+    const MatrixX<Scalar>& inputs() const { return inputs_; }    ///< rigid slip in each equation per creepage
+    const MatrixX<Scalar>& outputs() const { return outputs_; }  ///< forces per unknown
+    /// The first output: widths in units of a where p are tractions of a line contact.
+    Eigen::Map<const ArrayX<Scalar>> weights() const { return {outputs_.data(), outputs_.rows()}; }
 
     /// Whether p are the tractions of elements: only then can their signs reveal that a scheme does not converge.
     bool unknowns_are_tractions() const { return unknowns_are_tractions_; }
@@ -58,19 +72,20 @@ public:
     /// b/a of the kernel that was used; empty for ready matrices, and for kernels without a half-width.
     std::optional<Scalar> aspect() const { return aspect_; }
 
-    /// x/a of the point of each equation, for a scheme with points x_l + alpha_l dx_l; empty for ready matrices.
+    /// x/a of the point of each equation; empty for ready matrices.
     const std::optional<ArrayX<Scalar>>& points() const { return points_; }
 
-    /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation holds at its point: then G and
+    /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G and
     /// G' of any half-length follow from these matrices, and the contact may breathe. Empty otherwise.
     std::optional<Scalar> log_strength() const { return log_strength_; }
 
-    /// Equal for equal matrices and weights, in any process; different, with near certainty, for others.
+    /// Equal for equal matrices, inputs and outputs, in any process; different, with near certainty, for others.
     std::uint64_t fingerprint() const {
         detail::Fingerprint fingerprint;
         fingerprint.add(G_);
         fingerprint.add(G_prime_);
-        fingerprint.add(weights_);
+        fingerprint.add(inputs_);
+        fingerprint.add(outputs_);
         return fingerprint.value();
     }
 
@@ -80,35 +95,28 @@ protected:
     std::optional<ArrayX<Scalar>> points_;
 
 private:
-    static void require_entries(const char* name, const MatrixX<Scalar>& matrix, Eigen::Index n) {
-        const std::string of = std::string(" of ") + name;
-        detail::require(matrix.rows() == n, "RollingSystem", ("number of rows" + of).c_str(), matrix.rows(),
-                        "equal the number of weights");
-        detail::require(matrix.cols() == n, "RollingSystem", ("number of columns" + of).c_str(), matrix.cols(),
-                        "equal the number of weights");
-        detail::require_finite("RollingSystem", name, matrix);
-    }
-
-    MatrixX<Scalar> G_, G_prime_;
-    ArrayX<Scalar> weights_;
+    MatrixX<Scalar> G_, G_prime_, inputs_, outputs_;
 };
 
-/// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them.
+/// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them, along
+/// one direction (this template) or two (its specialisation in element_blocks.hpp).
 ///
 /// Invariant: in addition, all weights are positive; they are the widths of the elements in units of a.
-template <class Scalar_>
+template <class Scalar_, int directions = 1>
 class ElementSystem : public RollingSystem<Scalar_> {
+    static_assert(directions == 1, "for two directions include assembly/element_blocks.hpp");
+
 public:
     using Scalar = Scalar_;
 
     /// From ready matrices and the widths of the elements. Throws std::invalid_argument if they break the invariant, or
     /// if the signs of both diagonals show that G and G' have been exchanged.
-    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, ArrayX<Scalar> widths)
-        : RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(widths)), element_count_(this->size()) {
+    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
+        : RollingSystem<Scalar>(std::move(G), std::move(G_prime), widths), element_count_(this->size()) {
         this->unknowns_are_tractions_ = true;
-        for (Eigen::Index i = 0; i < this->size(); ++i) {
-            detail::require(this->weights()[i] > 0, "ElementSystem", "width", this->weights()[i], "be positive");
-        }
+        elements_.areas = widths;
+        elements_.behind = Elements<Scalar>::one_strip(this->size());
+        elements_.require_valid("ElementSystem", "width");
         // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
         // itself
         const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
@@ -119,11 +127,15 @@ public:
     /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
 
+    /// Where the unknown elements and their equations are.
+    const Elements<Scalar>& elements() const { return elements_; }
+
     template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
     friend ElementSystem<S> rolling_system(const Mesh<S>& mesh, const Scheme& scheme, const Kernel& kernel);
 
 private:
     Eigen::Index element_count_;
+    Elements<Scalar> elements_;
 };
 
 namespace detail {
@@ -171,6 +183,14 @@ bool holds_at_points(const Scheme& scheme, Eigen::Index n) {
            slope.alpha_L == displacement.alpha_L && slope.alpha_T == displacement.alpha_T;
 }
 
+/// Whether each row belongs to a point half an element ahead of its element's centre, in G and in G'.
+template <class Scalar, class Scheme>
+bool rows_lie_half_an_element_ahead(const Scheme& scheme, Eigen::Index n) {
+    const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
+    return holds_at_points<Scalar>(scheme, n) && slope.averages == 1 && slope.offsets[0] == 0 && slope.alpha_L == 0.5 &&
+           slope.alpha_T == 0.5;
+}
+
 /// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
 template <class Scalar, class Scheme>
 void require_one_system(const Scheme& scheme, Eigen::Index n) {
@@ -184,6 +204,22 @@ void require_one_system(const Scheme& scheme, Eigen::Index n) {
 
 }  // namespace detail
 
+/// Where the unknown elements of a line and their equations are, in units of a. Throws std::invalid_argument if the
+/// scheme does not fit the mesh.
+template <class Scalar, RollingScheme<Scalar> Scheme>
+Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
+    Elements<Scalar> elements;
+    elements.x = detail::equation_points(mesh, scheme);
+    const Eigen::Index n = elements.x.size();
+    elements.y = ArrayX<Scalar>::Zero(n);
+    elements.centre_x = mesh.centres().head(n);
+    elements.centre_y = ArrayX<Scalar>::Zero(n);
+    elements.areas = mesh.widths().head(n);
+    elements.behind = Elements<Scalar>::one_strip(n);
+    elements.half_element_ahead = detail::rows_lie_half_an_element_ahead<Scalar>(scheme, mesh.size());
+    return elements;
+}
+
 /// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
@@ -195,6 +231,7 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
     system.element_count_ = mesh.size();
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
     system.points_ = detail::equation_points(mesh, scheme);
+    system.elements_ = line_elements(mesh, scheme);
     if (detail::holds_at_points<Scalar>(scheme, mesh.size())) {
         system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
     }
@@ -202,6 +239,12 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
 }
 
 namespace detail {
+
+/// Throws std::invalid_argument if a system has more than one creepage.
+template <class Scalar>
+void require_single_input(const char* who, const RollingSystem<Scalar>& system) {
+    require(system.input_count() == 1, who, "number of inputs", system.input_count(), "be 1");
+}
 
 /// The fingerprint of a model: of a contact and of the `system` that represents it.
 template <class Scalar>

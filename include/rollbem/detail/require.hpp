@@ -50,4 +50,13 @@ void require_finite(const char* who, const char* name, const Matrix& matrix) {
     }
 }
 
+/// Throws std::invalid_argument unless a matrix is n x n and finite; `equals` names what n counts.
+template <class Matrix>
+void require_square(const char* who, const char* name, const Matrix& matrix, std::ptrdiff_t n, const char* equals) {
+    const std::string of = std::string(" of ") + name, rule = std::string("equal the number of ") + equals;
+    require(matrix.rows() == n, who, ("number of rows" + of).c_str(), matrix.rows(), rule.c_str());
+    require(matrix.cols() == n, who, ("number of columns" + of).c_str(), matrix.cols(), rule.c_str());
+    require_finite(who, name, matrix);
+}
+
 }  // namespace rollbem::detail

@@ -1,0 +1,194 @@
+// Systems of elements with tractions in two directions: four blocks of G and of G', one for each pair of directions.
+// On a line the directions do not couple, and the blocks that couple them are empty.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "../detail/fingerprint.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../types.hpp"
+#include "elements.hpp"
+#include "rolling_system.hpp"
+
+namespace rollbem {
+
+/// Blocks of G or G': entry [d][e] is n x n, what tractions along e cause along d; 0 is longitudinal (x), 1 lateral
+/// (y). Blocks with d != e are empty (0 x 0) where the directions do not couple.
+template <class Scalar>
+using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
+
+namespace detail {
+
+/// Throws std::invalid_argument unless the blocks are n x n and finite, or, off the diagonal, both empty.
+template <class Scalar>
+void require_blocks(const char* who, const char* name, const DirectionBlocks<Scalar>& blocks, Eigen::Index n) {
+    const bool coupled = blocks[0][1].size() > 0 || blocks[1][0].size() > 0;
+    for (std::size_t d = 0; d < 2; ++d) {
+        for (std::size_t e = 0; e < 2; ++e) {
+            if (d != e && !coupled) continue;
+            const std::string block = std::string(name) + "_" + "xy"[d] + "xy"[e];
+            require_square(who, block.c_str(), blocks[d][e], n, "elements");
+        }
+    }
+}
+
+/// The blocks of directions that do not couple.
+template <class Scalar>
+DirectionBlocks<Scalar> uncoupled(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral) {
+    DirectionBlocks<Scalar> blocks;
+    blocks[0][0] = longitudinal;
+    blocks[1][1] = lateral;
+    return blocks;
+}
+
+/// [xx xy; yx yy], with zeros for empty blocks.
+template <class Scalar>
+MatrixX<Scalar> joined(const DirectionBlocks<Scalar>& blocks) {
+    const Eigen::Index n = blocks[0][0].rows();
+    MatrixX<Scalar> whole = MatrixX<Scalar>::Zero(2 * n, 2 * n);
+    for (Eigen::Index d = 0; d < 2; ++d) {
+        for (Eigen::Index e = 0; e < 2; ++e) {
+            const MatrixX<Scalar>& block = blocks[static_cast<std::size_t>(d)][static_cast<std::size_t>(e)];
+            if (block.size() > 0) whole.block(d * n, e * n, n, n) = block;
+        }
+    }
+    return whole;
+}
+
+template <class Scalar>
+void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint) {
+    for (const auto& row : blocks) {
+        for (const MatrixX<Scalar>& block : row) fingerprint.add(block);
+    }
+}
+
+}  // namespace detail
+
+/// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
+/// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
+/// where places are not known.
+template <class Scalar>
+MatrixX<Scalar> rigid_slip(const Elements<Scalar>& elements) {
+    const Eigen::Index n = elements.size();
+    MatrixX<Scalar> columns = MatrixX<Scalar>::Zero(2 * n, 3);
+    columns.col(0).head(n).setOnes();
+    columns.col(1).tail(n).setOnes();
+    if (elements.places_are_known()) {
+        columns.col(2).head(n) = -elements.y.matrix();
+        columns.col(2).tail(n) = elements.x.matrix();
+    }
+    return columns;
+}
+
+/// F_x, F_y and the moment about the origin M_z = int (x p_y - y p_x), per traction: 2n x 3, by areas and centres. The
+/// moment is zero where places are not known.
+template <class Scalar>
+MatrixX<Scalar> force_weights(const Elements<Scalar>& elements) {
+    const Eigen::Index n = elements.size();
+    MatrixX<Scalar> columns = MatrixX<Scalar>::Zero(2 * n, 3);
+    columns.col(0).head(n) = elements.areas.matrix();
+    columns.col(1).tail(n) = elements.areas.matrix();
+    if (elements.places_are_known()) {
+        columns.col(2).head(n) = -(elements.areas * elements.centre_y).matrix();
+        columns.col(2).tail(n) = (elements.areas * elements.centre_x).matrix();
+    }
+    return columns;
+}
+
+/// Elements with tractions in both directions, of a line (two systems that do not couple) or of a patch:
+/// s/V = rigid slip - G' p + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
+///
+/// Invariant: that of Elements; all blocks are n x n and finite, and G and G' couple the directions both or not at all.
+template <class Scalar_>
+class ElementSystem<Scalar_, 2> {
+public:
+    using Scalar = Scalar_;
+    using Blocks = DirectionBlocks<Scalar>;
+
+    /// From ready blocks. Throws std::invalid_argument if they break the invariant.
+    ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements)
+        : G_(std::move(G)),
+          G_prime_(std::move(G_prime)),
+          elements_(std::move(elements)),
+          element_count_(elements_.size()) {
+        elements_.require_valid("ElementSystem", "area");
+        detail::require_blocks("ElementSystem", "G", G_, size());
+        detail::require_blocks("ElementSystem", "G_prime", G_prime_, size());
+        detail::require((G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy", G_[0][1].rows(),
+                        "be that of G_prime_xy");
+    }
+
+    /// From the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
+    ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral)
+        : G_(detail::uncoupled(longitudinal.G(), lateral.G())),
+          G_prime_(detail::uncoupled(longitudinal.G_prime(), lateral.G_prime())),
+          elements_(longitudinal.elements()),
+          element_count_(longitudinal.element_count()),
+          aspect_(longitudinal.aspect()),
+          log_strength_{longitudinal.log_strength(), lateral.log_strength()} {
+        const Eigen::Index n = lateral.size();
+        detail::require(n == size(), "ElementSystem", "number of lateral elements", n,
+                        "equal the number of longitudinal ones");
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Scalar ratio = lateral.weights()[i] / longitudinal.weights()[i];
+            detail::require(std::abs(ratio - 1) <= 16 * std::numeric_limits<Scalar>::epsilon(), "ElementSystem",
+                            "width of a lateral element over that of the longitudinal one", ratio, "be 1");
+        }
+        const bool aspects_differ = aspect_ && lateral.aspect() && *aspect_ != *lateral.aspect();
+        detail::require(!aspects_differ, "ElementSystem", "b/a of the lateral kernel",
+                        lateral.aspect().value_or(Scalar(0)), "be that of the longitudinal one");
+        if (!aspect_) aspect_ = lateral.aspect();
+    }
+
+    Eigen::Index size() const { return elements_.size(); }         ///< n, number of unknown elements
+    Eigen::Index element_count() const { return element_count_; }  ///< of the mesh, as in one direction
+    const Elements<Scalar>& elements() const { return elements_; }
+    /// What tractions along e cause along d, 0 longitudinal and 1 lateral; empty if the directions do not couple.
+    const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const { return G_[d][e]; }
+    const MatrixX<Scalar>& G_prime(std::size_t d, std::size_t e) const { return G_prime_[d][e]; }
+    const Blocks& G_prime_blocks() const { return G_prime_; }
+    bool coupled() const { return G_prime_[0][1].size() > 0; }
+
+    /// As of RollingSystem; of a line only.
+    std::optional<Scalar> aspect() const { return aspect_; }
+    std::optional<Scalar> log_strength(std::size_t direction) const { return log_strength_[direction]; }
+
+    /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
+    RollingSystem<Scalar> whole() const {
+        return {detail::joined(G_), detail::joined(G_prime_), rigid_slip(elements_), force_weights(elements_)};
+    }
+
+    /// As of RollingSystem.
+    std::uint64_t fingerprint() const {
+        detail::Fingerprint fingerprint;
+        detail::add_blocks(G_, fingerprint);
+        detail::add_blocks(G_prime_, fingerprint);
+        fingerprint.add(rigid_slip(elements_));
+        fingerprint.add(force_weights(elements_));
+        return fingerprint.value();
+    }
+
+private:
+    Blocks G_, G_prime_;
+    Elements<Scalar> elements_;
+    Eigen::Index element_count_;
+    std::optional<Scalar> aspect_;
+    std::array<std::optional<Scalar>, 2> log_strength_;
+};
+
+template <class Scalar>
+ElementSystem(const ElementSystem<Scalar>&, const ElementSystem<Scalar>&) -> ElementSystem<Scalar, 2>;
+
+}  // namespace rollbem

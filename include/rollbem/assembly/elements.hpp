@@ -1,0 +1,65 @@
+// Elements: where the elements of a system and their equations are. What friction, moments and spin need to know of a
+// mesh, on a line and on a patch alike.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// Places of n elements and of their equations, in the system's unit of length (a; for outlines c). Elements are
+/// numbered from trailing to leading, strip by strip from small to large y; equation i belongs to element i.
+///
+/// Invariant: all areas are positive and finite; the other arrays have as many entries, or none where places are not
+/// known, as for ready matrices.
+template <class Scalar>
+struct Elements {
+    ArrayX<Scalar> x, y;                ///< the point of each equation: the rigid slip is that of this point
+    ArrayX<Scalar> centre_x, centre_y;  ///< of each element: moments are those of tractions at the centres
+    ArrayX<Scalar> areas;               ///< of each element; on a line contact its width
+    std::vector<Eigen::Index> behind;   ///< the equation behind in the same strip; -1 for a trailing element
+    /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and
+    /// finite differences at equal alphas of 0.5. False where it is not known.
+    bool half_element_ahead = false;
+
+    Eigen::Index size() const { return areas.size(); }
+    bool places_are_known() const { return x.size() == size(); }
+
+    /// `behind` for n elements in one strip.
+    static std::vector<Eigen::Index> one_strip(Eigen::Index n) {
+        std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
+        for (Eigen::Index i = 0; i < n; ++i) behind[static_cast<std::size_t>(i)] = i - 1;
+        return behind;
+    }
+
+    /// Throws std::invalid_argument if the invariant does not hold; `area` is what `who` calls it.
+    void require_valid(const char* who, const char* area) const {
+        const Eigen::Index n = size();
+        detail::require(n >= 1, who, "number of elements", n, "be at least 1");
+        for (Eigen::Index i = 0; i < n; ++i) {
+            detail::require(detail::is_finite(areas[i]) && areas[i] > 0, who, area, areas[i], "be positive and finite");
+        }
+        for (const ArrayX<Scalar>* places : {&x, &y, &centre_x, &centre_y}) {
+            detail::require(places->size() == (places_are_known() ? n : 0), who, "number of places", places->size(),
+                            "equal the number of elements");
+            detail::require(detail::all_finite(*places), who, "a place", places->sum(), "be finite");
+        }
+        detail::require(behind.size() == static_cast<std::size_t>(n), who, "number of equations behind", behind.size(),
+                        "equal the number of elements");
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Eigen::Index other = behind[static_cast<std::size_t>(i)];
+            detail::require(other >= -1 && other < n && other != i, who, "equation behind", other,
+                            "be that of another element, or -1");
+        }
+    }
+};
+
+}  // namespace rollbem
