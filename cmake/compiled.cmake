@@ -2,7 +2,7 @@
 # rollbem/compiled/*.hpp instead of the headers themselves need not compile them. Optional: the headers suffice.
 set(compiled_dir "${PROJECT_SOURCE_DIR}/include/rollbem/compiled")
 add_library(rollbem_compiled STATIC)
-foreach(part IN ITEMS assembly chebyshev falling steady frequency friction polynomial stability transient)
+foreach(part IN ITEMS assembly chebyshev steady frequency friction polynomial stability transient)
     target_sources(rollbem_compiled PRIVATE "${compiled_dir}/${part}.cpp")
 endforeach()
 add_library(rollbem::compiled ALIAS rollbem_compiled)

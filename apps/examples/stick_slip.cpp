@@ -32,13 +32,13 @@
 #include <Eigen/LU>
 
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/friction/falling.hpp>
+#include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 namespace {
 
 using Law = rollbem::ExponentialFall<double>;
-using Model = rollbem::FallingFrictionModel<Law>;
+using Model = rollbem::FrictionModel<Law>;
 
 // 1. Motor, shaft and wheel of a train so heavy that its speed V does not change. The shaft transmits the moment
 // M = k twist + c (w_m - w): J_m d(w_m)/dt = T - M, J dw/dt = M - R F. The torque T = T_d - K (w_m - V/R) falls with
@@ -47,7 +47,7 @@ constexpr double speed = 10, radius = 0.5, load = 100e3, half_width = 8e-3;  // 
 constexpr double wheel_inertia = 100, motor_inertia = 500;                   // J, J_m [kg m^2]
 constexpr double stiffness = 2.5e6, droop = 6000;                            // k [N m/rad], K [N m s/rad]
 constexpr Law friction_law{.mu_0 = 0.35, .mu_k = 0.2, .half_velocity = 0.4};
-constexpr rollbem::SlipMemory<double> memory{.distance = 10e-6, .least_velocity = 1e-3};
+constexpr rollbem::FrictionMemory<double> memory{.distance = 10e-6, .least_velocity = 1e-3};
 constexpr rollbem::ElasticBody<double> steel{2.1e11, 0.28};
 
 double slip_velocity(double rotation) { return radius * rotation - speed; }  // [m/s], of the wheel on the rail

@@ -14,7 +14,7 @@
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/mesh.hpp>
-#include <rollbem/friction/combined_transient.hpp>
+#include <rollbem/friction/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
 #include "contact_variables.hpp"
@@ -192,7 +192,7 @@ public:
     }
 
 private:
-    using CombinedModel = rollbem::CombinedFrictionModel<Scalar>;
+    using CombinedModel = rollbem::FrictionModel<ConstantFriction<Scalar>, 2, Scalar>;
     using State = CombinedModel::State;
     using Step = CombinedModel::LoadedStep;
 
@@ -228,14 +228,14 @@ private:
         const auto longitudinal = rolling_system(mesh, scheme, Kernel::longitudinal(contact));
         const auto lateral = rolling_system(mesh, scheme, Kernel::lateral(contact));
         model_.emplace(contact, longitudinal, judge_stability(longitudinal), lateral, judge_stability(lateral),
-                       rollbem::CoulombFriction<Scalar>{friction_coefficient_, end_load_.normal_pressure});
+                       rollbem::Friction<ConstantFriction<Scalar>, Scalar>{friction_coefficient_, end_load_.normal_pressure});
         workspace_.emplace(model_->workspace());
     }
 
     void roll_steadily() {
         require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
         const rollbem::Creepage<Scalar> creepage{slip_[0].value / speed_.value, slip_[1].value / speed_.value};
-        const rollbem::CombinedFrictionStep<Scalar> steady =
+        const rollbem::FrictionStep<2, Scalar> steady =
             model_->steady(now_, creepage, end_load_, next_, *workspace_);
         require(steady.status == StepStatus::ok, "status of steady rolling at the first inputs", name(steady.status),
                 "be ok");
@@ -299,7 +299,7 @@ private:
     std::optional<rollbem::HertzLoad<Scalar>> hertz_;
     rollbem::NormalLoad<Scalar> end_load_;  // of the present step
     std::optional<CombinedModel> model_;
-    std::optional<rollbem::CombinedFrictionWorkspace<Scalar>> workspace_;
+    std::optional<rollbem::FrictionWorkspace<2, Scalar>> workspace_;
     State now_, from_, next_;  // from_: where the last step began
     Past past_;
     Step last_;

@@ -95,8 +95,8 @@ study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const C
                           curve.layer,
                           falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::mu_k),
                           falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::half_velocity),
-                          falling_cell(&FallingLaw::memory, &rollbem::SlipMemory<double>::distance),
-                          falling_cell(&FallingLaw::memory, &rollbem::SlipMemory<double>::least_velocity),
+                          falling_cell(&FallingLaw::memory, &rollbem::FrictionMemory<double>::distance),
+                          falling_cell(&FallingLaw::memory, &rollbem::FrictionMemory<double>::least_velocity),
                           curve.sweep},
                          study::setting_cells(scene));
 }

@@ -10,7 +10,7 @@
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/friction/combined.hpp>
+#include <rollbem/friction/friction.hpp>
 
 #include "creep_curve.hpp"
 #include "support/timing.hpp"
@@ -43,7 +43,7 @@ Profile empty_profile(const study::Scene& scene, const CreepPoint& point, std::s
 }
 
 struct OneDirection {
-    using Model = rollbem::SteadyFrictionModel<double>;
+    using Model = rollbem::SteadyFrictionModel<>;
 
     static double creepage(const study::Scene& scene, const CreepPoint& point) {
         return friction::creepage(scene, point.longitudinal);
@@ -76,7 +76,7 @@ struct WithFalling : Directions {
 };
 
 struct BothDirections {
-    using Model = rollbem::SteadyCombinedModel<double>;
+    using Model = rollbem::SteadyFrictionModel<ConstantFriction<>, 2>;
 
     static rollbem::Creepage<double> creepage(const study::Scene& scene, const CreepPoint& point) {
         return {friction::creepage(scene, point.longitudinal), friction::creepage(scene, point.lateral.value_or(0))};
@@ -96,7 +96,7 @@ struct BothDirections {
         profile.slip.head(slip.rows()) = slip.col(0);
         profile.lateral_slip.head(slip.rows()) = slip.col(1);
         for (std::size_t i = 0; i < state.zones.size(); ++i) {
-            profile.sticks[i] = state.zones[i] == rollbem::CombinedZone::stick;
+            profile.sticks[i] = state.zones[i] == rollbem::Zone::stick;
         }
     }
 };
@@ -132,7 +132,7 @@ std::vector<typename Directions::Model::State> sweep(const CreepCurve& curve, co
         if (along && curve.points[i].lateral != lateral) state = rest;
         lateral = curve.points[i].lateral;
         starts[i] = state;
-        const auto step = model.solve(state, Directions::creepage(scene, curve.points[i]), next, workspace);
+        const auto step = model.steady(state, Directions::creepage(scene, curve.points[i]), next, workspace);
         if (step.status != rollbem::StepStatus::ok) continue;
         std::swap(state, next);
         see(curve.points[i], step);
@@ -166,7 +166,7 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
         const auto creepage = Directions::creepage(scene, point);
         const auto solve = [&] {
             workspace = fresh;  // without factors
-            return model.solve(starts[i], creepage, state, workspace);
+            return model.steady(starts[i], creepage, state, workspace);
         };
         const auto step = solve();
         CreepResult result = frame;

@@ -6,8 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/friction/combined_falling.hpp>
-#include <rollbem/friction/falling.hpp>
+#include <rollbem/friction/friction.hpp>
 
 #include "support/options.hpp"
 
@@ -16,7 +15,7 @@ namespace friction {
 /// mu/mu_0 of the slip velocity in V mu_0 p0/G, and its memory: distance in a mu_0 p0/G, velocity as that of slip.
 struct FallingLaw {
     rollbem::ExponentialFall<double> law;
-    rollbem::SlipMemory<double> memory;
+    rollbem::FrictionMemory<double> memory;
 };
 
 /// --falling and --memory; nothing without. Throws BadInput, also for what does not go with them.
@@ -35,15 +34,15 @@ public:
     State at_rest() const { return model_.at_rest(); }
     typename Model::Workspace workspace() const { return model_.workspace(); }
     Step solve(const State& from, const Creepage& creepage, State& to, typename Model::Workspace& workspace) const {
-        return model_.solve(from, creepage, 1, to, workspace);
+        return model_.steady(from, creepage, 1, to, workspace);
     }
 
 private:
     Model model_;
 };
-using SteadyFalling = SteadyFallingOf<rollbem::SteadyFallingModel<rollbem::ExponentialFall<double>>, double>;
+using SteadyFalling = SteadyFallingOf<rollbem::SteadyFrictionModel<rollbem::ExponentialFall<double>>, double>;
 using SteadyCombinedFalling =
-    SteadyFallingOf<rollbem::SteadyCombinedFallingModel<rollbem::ExponentialFall<double>>, rollbem::Creepage<double>>;
+    SteadyFallingOf<rollbem::SteadyFrictionModel<rollbem::ExponentialFall<double>, 2>, rollbem::Creepage<double>>;
 
 /// The same in time. A rigid shift takes as long as a step of `dq`.
 template <class Model_, class Creepage>
@@ -78,8 +77,8 @@ private:
     Model model_;
     double dq_;
 };
-using FallingInTime = FallingInTimeOf<rollbem::FallingFrictionModel<rollbem::ExponentialFall<double>>, double>;
+using FallingInTime = FallingInTimeOf<rollbem::FrictionModel<rollbem::ExponentialFall<double>>, double>;
 using CombinedFallingInTime =
-    FallingInTimeOf<rollbem::CombinedFallingModel<rollbem::ExponentialFall<double>>, rollbem::Creepage<double>>;
+    FallingInTimeOf<rollbem::FrictionModel<rollbem::ExponentialFall<double>, 2>, rollbem::Creepage<double>>;
 
 }  // namespace friction

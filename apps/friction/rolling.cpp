@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/combined_transient.hpp>
+#include <rollbem/friction/transient.hpp>
 
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 /// The values that a model of one direction takes and gives.
 struct OneDirection {
-    using Model = rollbem::FrictionModel<double>;
+    using Model = rollbem::FrictionModel<>;
     using Value = double;
 
     static Value value(const Ratios& ratios, double unit) { return unit * ratios.longitudinal; }
@@ -31,7 +31,7 @@ struct Falling : OneDirection {
 
 /// The same of both.
 struct BothDirections {
-    using Model = rollbem::CombinedFrictionModel<double>;
+    using Model = rollbem::FrictionModel<ConstantFriction<>, 2>;
     using Value = rollbem::Creepage<double>;
 
     static Value value(const Ratios& ratios, double unit) {
@@ -134,7 +134,7 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
     if (load) hertz = hertz_load(*load, *scene.mesh);
     // the law is that of the largest load; what a run starts under is in its state
     const double largest = surface.half_length * surface.half_length;
-    const rollbem::CoulombFriction<double> law{
+    const rollbem::Friction<> law{
         1, load ? hertz->at(largest * mu_N).normal_pressure : pressure(*scene.mesh)};
     const double first_load_ratio = load ? load->at(0) : 1, unit = creepage(scene, 1);
     if (both_directions) {
@@ -149,7 +149,7 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
                 hertz, first_load_ratio, unit);
         }
         return std::make_unique<MakerOf<BothDirections>>(
-            rollbem::CombinedFrictionModel<double>(surface.contact(), std::move(system), std::move(across),
+            rollbem::FrictionModel<ConstantFriction<>, 2>(surface.contact(), std::move(system), std::move(across),
                                                    rollbem::unchecked, law, integrator),
             hertz, first_load_ratio, unit);
     }
@@ -161,7 +161,7 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
             hertz, first_load_ratio, unit);
     }
     return std::make_unique<MakerOf<OneDirection>>(
-        rollbem::FrictionModel<double>(surface.contact(), std::move(system), rollbem::unchecked, law, integrator),
+        rollbem::FrictionModel<>(surface.contact(), std::move(system), rollbem::unchecked, law, integrator),
         hertz, first_load_ratio, unit);
 }
 

@@ -54,9 +54,9 @@ std::pair<Eigen::MatrixXd, Eigen::ArrayXd> Surface::gradient(Direction direction
         direction);
 }
 
-rollbem::SteadyFrictionModel<double> Surface::steady_model(const rollbem::CoulombFriction<double>& law) const {
+rollbem::SteadyFrictionModel<> Surface::steady_model(const rollbem::Friction<>& law) const {
     return visit(
-        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<double>(contact(), parts..., law); },
+        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<>(contact(), parts..., law); },
         Direction::longitudinal);
 }
 
@@ -69,9 +69,9 @@ SteadyFalling Surface::falling_model(const FallingLaw& law, const Eigen::ArrayXd
         Direction::longitudinal);
 }
 
-rollbem::SteadyCombinedModel<double> Surface::combined_model(const rollbem::CoulombFriction<double>& law) const {
+rollbem::SteadyFrictionModel<ConstantFriction<>, 2> Surface::combined_model(const rollbem::Friction<>& law) const {
     return visit(
-        *this, [&](const auto&... parts) { return rollbem::SteadyCombinedModel<double>(contact(), parts..., law); },
+        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<ConstantFriction<>, 2>(contact(), parts..., law); },
         Direction::longitudinal, Direction::lateral);
 }
 

@@ -8,7 +8,7 @@
 
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/combined_steady.hpp>
+#include <rollbem/friction/steady.hpp>
 #include <rollbem/scene/contact.hpp>
 
 #include "falling.hpp"
@@ -32,9 +32,9 @@ struct Surface {
     /// G' and the widths of its elements.
     std::pair<Eigen::MatrixXd, Eigen::ArrayXd> gradient(Direction direction) const;
 
-    rollbem::SteadyFrictionModel<double> steady_model(const rollbem::CoulombFriction<double>& law) const;
+    rollbem::SteadyFrictionModel<> steady_model(const rollbem::Friction<>& law) const;
     SteadyFalling falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
-    rollbem::SteadyCombinedModel<double> combined_model(const rollbem::CoulombFriction<double>& law) const;
+    rollbem::SteadyFrictionModel<ConstantFriction<>, 2> combined_model(const rollbem::Friction<>& law) const;
     SteadyCombinedFalling combined_falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
 };
 

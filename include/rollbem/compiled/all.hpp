@@ -5,7 +5,6 @@
 
 #include "assembly.hpp"
 #include "chebyshev.hpp"
-#include "falling.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
 #include "polynomial.hpp"

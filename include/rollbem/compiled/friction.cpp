@@ -3,12 +3,12 @@
 namespace rollbem {
 
 template class detail::ActiveSet<double>;
-template class detail::FrictionCore<double>;
-template class SteadyFrictionModel<double>;
-template class FrictionModel<double>;
 template class detail::CombinedSolver<double>;
-template class detail::CombinedCore<double>;
-template class SteadyCombinedModel<double>;
-template class CombinedFrictionModel<double>;
+template class detail::FallingSet<detail::ActiveSetSlip<double>>;
+template class detail::FallingSet<detail::CombinedSlip<double>>;
+template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
+template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
+template class detail::FrictionCore<ExponentialFall<double>, 1, double>;
+template class detail::FrictionCore<ExponentialFall<double>, 2, double>;
 
 }  // namespace rollbem

@@ -17,9 +17,9 @@ namespace detail {
 
 /// A Travel whose duration does not matter: made of a plain dq too.
 template <class Scalar>
-struct UntimedTravel : Travel<Scalar> {
-    UntimedTravel(Travel<Scalar> travel) : Travel<Scalar>(travel) {}  // NOLINT: implicit on purpose
-    UntimedTravel(Scalar dq) : Travel<Scalar>{dq, 0} {}               // NOLINT: implicit on purpose
+struct UntimedTravel : rollbem::Travel<Scalar> {
+    UntimedTravel(rollbem::Travel<Scalar> travel) : rollbem::Travel<Scalar>(travel) {}  // NOLINT: implicit on purpose
+    UntimedTravel(Scalar distance) : rollbem::Travel<Scalar>{distance, 0} {}            // NOLINT: implicit on purpose
 };
 
 }  // namespace detail

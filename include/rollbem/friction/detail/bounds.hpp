@@ -109,7 +109,7 @@ public:
     /// A step; lengths in a_0 = `unit` [m]. `points` are the collocation points, used if there is a memory. Keeps
     /// references to all arguments that are not numbers.
     FallingBounds(const Friction<Law, Scalar>& friction, const ArrayX<Scalar>& points, const State& from, Scalar unit,
-                  const Travel<Scalar>& travel, Scratch& scratch) noexcept
+                  const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
           with_tangents_(friction.with_tangents),

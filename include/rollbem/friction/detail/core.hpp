@@ -179,7 +179,7 @@ public:
 
     /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
     /// for the duration.
-    Step roll(const System& system, Integrator integrator, const State& from, const Travel<Scalar>& travel,
+    Step roll(const System& system, Integrator integrator, const State& from, const rollbem::Travel<Scalar>& travel,
               const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept {
         if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
         Scratch& scratch = workspace.scratch();
