@@ -294,13 +294,13 @@ TEST_CASE("Invalid input to steady rolling in two directions is rejected or repo
     };
     CHECK(build(G_prime, G_prime, widths) == "");
     CHECK(build(G_prime, G_prime.topRows(7), widths) ==
-          "SteadyFrictionModel: number of rows of lateral G_prime = 7 must equal the number of widths");
+          "SteadyFrictionModel: number of rows of G_prime_yy = 7 must equal the number of elements");
     CHECK(build(G_prime.leftCols(7), G_prime, widths) ==
-          "SteadyFrictionModel: number of columns of longitudinal G_prime = 7 must equal the number of widths");
+          "SteadyFrictionModel: number of columns of G_prime_xx = 7 must equal the number of elements");
     MatrixX<double> broken = G_prime;
     broken(2, 3) = std::numeric_limits<double>::quiet_NaN();
     CHECK(build(G_prime, broken, widths) ==
-          "SteadyFrictionModel: lateral G_prime(2, 3) = nan must be finite (row and column counted from 0)");
+          "SteadyFrictionModel: G_prime_yy(2, 3) = nan must be finite (row and column counted from 0)");
     CHECK(build(G_prime, G_prime, -widths) != "");
     CHECK(refusal([&] {
               SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
