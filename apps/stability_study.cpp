@@ -191,7 +191,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     for (const study::Scene& scene : scenes) {
         const Eigen::Index count = scene.visit([](const auto& mesh, const auto& scheme,
-                                                  const auto&) { return rollbem::unknown_count(scheme, mesh.size()); },
+                                                  const auto&) { return rollbem::unknown_count(scheme, mesh); },
                                                [](const auto& method, const auto&) { return method.states; });
         table.rows_of_task.push_back(static_cast<std::size_t>(count));
     }

@@ -17,7 +17,6 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
-#include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"

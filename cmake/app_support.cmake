@@ -21,16 +21,23 @@ target_compile_features(rollbem_build_info PUBLIC cxx_std_20)
 target_include_directories(rollbem_build_info PUBLIC "${generated_dir}")
 target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
-add_library(rollbem_app_support STATIC)
-foreach(part IN ITEMS config_file csv files mesh_names non_steady options output_folder plot program progress scenes strip_instances table)
-    target_sources(rollbem_app_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
+# What needs no other part of rollbem::compiled than that for steady rolling, and the rest.
+add_library(rollbem_study_support STATIC)
+foreach(part IN ITEMS config_file csv files mesh_names options output_folder plot program progress scenes table)
+    target_sources(rollbem_study_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
+target_include_directories(rollbem_study_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
+target_link_libraries(rollbem_study_support
+    PUBLIC rollbem::reference rollbem_build_info Threads::Threads
+    PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
+
+add_library(rollbem_app_support STATIC
+    "${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp" "${PROJECT_SOURCE_DIR}/apps/support/strip_instances.cpp")
+target_link_libraries(rollbem_app_support
+    PUBLIC rollbem_study_support rollbem::compiled
+    PRIVATE rollbem_quick_to_compile)
 if(NOT MSVC)
     # it assembles matrices, which studies time
     set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp"
         PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
 endif()
-target_include_directories(rollbem_app_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
-target_link_libraries(rollbem_app_support
-    PUBLIC rollbem::reference rollbem::compiled rollbem_build_info Threads::Threads
-    PRIVATE CLI11::CLI11 rollbem_quick_to_compile)

@@ -117,7 +117,7 @@ Account ride(Eigen::Index n, int steps_per_wave) {
         }
         if (hertz.set(load_per_width(k * dq), load) != rollbem::StepStatus::ok) return {};
         const rollbem::FrictionStep<> step = advance(model, dq, load, now, next, workspace);
-        if (!std::isfinite(step.force)) return {};
+        if (step.status != rollbem::StepStatus::ok) return {};
         if (k > 10 * steps_per_wave) {
             const double dt = 2 * dq / (now.speed + next.speed), angle = (now.rotation + next.rotation) / 2 * dt;
             account.driven += torque * angle;

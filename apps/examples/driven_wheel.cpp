@@ -81,7 +81,7 @@ int main() {
     now.rotation *= 1 - 1e-6;
     Eigen::VectorXd sliding(steps);
     for (int k = 0; k < steps; ++k) {
-        if (!std::isfinite(advance(wheel, model, torque, speed * dt, now, next).force)) return 1;
+        if (advance(wheel, model, torque, speed * dt, now, next).status != rollbem::StepStatus::ok) return 1;
         std::swap(now, next);
         sliding[k] = now.speed - wheel.radius * now.rotation - steady * speed;
     }

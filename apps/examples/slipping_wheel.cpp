@@ -72,7 +72,7 @@ Ride ride(const Wheel& wheel, const Model& model, double width, double dq) {
     for (double time = 0; time < 0.25;) {
         const double applied = torque(wheel, time);
         const Model::Step step = advance(wheel, model, applied, dq, now, next, workspace);
-        if (!std::isfinite(step.force)) return ride;
+        if (step.status != rollbem::StepStatus::ok) return ride;
         const double dt = 2 * dq / (now.speed + next.speed);
         time += dt;
         const double rotation = (now.rotation + next.rotation) / 2;

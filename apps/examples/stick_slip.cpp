@@ -170,10 +170,11 @@ bool onset(Eigen::Index n) {
     Model::State now = model.at_rest(), next = now;
     Model::Step step = model.steady(now, -slip / speed, speed, next, workspace);
     const double slope = -step.tangent / speed;
-    for (int k = 0; k < 200; ++k) {  // steady rolling in steps of this length
+    for (int k = 0; k < 200 && step.status == rollbem::StepStatus::ok; ++k) {  // steady rolling in steps of this length
         std::swap(now, next);
         step = model.advance(now, dq, dq / speed, -slip / speed, next, workspace);
     }
+    if (step.status != rollbem::StepStatus::ok) return false;
     const double limit = least_damping(slope);
     std::printf("at a slip velocity of %.1f m/s: F/N = %.4f, dF/d(slip velocity) = %.0f N s/m; least damping %.1f\n",
                 slip, step.force / load, slope, limit);

@@ -117,8 +117,14 @@ fmi2Status Instance::refresh() {
 }
 
 fmi2Status Instance::step(double start, double duration) {
+    // a refused step has not been done: later steps would lose the distance rolled in it
+    if (refused && start - refused_from_ > 1e-6 * duration) {
+        throw std::invalid_argument("a step from t = " + text_of(start) + " s, but the one from t = " +
+                                    text_of(refused_from_) + " s was refused; it must be repeated or the run must end");
+    }
     const Outcome outcome = model_->step(duration);
     refused = outcome != Outcome::ok;
+    refused_from_ = start;
     if (outcome != Outcome::ok) {
         return tell(outcome, "a step of " + text_of(duration) + " s from t = " + text_of(start) + " s");
     }

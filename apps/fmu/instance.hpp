@@ -77,6 +77,7 @@ private:
     bool log_discards_ = true, log_errors_ = true;
     std::unique_ptr<Model> model_;
     bool built_ = false;
+    double refused_from_ = 0;  // where the last step began, if it was refused [s]
 };
 
 /// Calls body(instance) for a function of the C interface that is allowed in the given modes. An exception becomes a

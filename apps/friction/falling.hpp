@@ -59,6 +59,7 @@ public:
 
     State at_rest() const { return model_.at_rest(); }
     Workspace workspace() const { return model_.workspace(); }
+    double elastic_energy_per_width(const State& state) const { return model_.elastic_energy_per_width(state); }
     Step steady(const State& from, const Creepage& creepage, State& to, Workspace& workspace) const {
         return model_.steady(from, creepage, 1, to, workspace);
     }

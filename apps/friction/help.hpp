@@ -65,19 +65,25 @@ that ends before the leading edge, or a pressure that jumps, mesh is cosine, and
 used instead. slip_work is -F xi in either case.
 
 --load-sine, --load: forces are over mu N_0 and distances over a_0, where N_0 and a_0 belong to load_ratio 1;
-half_length_ratio is a/a_0, Hertz's. With --breathing the mesh follows the contact (second order in 1/n); status
-is needs_fixed_mesh where the contact grows or shrinks as fast as it rolls. Otherwise the mesh covers the largest
-contact (first order), and the load may vanish. Steps are divided where the table of --load has a row.
-creep_work = -int F.xi dq from the forces at both ends of a step (at its end with implicit-euler), cumulative,
-in the unit of slip_work; the difference of the two is elastic energy. exact is empty.
+half_length_ratio is a/a_0, Hertz's. With --breathing the mesh follows the contact (second order in 1/n); where it
+grows or shrinks as fast as it rolls, status is needs_fixed_mesh and the run ends. Otherwise the mesh covers the
+largest contact (first order), and the load may vanish. Steps are divided where the table of --load has a row.
+exact is empty.
 
 --transient: one row for each step, the first at q = dq; with --shift, a row at q = 0 comes before. shift is the
-one imposed in this row, in mu p0 a/G. slip_work is cumulative, in mu N mu p0 a/G. creepage is linear over a step
+one imposed in this row, in mu p0 a/G. slip_work is cumulative, in mu N mu p0 a/G, and so are
+  creep_work  -int F.xi dq from the forces at both ends of a step (at its end with implicit-euler)
+  jump_work   elastic energy that jumps of the tractions release, as under --falling
+creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of the scheme
+in 1/n and of the integrator in dq. creepage is linear over a step
 (its end value with implicit-euler). rounds counts those of all solutions of a step, two with sdirk2.
 A scheme that is not certainly stable, or that is inconsistent in steady rolling, is refused unless --unchecked
 is given: friction bounds its tractions, but they are wrong. Then status is unchecked instead of ok. The check
-finds eigenvalues, in a time of order n^3. Where OMEGA --dq > 1, with fewer than six steps in a period of --sine,
-status is unresolved and the forces are empty.
+finds eigenvalues, in a time of order n^3. With fewer than six steps in a period of --sine (OMEGA --dq > 1) or of
+--load-sine (2 pi --dq > LENGTH), status is unresolved and the results are empty.
+A step without a solution is divided in halves, up to six times. If a step fails, the run has no more results:
+status says why in its row and is after_failure in the rows behind it, whose results are empty, and the exit code
+is 1.
 )";
 
 }  // namespace friction

@@ -12,6 +12,7 @@
 
 #include "pressure.hpp"
 #include "support/errors.hpp"
+#include "support/non_steady.hpp"
 #include "support/pairs_file.hpp"
 
 namespace friction {
@@ -69,6 +70,10 @@ double LoadHistory::at(double q) const {
     const std::size_t j = static_cast<std::size_t>(std::distance(knots.begin(), next));
     const double part = (q - knots[j - 1]) / (knots[j] - knots[j - 1]);
     return ratios[j - 1] + part * (ratios[j] - ratios[j - 1]);
+}
+
+bool LoadHistory::resolved(double dq) const {
+    return !knots.empty() || study::resolves(2 * std::numbers::pi / length, dq);
 }
 
 double LoadHistory::largest_half_length() const {

@@ -19,6 +19,9 @@ struct LoadHistory {
 
     double at(double q) const;
 
+    /// Whether steps of `dq` [a_0] follow a sine.
+    bool resolved(double dq) const;
+
     /// Half-length of the mesh that covers the contact during the whole run [a_0].
     double largest_half_length() const;
 

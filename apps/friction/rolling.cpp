@@ -80,13 +80,15 @@ private:
     Moment keep(const Step& step) {
         Moment moment;
         moment.status = step.status;
-        if (step.status != rollbem::StepStatus::ok && step.status != rollbem::StepStatus::no_solution) return moment;
-        std::swap(now_, next_);
-        if (step.status == rollbem::StepStatus::ok) Directions::read_force(step, moment);
-        moment.slip_work = step.slip_work_per_width / mu_N;
         moment.complementarity_residual = step.complementarity_residual;
-        moment.stick_count = step.stick_count;
         moment.rounds = step.rounds;
+        if (step.status != rollbem::StepStatus::ok) return moment;
+        std::swap(now_, next_);
+        Directions::read_force(step, moment);
+        moment.slip_work = step.slip_work_per_width / mu_N;
+        moment.jump_work = step.jump_work_per_width / mu_N;
+        moment.elastic_energy = model_.elastic_energy_per_width(now_) / mu_N;
+        moment.stick_count = step.stick_count;
         return moment;
     }
 

@@ -29,7 +29,8 @@ struct Ratios {
 struct Moment {
     double force_ratio = std::numeric_limits<double>::quiet_NaN();
     std::optional<double> lateral_force_ratio{};  ///< nothing in one direction
-    double slip_work = 0;                         ///< of the step
+    double slip_work = 0, jump_work = 0;          ///< of the step
+    double elastic_energy = 0;                    ///< at its end
     double complementarity_residual = std::numeric_limits<double>::quiet_NaN();
     std::ptrdiff_t stick_count = 0;
     int rounds = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +54,9 @@ const std::vector<std::string> columns = study::joined({"q_over_a",
                                                         "falling_ratio",
                                                         "half_velocity",
                                                         "memory_distance",
-                                                        "least_velocity"},
+                                                        "least_velocity",
+                                                        "elastic_energy",
+                                                        "jump_work"},
                                                        study::setting_columns());
 
 /// Creepage ratios and load over q/a, and what comes before.
@@ -104,11 +107,14 @@ struct Run {
     bool hertz;  ///< the closed forms hold
     bool checked;
 
-    std::string status(const Moment& moment) const {
-        if (moment.status != rollbem::StepStatus::ok) return name(moment.status);
+    std::string status(const std::optional<Moment>& moment) const {
+        if (!moment) return study::after_failure;
+        if (moment->status != rollbem::StepStatus::ok) return name(moment->status);
         return !resolved() ? study::unresolved : checked ? study::ok : study::unchecked;
     }
-    bool resolved() const { return !history.omega || study::resolves(*history.omega, dq); }
+    bool resolved() const {
+        return (!history.omega || study::resolves(*history.omega, dq)) && (!history.load || history.load->resolved(dq));
+    }
 
     std::optional<double> exact_shift() const {
         if (!hertz || layer > 0 || history.load || falling || !study::plane_model_decays(scene.contact))
@@ -116,8 +122,9 @@ struct Run {
         return rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
     }
 
-    /// Emits the rows of `range`, but steps from the start, as the state requires.
-    void rows(study::RowRange range, const study::Emit& emit) const;
+    /// Emits the rows of `range`, but steps from the start, as the state requires. Returns why the run ended before
+    /// these rows did; nothing if it did not.
+    std::string rows(study::RowRange range, const study::Emit& emit) const;
 };
 
 /// -F.s of a relative motion s: the mean of the forces at both ends of a step (at its end with implicit Euler, which
@@ -134,28 +141,47 @@ double creep_work(const Moment& before, const Moment& after, const Ratios& start
     return work;
 }
 
-void Run::rows(study::RowRange range, const study::Emit& emit) const {
+/// How often a step without a solution is divided in halves before the run ends.
+constexpr int most_halvings = 6;
+
+std::string why_ended(double q, rollbem::StepStatus status) {
+    const std::string where = "no results from the step to q/a = " + study::Cell(q).text(6) + " on: " + name(status);
+    switch (status) {
+        case rollbem::StepStatus::needs_fixed_mesh:
+            return where + ", the contact grows or shrinks as fast as it rolls; run without --breathing";
+        case rollbem::StepStatus::no_solution:
+            return q > 0 ? where + ", not even in steps of dq/" + std::to_string(1 << most_halvings) : where;
+        default: return where;
+    }
+}
+
+std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
     const std::unique_ptr<Rolling> contact = maker.start();
     const bool both_ends = integrator == rollbem::Integrator::sdirk2;
-    double slip_work = 0, work = 0;
+    double slip_work = 0, jump_work = 0, work = 0;
     std::size_t row = 0;
-    const auto record = [&](double q, const Ratios& ratios, double shift, const Moment& moment,
+    const auto record = [&](double q, const Ratios& ratios, double shift, const std::optional<Moment>& of_row,
                             std::optional<double> exact) {
         if (row++ < range.first) return;
-        // a force that steps did not follow is left out
-        const double force_ratio = resolved() ? moment.force_ratio : std::nan("");
+        const Moment moment = of_row.value_or(Moment{});
+        const auto given_if = [](bool condition) {
+            return [condition](const auto& value) { return condition ? study::Cell(value) : study::Cell(); };
+        };
+        const auto computed = given_if(of_row.has_value());
+        // what steps did not follow is left out
+        const auto valid = given_if(moment.status == rollbem::StepStatus::ok && resolved());
         emit(study::joined({q,
                             ratios.longitudinal,
                             shift,
-                            force_ratio,
-                            moment.stick_count,
-                            moment.rounds,
-                            slip_work,
-                            exact,
-                            relative_error(force_ratio, exact),
-                            moment.complementarity_residual,
-                            moment.pivots,
-                            status(moment),
+                            valid(moment.force_ratio),
+                            valid(moment.stick_count),
+                            computed(moment.rounds),
+                            valid(slip_work),
+                            valid(exact),
+                            valid(relative_error(moment.force_ratio, exact)),
+                            computed(moment.complementarity_residual),
+                            valid(moment.pivots),
+                            status(of_row),
                             scene.method,
                             scene.derivative,
                             scene.mesh_name,
@@ -167,45 +193,80 @@ void Run::rows(study::RowRange range, const study::Emit& emit) const {
                             ratios.lateral,
                             history.load_at(q),
                             std::sqrt(history.load_at(q)),
-                            resolved() ? moment.lateral_force_ratio : std::nullopt,
-                            work,
+                            valid(moment.lateral_force_ratio),
+                            valid(work),
                             layer,
                             falling ? study::Cell(falling->law.mu_k) : study::Cell(),
                             falling ? study::Cell(falling->law.half_velocity) : study::Cell(),
                             falling ? study::Cell(falling->memory.distance) : study::Cell(),
-                            falling ? study::Cell(falling->memory.least_velocity) : study::Cell()},
+                            falling ? study::Cell(falling->memory.least_velocity) : study::Cell(),
+                            valid(moment.elastic_energy),
+                            valid(jump_work)},
                            study::setting_cells(scene)));
     };
-    Moment now{.force_ratio = 0, .lateral_force_ratio = 0};
-    const auto keep = [&](const Moment& next, double done) {
-        slip_work += next.slip_work;
-        work += done;
+    Moment now{.force_ratio = 0, .lateral_force_ratio = 0, .status = rollbem::StepStatus::ok};
+    std::string ended;
+    // The state before a failed step is not that of a later instant: the run is over.
+    const auto keep = [&](const Moment& next, double q, double done) {
         now = next;
+        if (next.status == rollbem::StepStatus::ok) {
+            slip_work += next.slip_work;
+            jump_work += next.jump_work;
+            work += done;
+        } else {
+            ended = why_ended(q, next.status);
+        }
     };
     if (history.shift) {
         const Ratios shift{*history.shift, history.lateral ? std::optional(0.0) : std::nullopt};
         const Moment next = contact->shift(shift);
-        keep(next, creep_work(now, next, shift, shift, true));
+        keep(next, 0, creep_work(now, next, shift, shift, true));
         record(0, {0, shift.lateral}, *history.shift, now, exact_shift());
     }
     if (history.from_steady) {
-        now = contact->settle(history.at(0));
-        now.slip_work = 0;
+        Moment next = contact->settle(history.at(0));
+        next.slip_work = next.jump_work = 0;
+        keep(next, 0, 0);
     }
+    int rounds = 0;
+    const auto roll = [&](const auto& self, double from, double to, int halvings) -> void {
+        const Moment next = contact->advance(to - from, history.at(from), history.at(to), history.load_at(to));
+        if (next.status == rollbem::StepStatus::no_solution && halvings > 0) {
+            const double middle = from + (to - from) / 2;
+            self(self, from, middle, halvings - 1);
+            if (ended.empty()) self(self, middle, to, halvings - 1);
+            return;
+        }
+        rounds += next.rounds;
+        keep(next, to,
+             creepage(scene, 1) * (to - from) * creep_work(now, next, history.at(from), history.at(to), both_ends));
+    };
     const std::size_t shifts = row;
     while (row < range.last) {
         const double end = double(row - shifts + 1) * dq;
-        int rounds = 0;
-        for (double from = double(row - shifts) * dq; from < end;) {
-            const double to = history.next_stop(from, end), unit = creepage(scene, 1);
-            const Moment next = contact->advance(to - from, history.at(from), history.at(to), history.load_at(to));
-            keep(next, unit * (to - from) * creep_work(now, next, history.at(from), history.at(to), both_ends));
-            rounds += next.rounds;
+        const bool over = !ended.empty();
+        rounds = 0;
+        for (double from = double(row - shifts) * dq; from < end && ended.empty();) {
+            const double to = history.next_stop(from, end);
+            roll(roll, from, to, most_halvings);
             from = to;
         }
         now.rounds = rounds;
-        record(end, history.at(end), 0, now, std::nullopt);
+        record(end, history.at(end), 0, over ? std::nullopt : std::optional(now), std::nullopt);
     }
+    return ended;
+}
+
+/// One line for the runs that ended early, which names the first; empty if there are none.
+std::string early_ends(const std::vector<study::Scene>& scenes, const std::vector<std::string>& ended) {
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < ended.size(); ++i) {
+        if (!ended[i].empty() && count++ == 0) text = scenes[i].label() + ": " + ended[i];
+    }
+    if (count > 1)
+        text += "; " + std::to_string(count - 1) + " more of " + std::to_string(ended.size()) + " runs ended";
+    return text;
 }
 
 }  // namespace
@@ -230,15 +291,16 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
         checking.update(makers.size());
     }
     checking.clear();
+    std::vector<std::string> ended(scenes.size());
     study::Table table;
     table.columns = columns;
     table.rows_of_task.assign(scenes.size(), steps.count + (history.shift ? 1 : 0));
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        Run{scenes[task], *makers[task],  history,
-            steps.dq,     layer,          falling,
-            integrator,   pressure.hertz, !options.flag("unchecked")}
-            .rows(range, emit);
+        ended[task] = Run{scenes[task], *makers[task],  history,
+                          steps.dq,     layer,          falling,
+                          integrator,   pressure.hertz, !options.flag("unchecked")}
+                          .rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return force_in_time(columns, rows,
@@ -249,7 +311,15 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
                               .ratio = history.amplitude,
                               .end = double(steps.count) * steps.dq});
     };
-    study::write_table(options, table);
+    std::string undrawn;
+    try {
+        study::write_table(options, table);
+    } catch (const study::PlotError& error) {
+        undrawn = error.what();
+    }
+    const std::string early = early_ends(scenes, ended);
+    if (!early.empty()) throw std::runtime_error(undrawn.empty() ? early : early + "; " + undrawn);
+    if (!undrawn.empty()) throw study::PlotError(undrawn);
 }
 
 }  // namespace friction

@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/plane_lambda.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
@@ -90,15 +89,6 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
     return scene.visit([](const auto& mesh, const auto& scheme,
                           const auto& kernel) -> System { return rollbem::rolling_system(mesh, scheme, kernel); },
                        [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
-}
-
-std::string steady_status(const Scene& scene, rollbem::Status status, double c11) {
-    if (status != rollbem::Status::ok) return name(status);
-    constexpr double wide = 10;  // b/a; for wider contacts the plane's c11 is within 1 % of the strip's
-    const bool plane = std::holds_alternative<rollbem::PlaneKernel<double>>(scene.kernel);
-    if (scene.chebyshev || scene.n() >= 10 || !(plane || scene.contact.aspect() >= wide)) return name(status);
-    const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
-    return std::abs(c11 / exact - 1) > 0.5 ? coarse : name(status);
 }
 
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {

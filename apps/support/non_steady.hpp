@@ -55,17 +55,12 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 /// Of elements or Chebyshev states.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
-/// What columns called status say in addition to the library's names.
-inline constexpr const char* ok = "ok";
-inline constexpr const char* coarse = "coarse";          ///< few elements, and an error of c11 above 50 %
-inline constexpr const char* unresolved = "unresolved";  ///< a sine with fewer than six steps in a period
-inline constexpr const char* unchecked = "unchecked";    ///< ok, except for the checks that --unchecked leaves out
+/// Further words of columns called status.
+inline constexpr const char* unresolved = "unresolved";        ///< a sine with fewer than six steps in a period
+inline constexpr const char* after_failure = "after_failure";  ///< of a run in time: a step before has failed
+inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
-/// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
-/// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
-std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
-
-/// The same for a scene's `system`.
+/// steady_status of a scene's `system`.
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
 /// `status` or, if that is ok, the flaw that the scene's `system` shows in steady rolling: inconsistent, coarse, or

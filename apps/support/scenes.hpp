@@ -13,6 +13,7 @@
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/status.hpp>
 
 #include "csv.hpp"
 #include "options.hpp"
@@ -93,5 +94,13 @@ void offer_chebyshev(Options& options, const std::string& further = "");
 
 /// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods = Methods::elements);
+
+/// What columns called status say in addition to the library's names.
+inline constexpr const char* ok = "ok";
+inline constexpr const char* coarse = "coarse";  ///< few elements, and an error of c11 above 50 %
+
+/// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
+/// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
+std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
 
 }  // namespace study

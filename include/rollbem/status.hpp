@@ -13,6 +13,7 @@ enum class Status {
     inconsistent,     ///< solved accurately, but the tractions of steady rolling assist the creepage: the scheme does
                       ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
     not_converged,    ///< the order of a polynomial is too low, or monomials have broken down by cancellation
+    unstable,         ///< a mode of the system grows with the distance rolled
     order_differs,    ///< values to be extrapolated do not converge with the given order
     not_finite,       ///< an input or a result is NaN or infinite
 };
@@ -45,6 +46,7 @@ constexpr const char* name(Status status) {
         case Status::ill_conditioned: return "ill_conditioned";
         case Status::inconsistent: return "inconsistent";
         case Status::not_converged: return "not_converged";
+        case Status::unstable: return "unstable";
         case Status::order_differs: return "order_differs";
         case Status::not_finite: break;
     }

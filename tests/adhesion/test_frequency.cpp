@@ -1,5 +1,6 @@
 // rollbem/adhesion/frequency.hpp
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -13,6 +14,7 @@
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/observed_order.hpp"
 
 namespace {
 
@@ -26,10 +28,10 @@ PlaneKernel<double> plane(double aspect) {
 }
 
 /// c11(z) of the plane model in closed form.
-Complex exact_c11(double z, double aspect) {
+Complex exact_c11(double z, double aspect, double poisson_ratio = nu) {
     const Complex wave(gsl_sf_bessel_J0(z), gsl_sf_bessel_J1(z));
     const Complex i(0, 1);
-    return steady_c11(nu) * wave / (gsl_sf_bessel_J0(z) + i * z * plane_lambda(nu, aspect) * wave);
+    return steady_c11(poisson_ratio) * wave / (gsl_sf_bessel_J0(z) + i * z * plane_lambda(poisson_ratio, aspect) * wave);
 }
 
 std::vector<double> logarithmic(double first, double last, int count) {
@@ -77,6 +79,26 @@ TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]"
     CAPTURE(order);
     CHECK(order > 1.85);
     CHECK(order < 2.15);
+}
+
+TEST_CASE("Node differences are of second order in frequency", "[frequency]") {
+    const double nu_ = 0.28, z = 1;
+    const std::vector<double> sizes{10, 20, 40, 80};
+    for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+        const std::array<double, 4> known = nodes == Nodes::centres ? std::array{1.0e-3, 2.3e-4, 5.1e-5, 1.2e-5}
+                                                                    : std::array{1.0e-3, 2.6e-4, 6.4e-5, 1.6e-5};
+        std::vector<double> errors;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const PlaneKernel<double> kernel(100, 1 - nu_, nu_);
+            const Complex c11 =
+                solve_harmonic(cosine_mesh(static_cast<Eigen::Index>(sizes[k])), NodeDifference{nodes}, kernel, z).c11;
+            errors.push_back(std::abs(c11 / exact_c11(z, 100, nu_) - 1.0));
+            CAPTURE(nodes == Nodes::centres, errors.back());
+            CHECK(std::abs(errors[k] / known[k] - 1) < 0.06);
+        }
+        CAPTURE(nodes == Nodes::centres, support::observed_order(sizes, errors));
+        CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.15);
+    }
 }
 
 TEST_CASE("A sweep reports a scheme that does not converge to full adhesion", "[frequency]") {

@@ -208,6 +208,23 @@ TEST_CASE("The recommended schemes are stable and larger alphas are not", "[stab
     CHECK(count(uniform_mesh(40), Collocation{0, 0.7850}) == 2);
 }
 
+TEST_CASE("Node differences are stable at every size and aspect", "[stability]") {
+    const auto count = [](const Mesh<double>& mesh, Nodes nodes, double aspect, double poisson_ratio) {
+        const PlaneKernel<double> kernel(aspect, 1 - poisson_ratio, poisson_ratio);
+        return count_unstable(rolling_system(mesh, NodeDifference{nodes}, kernel)).unstable_count;
+    };
+    for (const double poisson_ratio : {0.0, 0.25, 0.5}) {
+        for (const double aspect : {0.5, 2.0, 30.0, 1000.0}) {
+            for (const int n : {1, 2, 3, 4, 5, 7, 10, 16, 25, 39, 64}) {
+                CAPTURE(poisson_ratio, aspect, n);
+                CHECK(count(cosine_mesh(n), Nodes::centres, aspect, poisson_ratio) == 0);
+                CHECK(count(cosine_mesh(n), Nodes::chebyshev, aspect, poisson_ratio) == 0);
+                CHECK(count(uniform_mesh(n), Nodes::centres, aspect, poisson_ratio) == 0);
+            }
+        }
+    }
+}
+
 TEST_CASE("A lambda below one half removes the instability of finite differences", "[stability]") {
     const auto count = [](const auto& mesh, const auto& scheme) {
         return count_unstable(rolling_system(mesh, scheme, strip())).unstable_count;

@@ -161,6 +161,61 @@ TEST_CASE("The c11 converges at order one on uniform and two on cosine meshes", 
     CHECK(rounds_to((4 * fine - coarse) / 3, 6.6e-5, 2));
 }
 
+// Relative errors at n = 10, 20, 40, 80 against published ones: within 1 %, and of one order.
+void check_errors(const std::vector<double>& errors, const std::vector<double>& published, double order, double band) {
+    const std::vector<double> sizes{10, 20, 40, 80};
+    CAPTURE(errors, published, support::observed_order(sizes, errors));
+    for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(errors[k] / published[k] - 1) < 0.01);
+    CHECK(std::abs(support::observed_order(sizes, errors) - order) < band);
+}
+
+TEST_CASE("Node differences are of second order on the cosine mesh, in force and moment", "[steady][convergence]") {
+    // creepage: p = -(1/c1) sqrt((1 - x)/(1 + x)), moment about x = 0: pi/(4 c1); rigid slip x, as by spin:
+    // p = -(1/c1) sqrt(1 - x^2)/2, force -pi/(4 c1), all in units of a = G = 1
+    const double c1 = 0.72;
+    const PlaneKernel<double> kernel(1000, c1, 0.28);
+    struct Case {
+        Nodes nodes;
+        std::vector<double> c11, spin_force, moment;
+        double moment_order;
+    };
+    for (const Case& expected : {Case{Nodes::centres,
+                                      {4.992e-4, 1.213e-4, 3.009e-5, 7.510e-6},
+                                      {1.92e-2, 5.04e-3, 1.30e-3, 3.30e-4},
+                                      {-1.91e-2, -4.84e-3, -1.22e-3, -3.05e-4},
+                                      2},
+                                 Case{Nodes::chebyshev,
+                                      {3.044e-3, 7.627e-4, 1.908e-4, 4.770e-5},
+                                      {1.11e-2, 2.90e-3, 7.43e-4, 1.88e-4},
+                                      {-1.37e-3, -1.70e-4, -2.11e-5, -2.64e-6},
+                                      3}}) {
+        std::vector<double> c11, spin_force, moment;
+        for (const Eigen::Index n : {10, 20, 40, 80}) {
+            const Mesh<double> mesh = cosine_mesh(n);
+            const NodeDifference scheme{expected.nodes};
+            const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
+            const Eigen::PartialPivLU<MatrixX<double>> G_prime(system.G_prime());
+            const ArrayX<double> p = G_prime.solve(VectorX<double>::Ones(n)), w = mesh.widths();
+            const ArrayX<double> by_spin = G_prime.solve(system.points()->matrix());
+            CHECK((w * p).sum() == Approx(-solve_steady(mesh, scheme, kernel).c11).epsilon(1e-12));
+            c11.push_back(-(w * p).sum() / steady_c11(0.28) - 1);
+            spin_force.push_back(-(w * by_spin).sum() * 4 * c1 / std::numbers::pi - 1);
+            moment.push_back((w * mesh.centres() * p).sum() * 4 * c1 / std::numbers::pi - 1);
+        }
+        CAPTURE(expected.nodes == Nodes::centres);
+        check_errors(c11, expected.c11, 2, 0.05);
+        check_errors(spin_force, expected.spin_force, 2, 0.1);
+        check_errors(moment, expected.moment, expected.moment_order, 0.1);
+        CHECK(std::abs(4 * c11[1] - c11[0]) / 3 < 2e-5);  // clean enough for Richardson's extrapolation
+    }
+    // on uniform meshes of first order, at a fifth of the error of differences over each element's own width
+    std::vector<double> uniform;
+    for (const Eigen::Index n : {10, 20, 40, 80}) {
+        uniform.push_back(solve_steady(uniform_mesh(n), NodeDifference{}, kernel).c11 / steady_c11(0.28) - 1);
+    }
+    check_errors(uniform, {3.652e-3, 1.554e-3, 7.129e-4, 3.409e-4}, 1.14, 0.05);
+}
+
 TEST_CASE("The c11 of a strip tends to that of the plane as (a/b)^2", "[steady][convergence]") {
     std::vector<double> sizes, errors;
     const double plane = solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, PlaneKernel<double>(1, 0.75, 0.25)).c11;

@@ -109,8 +109,10 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
     const double a_0 = 4e-3, G = 8e10, g = 1 - 1 / std::sqrt(2.0);
     const Contact<double> contact({.half_length = a_0, .half_width = 0.4, .shear_modulus = G, .poisson_ratio = nu});
     const ElementSystem<double> of_elements = elements(20, 100);
+    const ElementSystem<double> of_nodes = rolling_system(cosine_mesh(20), NodeDifference{}, plane(100));
     const ChebyshevSystem<double> of_states = states(9, 100);
     for (const RollingSystem<double>* system : {static_cast<const RollingSystem<double>*>(&of_elements),
+                                                static_cast<const RollingSystem<double>*>(&of_nodes),
                                                 static_cast<const RollingSystem<double>*>(&of_states)}) {
         const Dense exact(*system);
         for (const Integrator integrator : breathing_integrators) {
@@ -214,6 +216,17 @@ TEST_CASE("A few Chebyshev states resolve a breathing contact as well as many el
     CAPTURE(errors);
     CHECK(std::abs(support::observed_order(counts, errors) - 2) < 0.1);
     CHECK(std::abs(4 * errors[2] - errors[1]) / 3 < 1e-6);
+    // node differences, too: what the slip is carried by belongs to the middle between two nodes, wherever G is taken
+    for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+        std::vector<double> of_nodes;
+        for (const double n : counts) {
+            of_nodes.push_back(error(
+                rolling_system(cosine_mesh(static_cast<Eigen::Index>(n)), NodeDifference{nodes}, plane(100))));
+        }
+        CAPTURE(nodes == Nodes::centres, of_nodes);
+        CHECK(std::abs(support::observed_order(counts, of_nodes) - 2) < 0.1);
+        CHECK(std::abs(4 * of_nodes[2] - of_nodes[1]) / 3 < 1e-6);
+    }
 }
 
 TEST_CASE("A breathing step of Chebyshev states is that of the tau method", "[breathing]") {

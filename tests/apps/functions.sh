@@ -56,6 +56,18 @@ good() {
     [ ! -s err ] || fail "something on stderr: $*"
 }
 
+# ends_early LINES TEXT PROGRAM ARG...: exit 1, this number of lines in the file out, one line with TEXT on stderr.
+ends_early() {
+    lines=$1
+    text=$2
+    shift 2
+    "$@" >out 2>err </dev/null
+    code=$?
+    [ $code -eq 1 ] || fail "exit $code instead of 1: $*: $(cat err)"
+    [ "$(wc -l <out)" -eq "$lines" ] || fail "$(wc -l <out) lines instead of $lines: $*"
+    [ "$(wc -l <err)" -eq 1 ] && grep -qF -e "$text" err || fail "no single line with '$text' in '$(cat err)': $*"
+}
+
 # check WHAT CONDITION: an awk expression that must hold in every row of the file out.
 check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
 

@@ -1,5 +1,5 @@
-// A user-defined scheme, rollbem/discretisation/scheme.hpp, in every problem: all that the library asks for is
-// rows(). Here the mean over two collocation points, whose matrices are the means of those of each point.
+// User-defined schemes, rollbem/discretisation/scheme.hpp: all that the library asks for is rows(). In every problem,
+// the mean over two collocation points, whose matrices are the means of those of each point.
 #include <cmath>
 #include <utility>
 
@@ -22,19 +22,26 @@ struct TwoPoints {
     double alpha_L, alpha_T, half;
 
     template <class Scalar>
-    SchemeRows<Scalar> rows(Quantity quantity, Eigen::Index n) const {
-        SchemeRows<Scalar> rows;
-        rows.alpha_L = alpha_L;
-        rows.alpha_T = alpha_T;
+    SchemeRows<Scalar> rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
+        SchemeRows<Scalar> rows = rows_about(mesh, alpha_L, alpha_T);
         rows.offsets.resize(2);
         rows.offsets << static_cast<Scalar>(-half), static_cast<Scalar>(half);
         rows.weights.setConstant(2, Scalar(0.5));
         rows.averages = quantity == Quantity::slope ? 1 : 0;
-        rows.unknown_count = n;
         return rows;
     }
     Collocation behind() const { return {alpha_L - half, alpha_T - half}; }
     Collocation ahead() const { return {alpha_L + half, alpha_T + half}; }
+};
+// Differences between each centre and the point one width ahead of it: Collocation at alpha = 0.5, put another way.
+struct OneWidthAhead {
+    template <class Scalar>
+    SchemeRows<Scalar> rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
+        SchemeRows<Scalar> rows =
+            rows_between<Scalar>(ArrayX<Scalar>::Zero(mesh.size()), ArrayX<Scalar>::Ones(mesh.size()));
+        rows.averages = quantity == Quantity::slope ? 1 : 0;
+        return rows;
+    }
 };
 static_assert(RollingScheme<TwoPoints> && RollingScheme<TwoPoints, float> && RollingScheme<TwoPoints, long double>);
 
@@ -46,6 +53,15 @@ ElementSystem<double> mean_of_both(const Mesh<double>& mesh, const TwoPoints& sc
     const auto [G, G_prime] = assemble(mesh, scheme.behind(), kernel);
     const auto [other_G, other_G_prime] = assemble(mesh, scheme.ahead(), kernel);
     return {(G + other_G) / 2, (G_prime + other_G_prime) / 2, mesh.widths()};
+}
+
+TEST_CASE("A row can be written as a mean about a point or as a difference between two", "[scheme]") {
+    for (const Mesh<double>& mesh : {uniform_mesh(20), cosine_mesh(17), geometric_mesh(12, 3.0)}) {
+        const auto [G, G_prime] = assemble(mesh, OneWidthAhead{}, kernel);
+        const auto [expected_G, expected_G_prime] = assemble(mesh, Collocation{0.5, 0.5}, kernel);
+        CHECK(G == expected_G);
+        CHECK(G_prime == expected_G_prime);
+    }
 }
 
 TEST_CASE("The matrices of a scheme with two points are the means of those of each point", "[scheme]") {

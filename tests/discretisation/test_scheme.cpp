@@ -1,6 +1,10 @@
 // rollbem/discretisation/scheme.hpp
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
 
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/scheme.hpp>
@@ -49,58 +53,101 @@ TEST_CASE("Knothe's boundary condition drops the width of the leading element", 
 
 TEST_CASE("Schemes are imposed at the leading edges by default", "[scheme]") {
     for (const Quantity quantity : {Quantity::slope, Quantity::displacement}) {
-        const auto collocation = Collocation{}.rows<double>(quantity, 4);
-        CHECK(collocation.alpha_L == 0.5);
-        CHECK(collocation.alpha_T == 0.5);
-        const auto galerkin = Galerkin{}.rows<double>(quantity, 4);
-        CHECK(galerkin.alpha_L == 0.5);
-        CHECK(galerkin.alpha_T == 0.5);
+        const auto collocation = Collocation{}.rows(quantity, uniform_mesh(4));
+        CHECK((collocation.alpha == 0.5).all());
+        const auto galerkin = Galerkin{}.rows(quantity, uniform_mesh(4));
+        CHECK((galerkin.alpha == 0.5).all());
     }
 }
 
 TEST_CASE("Schemes reject invalid parameters and give name and value", "[scheme]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_NOTHROW(check_scheme(Collocation{2, -2}, 2));
-    CHECK_NOTHROW(check_scheme(Collocation{0.5, 0.5}, 1));
-    CHECK_THROWS_WITH(check_scheme(Collocation{2.5, 0}, 4), "Collocation: alpha_L = 2.5 must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{0, nan}, 4), "Collocation: alpha_T = nan must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{0, -3}, 4), "Galerkin: alpha_T = -3 must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, 4), "Collocation: lambda = 1.5 must lie in [0, 1]");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, 4), "Galerkin: lambda = nan must lie in [0, 1]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{0, 0.63}, 1),
+    CHECK_NOTHROW(check_scheme(Collocation{2, -2}, uniform_mesh(2)));
+    CHECK_NOTHROW(check_scheme(Collocation{0.5, 0.5}, uniform_mesh(1)));
+    CHECK_THROWS_WITH(check_scheme(Collocation{2.5, 0}, uniform_mesh(4)), "Collocation: alpha_L = 2.5 must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{0, nan}, uniform_mesh(4)), "Collocation: alpha_T = nan must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{0, -3}, uniform_mesh(4)), "Galerkin: alpha_T = -3 must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, uniform_mesh(4)), "Collocation: lambda = 1.5 must lie in [0, 1]");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, uniform_mesh(4)), "Galerkin: lambda = nan must lie in [0, 1]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{0, 0.63}, uniform_mesh(1)),
                       "Collocation: n = 1 must be at least 2 where alpha_L and alpha_T differ");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{0, 0.63}, 1),
+    CHECK_THROWS_WITH(check_scheme(Galerkin{0, 0.63}, uniform_mesh(1)),
                       "Galerkin: n = 1 must be at least 2 where alpha_L and alpha_T differ");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{.quadrature = -1}, 4),
+    CHECK_THROWS_WITH(check_scheme(Galerkin{.quadrature = -1}, uniform_mesh(4)),
                       "Galerkin: quadrature = -1 must be exact_quadrature (0) or lie in [1, 1000]");
-    CHECK_THROWS_AS(check_scheme(Galerkin{.quadrature = 1001}, 4), std::invalid_argument);
-    CHECK_NOTHROW(check_scheme(Galerkin{.quadrature = 1000}, 4));
-    CHECK_THROWS_WITH(check_scheme(KnotheBoundary{}, 1), "KnotheBoundary: n = 1 must be at least 2");
-    CHECK_NOTHROW(check_scheme(KnotheBoundary{}, 2));
+    CHECK_THROWS_AS(check_scheme(Galerkin{.quadrature = 1001}, uniform_mesh(4)), std::invalid_argument);
+    CHECK_NOTHROW(check_scheme(Galerkin{.quadrature = 1000}, uniform_mesh(4)));
+    CHECK_THROWS_WITH(check_scheme(KnotheBoundary{}, uniform_mesh(1)), "KnotheBoundary: n = 1 must be at least 2");
+    CHECK_NOTHROW(check_scheme(KnotheBoundary{}, uniform_mesh(2)));
+}
+
+TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last row ends on the leading edge", "[scheme]",
+                   float, double, long double) {
+    using Scalar = TestType;
+    const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+    for (const Eigen::Index n : {1, 2, 3, 8, 41}) {
+        for (const auto& [name, mesh] : {std::pair{"cosine", cosine_mesh<Scalar>(n)}, {"uniform", uniform_mesh<Scalar>(n)}}) {
+            for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+                if (nodes == Nodes::chebyshev && name == std::string("uniform")) continue;
+                const SchemeRows<Scalar> slope = NodeDifference{nodes}.rows(Quantity::slope, mesh);
+                const SchemeRows<Scalar> displacement = NodeDifference{nodes}.rows(Quantity::displacement, mesh);
+                check_scheme(NodeDifference{nodes}, mesh);
+                const auto node = [&](Eigen::Index i) -> Scalar {
+                    if (i == n) return 1;
+                    const Scalar angle = std::numbers::pi_v<Scalar> * (Scalar(i) + Scalar(0.5)) / Scalar(n);
+                    return nodes == Nodes::centres ? mesh.centres()[i] : -std::cos(angle);
+                };
+                CAPTURE(n, name, nodes == Nodes::centres);
+                for (Eigen::Index i = 0; i < n; ++i) {
+                    const Scalar middle = mesh.centres()[i] + slope.alpha[i] * mesh.widths()[i];
+                    CHECK(std::abs(middle - (node(i) + node(i + 1)) / 2) <= 16 * eps);
+                    CHECK(std::abs(slope.lengths[i] * mesh.widths()[i] - (node(i + 1) - node(i))) <= 16 * eps);
+                    CHECK(displacement.alpha[i] == std::min(slope.alpha[i], Scalar(0.5)));
+                }
+                CHECK(std::abs(slope.alpha[n - 1] + slope.lengths[n - 1] / 2 - Scalar(0.5)) <= eps);
+                CHECK(slope.averages == 1);
+                CHECK(displacement.averages == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("Chebyshev nodes require the cosine mesh", "[scheme]") {
+    const NodeDifference chebyshev{Nodes::chebyshev};
+    CHECK_NOTHROW(check_scheme(chebyshev, mesh_from_edges<double>(cosine_mesh(40).edges())));
+    CHECK_NOTHROW(check_scheme(chebyshev, uniform_mesh(2)));  // both are the same
+    CHECK_THROWS_WITH(check_scheme(chebyshev, uniform_mesh(3)),
+                      "NodeDifference: width of an element over that of the cosine mesh = 1.3333333333333333 must be "
+                      "1: Chebyshev nodes require the cosine mesh");
+    CHECK_THROWS_AS(check_scheme(chebyshev, geometric_mesh(8, 1.5)), std::invalid_argument);
 }
 
 // A scheme with the rows that a test gives it.
 struct Given {
     SchemeRows<double> slope, displacement;
 
-    template <class Scalar>
-    SchemeRows<Scalar> rows(Quantity quantity, Eigen::Index) const {
+    SchemeRows<double> rows(Quantity quantity, const Mesh<double>&) const {
         return quantity == Quantity::slope ? slope : displacement;
     }
 };
 
 TEST_CASE("Rows that break the requirements on a scheme are rejected", "[scheme]") {
     const auto check = [](const auto& change, Quantity quantity = Quantity::slope) {
-        Given scheme{Collocation{}.rows<double>(Quantity::slope, 5),
-                     Collocation{}.rows<double>(Quantity::displacement, 5)};
+        Given scheme{Collocation{}.rows(Quantity::slope, uniform_mesh(5)),
+                     Collocation{}.rows(Quantity::displacement, uniform_mesh(5))};
         change(quantity == Quantity::slope ? scheme.slope : scheme.displacement);
-        check_scheme(scheme, 5);
+        check_scheme(scheme, uniform_mesh(5));
     };
     using Rows = SchemeRows<double>;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_NOTHROW(check([](Rows&) {}));
-    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.alpha_L = nan; }), "SchemeRows: alpha_L = nan must be finite");
-    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.alpha_T = nan; }), "SchemeRows: alpha_T = nan must be finite");
+    CHECK_THROWS_WITH(check([&](Rows& rows) { rows.alpha[3] = nan; }), "SchemeRows: alpha = nan must be finite");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.lengths[4] = 0; }),
+                      "SchemeRows: length = 0 must be positive and finite");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.alpha.setZero(4); }),
+                      "SchemeRows: number of alphas = 4 must equal that of elements");
+    CHECK_THROWS_WITH(check([](Rows& rows) { rows.lengths.resize(0); }),
+                      "SchemeRows: number of lengths = 0 must equal that of elements");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.offsets.resize(0); }),
                       "SchemeRows: number of offsets = 0 must be at least 1");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.weights.setConstant(2, 0.5); }),
@@ -123,8 +170,8 @@ TEST_CASE("Rows that break the requirements on a scheme are rejected", "[scheme]
 
 TEST_CASE("A scheme whose rows for G and G' differ in number or position is rejected", "[scheme]") {
     const auto build = [](Eigen::Index first_equation, Eigen::Index unknown_count) {
-        Given scheme{KnotheBoundary{}.rows<double>(Quantity::slope, 5),
-                     KnotheBoundary{}.rows<double>(Quantity::displacement, 5)};
+        Given scheme{KnotheBoundary{}.rows(Quantity::slope, uniform_mesh(5)),
+                     KnotheBoundary{}.rows(Quantity::displacement, uniform_mesh(5))};
         scheme.displacement.first_equation = first_equation;
         scheme.displacement.unknown_count = unknown_count;
         return rolling_system(uniform_mesh(5), scheme, PlaneKernel<double>(100, 0.75, 0.25)).size();

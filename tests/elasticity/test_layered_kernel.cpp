@@ -80,6 +80,15 @@ std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Ro
         };
         for (std::size_t i = 0; i < result.size(); ++i) {
             const Eigen::Index m = static_cast<Eigen::Index>(i);
+            if (rows.nodes) {
+                const brute_force::Place from = brute_force::node_place(mesh, *rows.nodes, own);
+                const brute_force::Place to = brute_force::node_place(mesh, *rows.nodes, own + 1);
+                const Real half = (to - from) / 2, clear = std::min(half, brute_force::edge(mesh, own + 1) - from);
+                const brute_force::Place middle = shifted(from, clear);
+                const Real end = own + 1 == n ? 0 : share(mesh, m, to, to);  // no layer ahead of the contact
+                result[i] = slope ? (end - share(mesh, m, from, from)) / (2 * half) : share(mesh, m, middle, middle);
+                continue;
+            }
             result[i] += weight * (slope ? (traction(m, width / 2) - traction(m, -width / 2)) / width : traction(m, 0));
         }
     }
@@ -167,7 +176,7 @@ TEST_CASE("Nested layers add up, also in a product without a matrix", "[layer]")
     CHECK(one.G_prime == two.G_prime);
     const VectorX<double> p = VectorX<double>::LinSpaced(50, 1, 3);
     const VectorX<double> product = detail::influence_product<double>(
-        mesh, scheme_rows<double>(halves, Quantity::slope, 50), detail::KernelView<double>(once), Quantity::slope, p);
+        mesh, scheme_rows(halves, Quantity::slope, mesh), detail::KernelView<double>(once), Quantity::slope, p);
     CHECK((product - one.G_prime * p).norm() < 1e-13 * product.norm());
 }
 
@@ -232,6 +241,18 @@ TEST_CASE("A soft layer acts as a brush", "[layer]") {
         }
         CAPTURE(cosine, c11_errors);
         CHECK(std::abs(support::observed_order(counts, c11_errors) - 1) < 0.15);
+    }
+}
+
+TEST_CASE("Differences between centres of a uniform mesh give a brush exactly", "[layer]") {
+    // bodies that are stiff compared with the layer: L p = -xi (a - x) at every centre, c11 = 2/L
+    const PlaneKernel<double> stiff(std::numeric_limits<double>::infinity(), 1e-14, 0);
+    for (const Eigen::Index n : {1, 2, 7, 40}) {
+        const Mesh<double> mesh = uniform_mesh<double>(n);
+        const UnitSteadySolution<double> brush = solve_steady(mesh, NodeDifference{}, LayeredKernel(stiff, 2));
+        CAPTURE(n, brush.c11);
+        CHECK((2 * brush.traction.array() + mesh.from_leading()).abs().maxCoeff() < 1e-12);
+        CHECK(std::abs(brush.c11 - 1) < 1e-12);
     }
 }
 

@@ -299,9 +299,9 @@ TEST_CASE("Fast math: arguments that are not finite are rejected by name", "[fas
     refuses("of an edge = ", [](double x) {
         Mesh<double>({Eigen::Array2d(0.5, 1.5), Eigen::Array3d(0, x, 2), Eigen::Array3d(2, 1.5, 0)});
     });
-    refuses("alpha_L = ", [](double x) { check_scheme(Collocation{.alpha_L = x}, 4); });
-    refuses("alpha_T = ", [](double x) { check_scheme(Galerkin{.alpha_T = x}, 4); });
-    refuses("lambda = ", [](double x) { check_scheme(Collocation{.lambda = x}, 4); });
+    refuses("alpha_L = ", [](double x) { check_scheme(Collocation{.alpha_L = x}, uniform_mesh(4)); });
+    refuses("alpha_T = ", [](double x) { check_scheme(Galerkin{.alpha_T = x}, uniform_mesh(4)); });
+    refuses("lambda = ", [](double x) { check_scheme(Collocation{.lambda = x}, uniform_mesh(4)); });
     refuses("x/a = ", [](double x) { PressureTable<double>(Eigen::Array3d(-1, x, 1), Eigen::Array3d(1, 1, 1)); });
     refuses("pressure = ", [](double x) { PressureTable<double>(Eigen::Array3d(-1, 0, 1), Eigen::Array3d(1, x, 1)); });
     const ElasticBody<double> steel{2e11, 0.28};

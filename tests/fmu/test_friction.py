@@ -161,6 +161,12 @@ def test_what_a_step_refuses():
             assert other.step(i * duration, duration) == ok
         assert outcome(other) == outcome(instance)
         other.close()
+        # an importing program that goes on all the same would lose the distance of a step
+        instance.set(**values)
+        assert instance.step(6 * duration, duration) == discard
+        instance.set(**kept)
+        assert instance.step(7 * duration, duration) == error
+        assert "was refused" in instance.messages[-1]
         instance.close()
 
 

@@ -4,8 +4,12 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include <rollbem/compiled/friction.hpp>
 
@@ -38,11 +42,15 @@ struct Problem {
     typename Solver<Scalar>::Outcome solve_from_rest(Solver<Scalar>& solver) const {
         return solver.solve(bound.cast<Scalar>(), ElementVectors<Scalar>::Zero(size(), 2), all_stick(size()));
     }
-    /// The largest violation of the conditions, from the definition.
-    double violation(const ElementVectors<double>& p) const {
+    ElementVectors<double> slip(const ElementVectors<double>& p) const {
         ElementVectors<double> s(size(), 2);
         s.col(0) = x * p.col(0) + constant.col(0);
         s.col(1) = y * p.col(1) + constant.col(1);
+        return s;
+    }
+    /// The largest violation of the conditions, from the definition.
+    double violation(const ElementVectors<double>& p) const {
+        const ElementVectors<double> s = slip(p);
         double worst = 0;
         for (Eigen::Index i = 0; i < size(); ++i) {
             const double norm = p.row(i).norm(), slip = s.row(i).norm();
@@ -205,6 +213,103 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
     CHECK(outcome.status == StepStatus::ok);
     CHECK(outcome.tangent_exists);
     CHECK(problem.violation(solver.traction()) < 1e-13);
+}
+
+// Strips of 1, 2, 3, 1, ... elements.
+std::vector<Eigen::Index> strips(Eigen::Index n) {
+    std::vector<Eigen::Index> behind;
+    for (Eigen::Index first = 0, length = 1; first < n; first += length, length = length % 3 + 1) {
+        for (Eigen::Index i = first; i < std::min(n, first + length); ++i) behind.push_back(i == first ? -1 : i - 1);
+    }
+    return behind;
+}
+
+// Angles from s to its sum with the slip of the row behind, from the definition; `slip` is 0 where elements stick.
+VectorX<double> angles(const ElementVectors<double>& slip, const std::vector<Eigen::Index>& behind) {
+    VectorX<double> result = VectorX<double>::Zero(slip.rows());
+    for (Eigen::Index i = 0; i < slip.rows(); ++i) {
+        const Eigen::Index before = behind[static_cast<std::size_t>(i)];
+        const auto ahead = std::find(behind.begin(), behind.end(), i) - behind.begin();
+        Eigen::RowVector2d m = Eigen::RowVector2d::Zero();
+        if (before >= 0) {
+            m = slip.row(i) + slip.row(before);
+        } else if (ahead < slip.rows()) {
+            m = 3 * slip.row(i) - slip.row(ahead);
+        }
+        if (slip.row(i).norm() == 0 || m.norm() == 0) continue;
+        const double turn = std::remainder(
+            std::atan2(m[1], m[0]) - std::atan2(slip(i, 1), slip(i, 0)), 2 * std::numbers::pi);
+        result[i] = std::clamp(turn, -std::numbers::pi / 3, std::numbers::pi / 3);
+    }
+    return result;
+}
+
+TEST_CASE("Turned slip opposes the traction, at the angles of the solution with slip as it is", "[friction]") {
+    std::mt19937 generator(3);
+    int solved = 0, cut = 0, changed = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+        const Eigen::Index n = 1 + trial % 14;
+        Problem problem = random_problem(generator, n, Kind::definite);
+        problem.constant *= 5;  // half of the elements slip
+        if (trial % 5 == 0) problem.bound[n / 2] = 0;
+        const std::vector<Eigen::Index> behind = strips(n);
+        Solver<double> plain(n), solver(n);
+        problem.put_into(plain);
+        problem.put_into(solver);
+        solver.turn_slip(behind);
+        REQUIRE(problem.solve_from_rest(plain).status == StepStatus::ok);
+        const auto outcome = problem.solve_from_rest(solver);
+        CAPTURE(trial, n, outcome.rounds, outcome.residual);
+        // an arbitrary matrix turned by arbitrary angles need not have a solution
+        if (outcome.status != StepStatus::ok) continue;
+        ++solved;
+        const ElementVectors<double>& p = solver.traction();
+        const ElementVectors<double> s = problem.slip(p);
+        const VectorX<double> angle = angles(plain.slip(), behind);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            CAPTURE(i, angle[i]);
+            cut += std::abs(angle[i]) > 1.047 ? 1 : 0;
+            REQUIRE((solver.slip().row(i) - s.row(i)).norm() < 1e-9);
+            if (problem.bound[i] == 0) continue;
+            const double norm = p.row(i).norm(), share = norm / problem.bound[i];
+            REQUIRE(share < 1 + 1e-12);
+            if (solver.zones()[static_cast<std::size_t>(i)] == CombinedZone::stick) {
+                REQUIRE(solver.slip().row(i).norm() == 0);
+                continue;
+            }
+            REQUIRE(share > 1 - 1e-12);
+            const Eigen::RowVector2d turned = s.row(i) * Eigen::Rotation2Dd(angle[i]).toRotationMatrix().transpose();
+            REQUIRE((turned + turned.norm() / norm * p.row(i)).norm() < 1e-9);
+            REQUIRE((solver.against_slip().row(i) * s.row(i).norm() + s.row(i)).norm() < 1e-9);
+        }
+        changed += (p - plain.traction()).norm() > 1e-3 ? 1 : 0;
+        // an empty list: not turned
+        solver.turn_slip({});
+        problem.solve_from_rest(solver);
+        REQUIRE(solver.traction() == plain.traction());
+    }
+    CAPTURE(solved, cut, changed);
+    CHECK(solved > 590);
+    CHECK(cut > 100);
+    CHECK(changed > 300);
+}
+
+TEST_CASE("Slip along one line is not turned", "[friction]") {
+    std::mt19937 generator(4);
+    for (const Eigen::Index n : {Eigen::Index(1), Eigen::Index(9)}) {
+        Problem problem = random_problem(generator, n, Kind::definite);
+        if (n > 1) problem.constant.col(1).setZero();
+        Solver<double> plain(n), solver(n);
+        problem.put_into(plain);
+        problem.put_into(solver);
+        std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
+        std::iota(behind.begin(), behind.end(), -1);
+        solver.turn_slip(behind);
+        const int rounds = problem.solve_from_rest(plain).rounds;
+        CHECK(problem.solve_from_rest(solver).rounds == rounds);
+        CHECK(solver.traction() == plain.traction());
+        CHECK(solver.slip() == plain.slip());
+    }
 }
 
 template <class Scalar>

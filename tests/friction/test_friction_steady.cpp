@@ -50,6 +50,39 @@ TEST_CASE("The steady force converges to Carter's", "[friction]") {
     }
 }
 
+TEST_CASE("Node differences make steady friction of second order", "[friction]") {
+    // relative errors of the force at n = 10, 20, 40, 80
+    struct Case {
+        Nodes nodes;
+        double ratio, errors[4];
+    };
+    const Case cases[] = {{Nodes::centres, 0.5, {3.9e-3, 9.6e-4, 2.4e-4, 5.9e-5}},
+                          {Nodes::chebyshev, 0.5, {1.5e-3, 3.5e-4, 8.2e-5, 2.0e-5}},
+                          {Nodes::centres, 0.8, {2.9e-3, 6.3e-4, 1.4e-4, 4.6e-5}},
+                          {Nodes::chebyshev, 0.8, {3.1e-4, 1.0e-6, 1.2e-5, 7.5e-6}}};
+    for (const Case& expected : cases) {
+        std::vector<double> sizes, errors;
+        for (int k = 0; k < 4; ++k) {
+            const Mesh<double> mesh = cosine_mesh(Eigen::Index{10} << k);
+            const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
+            const SteadyFrictionModel<double> model(contact, mesh, NodeDifference{expected.nodes},
+                                                    PlaneKernel<double>::longitudinal(contact),
+                                                    {1, peak * mean_hertz_pressure(mesh)});
+            const FrictionStep<double> point = from_scratch(model, creepage(expected.ratio));
+            sizes.push_back(static_cast<double>(mesh.size()));
+            errors.push_back(force_ratio(point) / carter_force_ratio(expected.ratio) - 1);
+            CAPTURE(expected.nodes == Nodes::centres, expected.ratio, mesh.size(), errors.back());
+            CHECK(point.status == StepStatus::ok);
+            CHECK(std::abs(std::abs(errors.back()) - expected.errors[k]) < 0.02 * expected.errors[k] + 1e-6);
+        }
+        // at 0.8 with Chebyshev nodes the error changes its sign
+        if (expected.nodes == Nodes::centres || expected.ratio == 0.5) {
+            CAPTURE(expected.ratio, support::observed_order(sizes, errors));
+            CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.1);
+        }
+    }
+}
+
 TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solution", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {40, 80, 160}) {

@@ -31,14 +31,14 @@ try() {
 #include "headers.hpp"
 using namespace rollbem;
 struct RightScheme {
-    template <class Scalar> SchemeRows<Scalar> rows(Quantity, Eigen::Index) const;
+    template <class Scalar> SchemeRows<Scalar> rows(Quantity, const Mesh<Scalar>&) const;
 };
 struct NoRows {};
-struct RowsOfDouble {
-    SchemeRows<double> rows(Quantity, Eigen::Index) const;
+struct RowsOfFloat {
+    SchemeRows<float> rows(Quantity, const Mesh<float>&) const;
 };
 struct OtherRows {
-    template <class Scalar> int rows(Quantity, Eigen::Index) const;
+    template <class Scalar> int rows(Quantity, const Mesh<Scalar>&) const;
 };
 struct RightKernel {
     using Scalar = double;
@@ -67,7 +67,7 @@ END
 
 try "the right ones" - "mesh, RightScheme{}, RightKernel{}"
 try "a scheme without rows" RollingScheme "mesh, NoRows{}, RightKernel{}"
-try "a scheme with rows for one scalar type" RollingScheme "mesh, RowsOfDouble{}, RightKernel{}"
+try "a scheme with rows for another scalar type" RollingScheme "mesh, RowsOfFloat{}, RightKernel{}"
 try "a scheme whose rows are none" RollingScheme "mesh, OtherRows{}, RightKernel{}"
 try "a kernel without antiderivatives" LineKernel "mesh, RightScheme{}, WrongKernel{}"
 try "Chebyshev states of a kernel with its split" - "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"

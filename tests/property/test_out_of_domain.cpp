@@ -112,17 +112,17 @@ TEST_CASE("Schemes reject every parameter out of its domain", "[domain]") {
     const double infinity = std::numeric_limits<double>::infinity();
     const auto alphas = bad<double>({2.0000001, -2.0000001, infinity});
     const auto lambdas = bad<double>({-1e-300, 1.0000001, infinity});
-    refuses<double>("alpha_L", alphas, [](double x) { check_scheme(Collocation{.alpha_L = x}, 5); });
-    refuses<double>("alpha_T", alphas, [](double x) { check_scheme(Collocation{.alpha_T = x}, 5); });
-    refuses<double>("lambda", lambdas, [](double x) { check_scheme(Collocation{.lambda = x}, 5); });
-    refuses<double>("alpha_L", alphas, [](double x) { check_scheme(Galerkin{.alpha_L = x}, 5); });
-    refuses<double>("alpha_T", alphas, [](double x) { check_scheme(Galerkin{.alpha_T = x}, 5); });
-    refuses<double>("lambda", lambdas, [](double x) { check_scheme(Galerkin{.lambda = x}, 5); });
+    refuses<double>("alpha_L", alphas, [](double x) { check_scheme(Collocation{.alpha_L = x}, uniform_mesh(5)); });
+    refuses<double>("alpha_T", alphas, [](double x) { check_scheme(Collocation{.alpha_T = x}, uniform_mesh(5)); });
+    refuses<double>("lambda", lambdas, [](double x) { check_scheme(Collocation{.lambda = x}, uniform_mesh(5)); });
+    refuses<double>("alpha_L", alphas, [](double x) { check_scheme(Galerkin{.alpha_L = x}, uniform_mesh(5)); });
+    refuses<double>("alpha_T", alphas, [](double x) { check_scheme(Galerkin{.alpha_T = x}, uniform_mesh(5)); });
+    refuses<double>("lambda", lambdas, [](double x) { check_scheme(Galerkin{.lambda = x}, uniform_mesh(5)); });
     refuses<int>("quadrature", {-1, 1001, std::numeric_limits<int>::min()},
-                 [](int points) { check_scheme(Galerkin{.quadrature = points}, 5); });
-    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Collocation{0, 0.63}, n); });
-    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Galerkin{0, 0.63}, n); });
-    refuses<Eigen::Index>("n", {1, 0}, [](Eigen::Index n) { check_scheme(KnotheBoundary{}, n); });
+                 [](int points) { check_scheme(Galerkin{.quadrature = points}, uniform_mesh(5)); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Collocation{0, 0.63}, uniform_mesh(n)); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(Galerkin{0, 0.63}, uniform_mesh(n)); });
+    refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(KnotheBoundary{}, uniform_mesh(n)); });
 }
 
 TEMPLATE_TEST_CASE("Kernels reject every parameter out of its domain", "[domain]", float, double, long double) {

@@ -62,7 +62,7 @@ Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel
     const auto view = kernel.plane ? detail::KernelView<double>(plane) : detail::KernelView<double>(strip);
     return std::visit(
         [&](const auto& s) {
-            return detail::influence_matrix<double>(mesh, scheme_rows<double>(s, quantity, mesh.size()), view,
+            return detail::influence_matrix<double>(mesh, scheme_rows(s, quantity, mesh), view,
                                                     quantity);
         },
         scheme);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -83,17 +84,19 @@ inline Real entry(const Kernel& kernel, bool slope, int averages, Real d, Real h
     return difference(difference, d, averages + 1);
 }
 
-using Scheme = std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary>;
+using Scheme =
+    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference>;
 using Mesh = rollbem::Mesh<Real>;
 
 /// A scheme as a list of samples: nodes and weights, how often they are averaged, and whether points must keep clear of
-/// the elements' edges.
+/// the elements' edges. Or differences between the nodes of elements, in place of the alphas.
 struct Rows {
-    Real alpha_L, alpha_T;
+    Real alpha_L = 0, alpha_T = 0;
     std::vector<std::pair<Real, Real>> samples{{0, 1}};  // node in half widths, weight
     int averages;
-    bool guard;
+    bool guard = false;
     Eigen::Index first = 0, less = 0;
+    std::optional<rollbem::Nodes> nodes{};
 };
 
 inline Rows rows_of(const rollbem::Collocation& s, bool slope) {
@@ -121,11 +124,26 @@ inline Rows rows_of(const rollbem::KnotheBoundary& s, bool slope) {
     rows.first = rows.less = 1;
     return rows;
 }
+inline Rows rows_of(const rollbem::NodeDifference& s, bool slope) {
+    return {.averages = slope ? 1 : 0, .nodes = s.nodes};
+}
 
 inline Place edge(const Mesh& mesh, Eigen::Index j) {
     return {mesh.edges_from_trailing()[j], mesh.edges_from_leading()[j]};
 }
 inline Place centre(const Mesh& mesh, Eigen::Index j) { return {mesh.from_trailing()[j], mesh.from_leading()[j]}; }
+
+/// Node `i`; node n is the leading edge.
+inline Place node_place(const Mesh& mesh, rollbem::Nodes nodes, Eigen::Index i) {
+    const Eigen::Index n = mesh.size();
+    if (i == n) return edge(mesh, n);
+    if (nodes == rollbem::Nodes::centres) return centre(mesh, i);
+    const auto square = [&](Eigen::Index k) {  // 1 - cos(pi k / 2n)
+        const Real sine = std::sin(std::numbers::pi_v<Real> * static_cast<Real>(k) / static_cast<Real>(4 * n));
+        return 2 * sine * sine;
+    };
+    return {square(2 * i + 1), square(2 * (n - i) - 1)};
+}
 
 /// Moves a point that is closer to an edge than 0.001 of the width of its element to that distance.
 inline Real guarded(const Mesh& mesh, Eigen::Index own, Real offset) {
@@ -153,11 +171,18 @@ inline std::vector<Real> row(const Kernel& kernel, const Mesh& mesh, const Rows&
     for (const auto& [node, weight] : rows.samples) {
         Real offset = (alpha + node / 2) * mesh.widths()[own];
         if (rows.guard) offset = guarded(mesh, own, offset);
+        Real delta = mesh.widths()[own] / 2;
+        if (rows.nodes) {
+            const Real from = node_place(mesh, *rows.nodes, own) - centre(mesh, own);
+            const Real to = node_place(mesh, *rows.nodes, own + 1) - centre(mesh, own);
+            offset = (from + to) / 2;
+            if (!slope) offset = std::min(offset, edge(mesh, own + 1) - centre(mesh, own));
+            delta = (to - from) / 2;
+        }
         for (std::size_t m = 0; m < result.size(); ++m) {
             const Eigen::Index element = static_cast<Eigen::Index>(m);
             const Real d = (centre(mesh, own) - centre(mesh, element)) + offset;
-            result[m] +=
-                weight * entry(kernel, slope, rows.averages, d, mesh.widths()[element] / 2, mesh.widths()[own] / 2);
+            result[m] += weight * entry(kernel, slope, rows.averages, d, mesh.widths()[element] / 2, delta);
         }
     }
     if (scales != nullptr) {  // the typical size of an entry, away from where the slope changes sign
@@ -226,7 +251,7 @@ struct NamedScheme {
     Scheme scheme;
 };
 
-/// Every scheme, with alphas that are exact in float.
+/// Every scheme that takes any mesh, with alphas that are exact in float.
 inline std::vector<NamedScheme> every_scheme() {
     using rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary;
     constexpr auto fd = Derivative::finite_difference, analytic = Derivative::analytic;
@@ -246,7 +271,8 @@ inline std::vector<NamedScheme> every_scheme() {
             {"Galerkin 4 analytic", Galerkin{0.25, 0.25, analytic, 0.5, 4}},
             {"Galerkin 3 analytic", Galerkin{0, 1, analytic, 1, 3}},
             {"Knothe boundary fd", KnotheBoundary{fd}},
-            {"Knothe boundary analytic", KnotheBoundary{analytic}}};
+            {"Knothe boundary analytic", KnotheBoundary{analytic}},
+            {"nodes centres", rollbem::NodeDifference{}}};
 }
 
 struct NamedKernel {

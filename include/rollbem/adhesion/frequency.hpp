@@ -11,6 +11,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -21,6 +22,7 @@
 #include "../status.hpp"
 #include "detail/consistency.hpp"
 #include "detail/pencil.hpp"
+#include "response.hpp"
 
 namespace rollbem {
 
@@ -37,8 +39,9 @@ struct HarmonicSolution {
 /// One point of a sweep.
 template <class Scalar>
 struct SweepPoint {
-    std::complex<Scalar> c11 = 0;  ///< as in HarmonicSolution
-    Scalar residual = 0;           ///< of the reduced equations; otherwise as in HarmonicSolution
+    std::complex<Scalar> c11 = 0;                ///< as in HarmonicSolution; the first of the coefficients
+    MatrixX<std::complex<Scalar>> coefficients;  ///< as in Response, k x k
+    Scalar residual = 0;                         ///< of the reduced equations; otherwise as in HarmonicSolution
     /// Of the reduced equations from one more right-hand side, where c11 is accurate to eps/rcond; otherwise as in
     /// HarmonicSolution [-].
     Scalar rcond = 0;
@@ -46,18 +49,6 @@ struct SweepPoint {
 };
 
 namespace detail {
-
-template <class Scalar>
-void require_growth(const char* who, const std::complex<Scalar>& s) {
-    require(is_finite(s.real()), who, "Re(s)", s.real(), "be finite");
-    require(is_finite(s.imag()), who, "Im(s)", s.imag(), "be finite");
-}
-
-/// The divisor of equations in G' - s G that prevents overflow for any finite s.
-template <class Scalar>
-Scalar equation_scale(const std::complex<Scalar>& s) {
-    return std::max({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
-}
 
 template <class Scalar>
 Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
@@ -69,33 +60,14 @@ Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
 }  // namespace detail
 
 /// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not say whether the scheme
-/// converges (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument if s is not finite.
+/// converges (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument if s is not finite or
+/// the system has several inputs.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
                                            std::type_identity_t<std::complex<Scalar>> s) {
-    using Complex = std::complex<Scalar>;
-    detail::require_growth("solve_exponential", s);
-    const Eigen::Index n = system.size();
-    const Scalar scale = detail::equation_scale(s);
-    const Complex ratio(s.real() / scale, s.imag() / scale);
-    HarmonicSolution<Scalar> solution;
-    MatrixX<Complex> A(n, n);
-    A.real() = system.G_prime() / scale - ratio.real() * system.G();
-    A.imag() = -ratio.imag() * system.G();
-    const MatrixX<Scalar> magnitudes = A.cwiseAbs();
-    const ArrayX<Scalar> row_sums = magnitudes.rowwise().sum();
-    const Scalar norm = row_sums.maxCoeff();
-    const VectorX<Complex> xi = VectorX<Complex>::Constant(n, 1 / scale);
-    const Eigen::PartialPivLU<MatrixX<Complex>> lu(A);
-    solution.traction = lu.solve(xi);
-    solution.c11 = -(system.weights() * solution.traction.array()).sum();
-    const bool finite = detail::all_finite(row_sums) && detail::all_finite(solution.traction);
-    if (!finite || !detail::is_finite(solution.c11)) return solution;
-    solution.residual = (A * solution.traction - xi).cwiseAbs().maxCoeff() /
-                        (norm * solution.traction.cwiseAbs().maxCoeff() + 1 / scale);
-    solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(magnitudes));
-    solution.status = detail::harmonic_status(n, solution.rcond, solution.residual);
-    return solution;
+    detail::require_single_input("solve_exponential", system);
+    Response<std::complex<Scalar>> response = solve_response(system, s);
+    return {response.unknowns.col(0), response.coefficients(0, 0), response.residual, response.rcond, response.status};
 }
 
 /// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent if the
@@ -106,7 +78,7 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
     HarmonicSolution<Scalar> solution = solve_exponential(system, std::complex<Scalar>(0, z));
     if (solution.status != Status::ok || !system.unknowns_are_tractions()) return solution;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
-    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(system.size()));
+    const VectorX<Scalar> steady = lu.solve(system.inputs());
     if (!detail::opposes_creepage<Scalar>(steady, system.weights())) solution.status = Status::inconsistent;
     return solution;
 }
@@ -118,7 +90,7 @@ HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& 
     return solve_harmonic(rolling_system(mesh, scheme, kernel), z);
 }
 
-/// c11 at many frequencies. With M = G'^-1 G = U H U^T and H in Hessenberg form, (G' - s G) p = xi becomes (I - s H)
+/// c11, or all k x k coefficients, at many frequencies. With M = G'^-1 G = U H U^T and H in Hessenberg form, (G' - s G) p = xi becomes (I - s H)
 /// (U^T p) = U^T G'^-1 xi: one O(n^3) reduction on construction, then O(n^2) per frequency. If rcond(G') is too small
 /// to rely on M, each frequency has its own LU decomposition; see reduced(). Const objects may be shared by threads.
 template <class Scalar_>
@@ -144,7 +116,7 @@ public:
 private:
     struct Reduced {
         MatrixX<Scalar> H;
-        ArrayX<Scalar> steady, weights;  // U^T G'^-1 xi, U^T widths
+        MatrixX<Scalar> steady, outputs;  // U^T G'^-1 inputs, U^T outputs
         Scalar norm = 0;
     };
 
@@ -178,7 +150,9 @@ private:
     // again. The column operations are applied to the unknowns at the end, O(n).
     SweepPoint<Scalar> solve_reduced(const Complex& s) const;
 
-    SweepPoint<Scalar> finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const;
+    // Adds the coefficients by input j and the largest residual so far, from the solution y.
+    void finish(const Column& y, Eigen::Index j, const Complex& ratio, Scalar scale, Scalar norm,
+                SweepPoint<Scalar>& point) const;
 
     RollingSystem<Scalar> system_;
     std::optional<Reduced> reduced_;
@@ -188,8 +162,9 @@ private:
 template <class Scalar_>
 FrequencySweep<Scalar_>::FrequencySweep(RollingSystem<Scalar> system) : system_(std::move(system)) {
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system_.G_prime());
-    const VectorX<Scalar> steady = lu.solve(VectorX<Scalar>::Ones(system_.size()));
-    consistent_ = !system_.unknowns_are_tractions() || detail::opposes_creepage<Scalar>(steady, system_.weights());
+    const MatrixX<Scalar> steady = lu.solve(system_.inputs());
+    consistent_ =
+        !system_.unknowns_are_tractions() || detail::opposes_creepage<Scalar>(steady.col(0), system_.weights());
     const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(system_.G_prime()));
     if (!detail::is_finite(rcond) || !(rcond > Scalar(detail::least_rcond_of_G_prime))) return;
     const MatrixX<Scalar> M = lu.solve(system_.G());
@@ -199,7 +174,7 @@ FrequencySweep<Scalar_>::FrequencySweep(RollingSystem<Scalar> system) : system_(
     reduced.H = hessenberg.matrixH();
     const MatrixX<Scalar> U = hessenberg.matrixQ();
     reduced.steady = U.transpose() * steady;
-    reduced.weights = U.transpose() * system_.weights().matrix();
+    reduced.outputs = U.transpose() * system_.outputs();
     reduced.norm = reduced.H.cwiseAbs().rowwise().sum().maxCoeff();
     reduced_ = std::move(reduced);
 }
@@ -211,8 +186,9 @@ auto FrequencySweep<Scalar_>::at(Complex s) const -> SweepPoint<Scalar> {
     if (reduced_) {
         point = solve_reduced(s);
     } else {
-        const HarmonicSolution<Scalar> full = solve_exponential(system_, s);
-        point = {full.c11, full.residual, full.rcond, full.status};
+        Response<Complex> full = solve_response(system_, s);
+        const Complex first = full.coefficients(0, 0);
+        point = {first, std::move(full.coefficients), full.residual, full.rcond, full.status};
     }
     if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
     return point;
@@ -230,9 +206,13 @@ auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoin
         column.im.head(size) = ratio.imag() * H.col(j).head(size).array();
         column.re[j] += 1 / scale;
     };
-    Column rest(n), y(n), probe(n), factor(n), column(n), next(n);
+    const Eigen::Index count = reduced_->steady.cols();
+    Column probe(n), factor(n), column(n), next(n);
+    std::vector<Column> rest(static_cast<std::size_t>(count), Column(n)), solutions = rest;
     Eigen::Array<bool, Eigen::Dynamic, 1> swapped(n);
-    rest.re = reduced_->steady / scale;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        rest[static_cast<std::size_t>(k)].re = reduced_->steady.col(k).array() / scale;
+    }
     for (Eigen::Index j = 0; j < n; ++j) probe.re[j] = j % 2 == 0 ? 1 : -1;
     Scalar largest_probe = 0;  // largest entry of A^-1 probe, before the remaining rotations
     load(n - 1, column);
@@ -240,49 +220,60 @@ auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoin
         load(j - 1, next);
         swapped[j] = norm_1(next[j]) > norm_1(column[j]);
         if (swapped[j]) column.swap(next);
-        const Complex pivot = column[j], multiplier = next[j] / pivot, unknown = rest[j] / pivot;
+        const Complex pivot = column[j], multiplier = next[j] / pivot;
         next.subtract(multiplier, column, j);
-        rest.subtract(unknown, column, j);
+        for (std::size_t k = 0; k < rest.size(); ++k) {
+            const Complex unknown = rest[k][j] / pivot;
+            rest[k].subtract(unknown, column, j);
+            solutions[k].set(j, unknown);
+        }
         const Complex probed = probe[j] / pivot;
         probe.subtract(probed, column, j);
         largest_probe = std::max(largest_probe, norm_1(probed));
         factor.set(j, multiplier);
-        y.set(j, unknown);
         column.swap(next);
     }
-    y.set(0, rest[0] / column[0]);
     largest_probe = std::max(largest_probe, norm_1(probe[0] / column[0]));
-    for (Eigen::Index j = 1; j < n; ++j) {
-        const Complex own = y[j] - factor[j] * y[j - 1], before = y[j - 1];
-        y.set(j, swapped[j] ? before : own);
-        y.set(j - 1, swapped[j] ? own : before);
+    const Scalar norm = std::abs(ratio) * reduced_->norm + 1 / scale;
+    SweepPoint<Scalar> point;
+    point.coefficients.resize(count, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        Column& y = solutions[static_cast<std::size_t>(k)];
+        y.set(0, rest[static_cast<std::size_t>(k)][0] / column[0]);
+        for (Eigen::Index j = 1; j < n; ++j) {
+            const Complex own = y[j] - factor[j] * y[j - 1], before = y[j - 1];
+            y.set(j, swapped[j] ? before : own);
+            y.set(j - 1, swapped[j] ? own : before);
+        }
+        finish(y, k, ratio, scale, norm, point);
     }
-    return finish(y, ratio, scale, largest_probe);
+    point.c11 = point.coefficients(0, 0);
+    if (!detail::all_finite(point.coefficients)) return point;
+    point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
+    point.status = detail::harmonic_status(n, point.rcond, point.residual);
+    return point;
 }
 
 template <class Scalar_>
-auto FrequencySweep<Scalar_>::finish(const Column& y, const Complex& ratio, Scalar scale, Scalar largest_probe) const
-    -> SweepPoint<Scalar> {
+void FrequencySweep<Scalar_>::finish(const Column& y, Eigen::Index j, const Complex& ratio, Scalar scale, Scalar norm,
+                                     SweepPoint<Scalar>& point) const {
     const Reduced& reduced = *reduced_;
     const MatrixX<Scalar>& H = reduced.H;
     const Eigen::Index n = H.rows(), below = n - 1;
-    SweepPoint<Scalar> point;
-    point.c11 = -Complex((reduced.weights * y.re).sum(), (reduced.weights * y.im).sum());
-    if (!detail::is_finite(point.c11)) return point;
+    point.coefficients.col(j).real().noalias() = -(reduced.outputs.transpose() * y.re.matrix());
+    point.coefficients.col(j).imag().noalias() = -(reduced.outputs.transpose() * y.im.matrix());
     Column product(n);  // H y
     product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
     product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
     product.re.tail(below) += H.diagonal(-1).array() * y.re.head(below);
     product.im.tail(below) += H.diagonal(-1).array() * y.im.head(below);
+    const auto steady = reduced.steady.col(j).array();
     Column difference(n);
-    difference.re = (y.re - reduced.steady) / scale;
+    difference.re = (y.re - steady) / scale;
     difference.im = y.im / scale;
     difference.subtract(-ratio, product, n);
-    const Scalar norm = std::abs(ratio) * reduced.norm + 1 / scale;
-    point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
-    point.residual = difference.largest() / (norm * y.largest() + reduced.steady.abs().maxCoeff() / scale);
-    point.status = detail::harmonic_status(n, point.rcond, point.residual);
-    return point;
+    const Scalar residual = difference.largest() / (norm * y.largest() + steady.abs().maxCoeff() / scale);
+    point.residual = detail::is_finite(residual) ? std::max(point.residual, residual) : residual;
 }
 
 }  // namespace rollbem

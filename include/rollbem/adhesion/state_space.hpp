@@ -20,14 +20,14 @@
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B xi, C x + D xi = -F_bar/(a G): the input is creepage, the output force per unit width; q = V t
-/// is the distance rolled, x are the unknowns of the system from which it was made, x = 0 at rest.
-/// c11(s) = C (s I - A)^-1 B + D, s in V/a.
+/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages, the outputs forces over a G per unit width (of
+/// a patch G a b), as of the system from which it was made; q = V t is the distance rolled, x are the system's unknowns,
+/// x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B + D; c11 if k = 1.
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
-    MatrixX<Scalar> B, C;  ///< n x 1, 1 x n
-    MatrixX<Scalar> D;     ///< 1 x 1, zero
+    MatrixX<Scalar> B, C;  ///< n x k, k x n
+    MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
 };
 
 /// dx/dt = A x + B xi, F = C x + D xi: the input is creepage [-], the output force [N] on body 1 over the width 2b,
@@ -38,10 +38,10 @@ struct StateSpaceSI {
     MatrixX<Scalar> A;  ///< n x n [1/s]
     MatrixX<Scalar> B;  ///< n x 1 [1/s]
     MatrixX<Scalar> C;  ///< 1 x n [N]
-    MatrixX<Scalar> D;  ///< 1 x 1 [N], zero
+    MatrixX<Scalar> D;  ///< 1 x 1 [N]; zero, but for a reduced system
 };
 
-/// For any system: A = G^-1 G', B = -G^-1 1, C = -weights. Throws std::invalid_argument, naming rcond(G), if G is
+/// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G is
 /// singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about 150.
 template <class Scalar>
 StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
@@ -53,9 +53,9 @@ StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
         "exceed " + detail::to_text(least) + ": G is singular to working precision, and cannot be inverted";
     detail::require(detail::is_finite(rcond) && rcond > least, "state_space", "rcond of G", rcond, rule.c_str());
     return {.A = lu.solve(system.G_prime()),
-            .B = lu.solve(MatrixX<Scalar>::Constant(n, 1, -1)),
-            .C = -system.weights().matrix().transpose(),
-            .D = MatrixX<Scalar>::Zero(1, 1)};
+            .B = -lu.solve(system.inputs()),
+            .C = -system.outputs().transpose(),
+            .D = MatrixX<Scalar>::Zero(system.input_count(), system.input_count())};
 }
 
 /// For Chebyshev states: without an inverse, B = -e_0.
@@ -64,7 +64,7 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
     const Eigen::Index m = system.size();
     StateSpace<Scalar> result{.A = system.rates(),
                               .B = MatrixX<Scalar>::Zero(m, 1),
-                              .C = -system.weights().matrix().transpose(),
+                              .C = -system.outputs().transpose(),
                               .D = MatrixX<Scalar>::Zero(1, 1)};
     result.B(0, 0) = -1;
     return result;

@@ -148,9 +148,11 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
         G_prime, widths, [&](const VectorX<Scalar>& p) -> VectorX<Scalar> { return original * p; });
 }
 
-/// The same for a system. Unknowns that are not tractions are returned in their place, and are never inconsistent.
+/// The same for a system of one input; see solve_steady_response for several. Unknowns that are not tractions are
+/// returned in their place, and are never inconsistent.
 template <class Scalar>
 UnitSteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
+    detail::require_single_input("solve_steady", system);
     UnitSteadySolution<Scalar> solution = solve_steady<Scalar>(system.G_prime(), system.weights());
     if (solution.status == Status::inconsistent && !system.unknowns_are_tractions()) solution.status = Status::ok;
     return solution;
@@ -160,7 +162,7 @@ namespace detail {
 
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 UnitSteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
+    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
     const KernelView<Scalar> view(kernel);
     const ArrayX<Scalar> widths = segment(mesh.widths(), 0, rows.unknown_count);
     MatrixX<Scalar> G_prime = influence_matrix<Scalar>(mesh, rows, view, Quantity::slope);

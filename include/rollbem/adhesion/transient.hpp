@@ -183,6 +183,7 @@ TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, RollingS
       fingerprint_(detail::fingerprint_of(contact, system_.fingerprint())),
       integrator_(integrator),
       rational_(integrator) {
+    detail::require_single_input("TransientModel", system_);
     detail::require_same_aspect("TransientModel", contact, system_);
     areas_ = width_ * half_length_ * system_.weights().matrix();
 }

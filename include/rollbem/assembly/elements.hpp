@@ -25,6 +25,9 @@ struct Elements {
     ArrayX<Scalar> x, y;                ///< the point of each equation: the rigid slip is that of this point
     ArrayX<Scalar> centre_x, centre_y;  ///< of each element: moments are those of tractions at the centres
     ArrayX<Scalar> areas;               ///< of each element; on a line contact its width
+    /// The way along x over which each equation holds, about its point: of a difference of u the distance between both
+    /// points. Empty where it is not known.
+    ArrayX<Scalar> intervals;
     std::vector<Eigen::Index> behind;   ///< the equation behind in the same strip; -1 for a trailing element
     /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and
     /// finite differences at equal alphas of 0.5. False where it is not known.
@@ -52,6 +55,9 @@ struct Elements {
                             "equal the number of elements");
             detail::require(detail::all_finite(*places), who, "a place", places->sum(), "be finite");
         }
+        const Eigen::Index ways = intervals.size();
+        detail::require(ways == 0 || ways == n, who, "number of intervals", ways, "equal the number of elements");
+        detail::require(detail::all_finite(intervals), who, "an interval", intervals.sum(), "be finite");
         detail::require(behind.size() == static_cast<std::size_t>(n), who, "number of equations behind", behind.size(),
                         "equal the number of elements");
         for (Eigen::Index i = 0; i < n; ++i) {

@@ -160,42 +160,41 @@ std::optional<Scalar> strength_of_pure_logarithm(const Kernel& kernel) {
 /// x/a of the point of each equation of a scheme.
 template <class Scalar, class Scheme>
 ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
-    const SchemeRows<Scalar> rows = scheme_rows<Scalar>(scheme, Quantity::slope, mesh.size());
+    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
     Scalar offset = 0;
     for (Eigen::Index k = 0; k < rows.offsets.size(); ++k) offset += rows.weights[k] * rows.offsets[k];
-    const ArrayX<Scalar> alpha = interpolate_alpha(mesh, rows.alpha_L, rows.alpha_T);
     ArrayX<Scalar> points(rows.unknown_count);
     for (Eigen::Index i = 0; i < rows.unknown_count; ++i) {
         const Eigen::Index element = rows.first_equation + i;
-        points[i] = mesh.centres()[element] + (alpha[element] + offset) * mesh.widths()[element];
+        points[i] =
+            mesh.centres()[element] + (rows.alpha[element] + offset * rows.lengths[element]) * mesh.widths()[element];
     }
     return points;
 }
 
-/// Whether the equations of a scheme hold at points, the same for G and G'. Central differences count, as they are the
-/// mean of the slope over the width of one element; Galerkin's integrals and quadratures do not.
-template <class Scalar, class Scheme>
-bool holds_at_points(const Scheme& scheme, Eigen::Index n) {
-    const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
-    const SchemeRows<Scalar> displacement = scheme_rows<Scalar>(scheme, Quantity::displacement, n);
-    return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
-           displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&
-           slope.alpha_L == displacement.alpha_L && slope.alpha_T == displacement.alpha_T;
-}
-
 /// Whether each row belongs to a point half an element ahead of its element's centre, in G and in G'.
 template <class Scalar, class Scheme>
-bool rows_lie_half_an_element_ahead(const Scheme& scheme, Eigen::Index n) {
-    const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
-    return holds_at_points<Scalar>(scheme, n) && slope.averages == 1 && slope.offsets[0] == 0 && slope.alpha_L == 0.5 &&
-           slope.alpha_T == 0.5;
+bool rows_lie_half_an_element_ahead(const Scheme& scheme, const Mesh<Scalar>& mesh) {
+    return scheme_rows(scheme, Quantity::slope, mesh).half_element_ahead &&
+           scheme_rows(scheme, Quantity::displacement, mesh).half_element_ahead;
+}
+
+/// Whether the equations of a scheme hold at points, the same for G and G'. Differences count, as they are the mean of
+/// the slope over the width of one element; Galerkin's integrals and quadratures do not.
+template <class Scalar, class Scheme>
+bool holds_at_points(const Scheme& scheme, const Mesh<Scalar>& mesh) {
+    const SchemeRows<Scalar> slope = scheme_rows(scheme, Quantity::slope, mesh);
+    const SchemeRows<Scalar> displacement = scheme_rows(scheme, Quantity::displacement, mesh);
+    return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
+           displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&
+           (rows_lie_half_an_element_ahead(scheme, mesh) || (slope.alpha == displacement.alpha).all());
 }
 
 /// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
 template <class Scalar, class Scheme>
-void require_one_system(const Scheme& scheme, Eigen::Index n) {
-    const SchemeRows<Scalar> slope = scheme_rows<Scalar>(scheme, Quantity::slope, n);
-    const SchemeRows<Scalar> displacement = scheme_rows<Scalar>(scheme, Quantity::displacement, n);
+void require_one_system(const Scheme& scheme, const Mesh<Scalar>& mesh) {
+    const SchemeRows<Scalar> slope = scheme_rows(scheme, Quantity::slope, mesh);
+    const SchemeRows<Scalar> displacement = scheme_rows(scheme, Quantity::displacement, mesh);
     require(displacement.unknown_count == slope.unknown_count, "rolling_system", "unknown_count of the scheme for G",
             displacement.unknown_count, "equal that for G_prime");
     require(displacement.first_equation == slope.first_equation, "rolling_system", "first_equation of the scheme for G",
@@ -208,15 +207,17 @@ void require_one_system(const Scheme& scheme, Eigen::Index n) {
 /// scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
+    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
+    const Eigen::Index n = rows.unknown_count;
     Elements<Scalar> elements;
     elements.x = detail::equation_points(mesh, scheme);
-    const Eigen::Index n = elements.x.size();
+    elements.intervals = rows.lengths.segment(rows.first_equation, n) * mesh.widths().segment(rows.first_equation, n);
     elements.y = ArrayX<Scalar>::Zero(n);
     elements.centre_x = mesh.centres().head(n);
     elements.centre_y = ArrayX<Scalar>::Zero(n);
     elements.areas = mesh.widths().head(n);
     elements.behind = Elements<Scalar>::one_strip(n);
-    elements.half_element_ahead = detail::rows_lie_half_an_element_ahead<Scalar>(scheme, mesh.size());
+    elements.half_element_ahead = detail::rows_lie_half_an_element_ahead(scheme, mesh);
     return elements;
 }
 
@@ -225,14 +226,14 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
-    detail::require_one_system<Scalar>(scheme, mesh.size());
+    detail::require_one_system(scheme, mesh);
     InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
     ElementSystem<Scalar> system(std::move(matrices.G), std::move(matrices.G_prime), unknown_widths(mesh, scheme));
     system.element_count_ = mesh.size();
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
     system.points_ = detail::equation_points(mesh, scheme);
     system.elements_ = line_elements(mesh, scheme);
-    if (detail::holds_at_points<Scalar>(scheme, mesh.size())) {
+    if (detail::holds_at_points(scheme, mesh)) {
         system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
     }
     return system;

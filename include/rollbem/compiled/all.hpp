@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include "assembly.hpp"
+#include "balanced_reduction.hpp"
 #include "chebyshev.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"

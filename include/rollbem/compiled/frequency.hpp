@@ -8,7 +8,7 @@
 
 namespace rollbem {
 
-extern template decltype(solve_exponential<double>) solve_exponential<double>;
+extern template decltype(solve_response<double>) solve_response<double>;
 extern template class FrequencySweep<double>;
 
 }  // namespace rollbem

@@ -43,4 +43,21 @@ void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Vecto
     }
 }
 
+/// The inverse of the matrix whose factors factorise_in_place has left in A and swaps.
+template <class Scalar>
+void invert_factors(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, MatrixRef<Scalar> inverse) {
+    const Eigen::Index n = A.rows();
+    inverse.setIdentity();
+    // column by column of the factors, which are read once; L^-1 is triangular
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Eigen::Index rest = n - k - 1;
+        for (Eigen::Index j = 0; j <= k; ++j) inverse.col(j).tail(rest) -= inverse(k, j) * A.col(k).tail(rest);
+    }
+    for (Eigen::Index k = n - 1; k >= 0; --k) {
+        inverse.row(k) /= A(k, k);
+        for (Eigen::Index j = 0; j < n; ++j) inverse.col(j).head(k) -= inverse(k, j) * A.col(k).head(k);
+    }
+    for (Eigen::Index k = n - 1; k >= 0; --k) inverse.col(k).swap(inverse.col(swaps[k]));
+}
+
 }  // namespace rollbem::detail

@@ -143,6 +143,15 @@ struct FrictionStep {
     /// a creepage ratio of 0.5). For user-supplied matrices the slip is that of each element's own equation: first
     /// order.
     Scalar slip_work_per_width = detail::unknown<Scalar>;
+    /// Elastic energy that jumps of the tractions release in a step [J/m], as friction that falls with slip lets them:
+    ///
+    ///     work of the rigid bodies = slip work + jump work + change of elastic energy
+    ///
+    /// It turns into heat during a slip that is too short for the step to resolve (see detail::JumpWork for the
+    /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
+    /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
+    /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.
+    Scalar jump_work_per_width = detail::unknown<Scalar>;
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
     /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
     /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a

@@ -160,9 +160,7 @@ private:
 
     SteadyFrictionModel(Made, const Contact<Scalar>& contact, Gradient G_prime, const Elements<Scalar>& elements,
                         Eigen::Index element_count, const Friction<Law, Scalar>& friction, Checks checks)
-        : core_(name, contact, elements, element_count, friction,
-                detail::fingerprint_of_steady(G_prime, elements.areas),
-                detail::fingerprint_of_steady(G_prime, elements.areas)),
+        : core_(name, contact, elements, element_count, friction, G_prime),
           G_prime_(std::move(G_prime)) {
         elements.require_valid(name, "width");
         detail::require_gradient(name, G_prime_, size());

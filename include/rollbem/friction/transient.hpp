@@ -104,8 +104,7 @@ public:
                   Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
           core_(name, contact, system_.elements(), system_.element_count(), friction,
-                detail::fingerprint_of_steady(detail::gradient(system_), system_.elements().areas),
-                system_.fingerprint()),
+                detail::gradient(system_), system_.fingerprint()),
           integrator_(integrator) {
         detail::require_same_aspect(name, contact, system_);
         detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),

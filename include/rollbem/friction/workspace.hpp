@@ -22,9 +22,16 @@ public:
     using Scratch = detail::FrictionScratch<directions, Scalar>;
 
     /// For n unknown elements.
-    explicit FrictionWorkspace(Eigen::Index n, bool slip_dependent = false) : scratch_(n, slip_dependent) {}
+    explicit FrictionWorkspace(Eigen::Index n, bool slip_dependent = false, bool coupled = false)
+        : scratch_(n, slip_dependent, coupled) {}
 
     Eigen::Index size() const { return scratch_.slip.rows(); }
+    bool fits(Eigen::Index n, bool slip_dependent, bool coupled) const {
+        if constexpr (directions == 2) {
+            if (scratch_.solver.coupled() != coupled) return false;
+        }
+        return size() == n && scratch_.falling.set.size() == (slip_dependent ? n : 0);
+    }
 
     /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance
     /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.

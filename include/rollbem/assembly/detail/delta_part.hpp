@@ -16,8 +16,9 @@
 namespace rollbem::detail {
 
 /// The integrals of compliance delta(x). Without averaging, that of the displacement is 1 inside the element, 0 outside
-/// and 1/2 on an edge; an average over +-delta makes it the part of the interval that lies inside, and the slope is a
-/// difference of such parts. The slope at a point does not exist. Keeps a reference to the entries.
+/// and 1/2 on an edge, but 0 on the leading edge of the contact if the rows are unloaded_ahead; an average over +-delta
+/// makes it the part of the interval that lies inside, and the slope is a difference of such parts. The slope at a point
+/// does not exist. Keeps a reference to the entries.
 template <class Scalar>
 class DeltaPart {
 public:
@@ -28,30 +29,34 @@ public:
         for (Eigen::Index m = 0; m < result.cols(); ++m) {
             const Scalar h = entries_.columns.half[m];
             const Scalar from = std::min(entries_.columns.from_trailing[m], entries_.columns.from_leading[m]);
+            const bool leading = entries_.columns.from_leading[m] < 3 * h / 2;  // its leading edge is the contact's
+            const Scalar front = leading && entries_.rows.unloaded_ahead ? Scalar(0) : Scalar(0.5);
             for (Eigen::Index l = 0; l < result.rows(); ++l) {
                 const Scalar d = entries_.distance(l, m), delta = entries_.rows.half[l];
                 const Scalar reach = h + Scalar(entries_.averages) * delta;
                 if (std::abs(d) > 2 * reach) continue;
                 // distances are as accurate as positions, which are measured from the nearer edge of the contact
                 const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * (from + reach);
-                result(l, m) += compliance_ * entry(d, h, delta, std::min(rounding, h / 8));
+                result(l, m) += compliance_ * entry(d, h, delta, front, std::min(rounding, h / 8));
             }
         }
     }
 
 private:
-    Scalar entry(Scalar d, Scalar h, Scalar delta, Scalar rounding) const {
+    // `front`: the displacement on the element's leading edge
+    Scalar entry(Scalar d, Scalar h, Scalar delta, Scalar front, Scalar rounding) const {
         const int differences = entries_.slope() ? 1 : 0, averages = entries_.averages - differences;
         const auto share = [&](Scalar x) {
-            if (averages == 0) return inside(x, h, rounding);
+            if (averages == 0) return inside(x, h, front, rounding);
             return std::max(Scalar(0), std::min(x + delta, h) - std::max(x - delta, -h)) / (2 * delta);
         };
         return differences == 0 ? share(d) : (share(d + delta) - share(d - delta)) / (2 * delta);
     }
 
-    static Scalar inside(Scalar x, Scalar h, Scalar rounding) {
+    static Scalar inside(Scalar x, Scalar h, Scalar front, Scalar rounding) {
         const Scalar beyond = std::abs(x) - h;
-        return beyond < -rounding ? Scalar(1) : beyond > rounding ? Scalar(0) : Scalar(0.5);
+        if (std::abs(beyond) <= rounding) return x < 0 ? Scalar(0.5) : front;
+        return beyond < 0 ? Scalar(1) : Scalar(0);
     }
 
     const Entries<Scalar>& entries_;

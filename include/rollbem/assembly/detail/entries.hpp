@@ -24,6 +24,7 @@ struct RowPoints {
     ArrayX<Scalar> from_leading;   ///< 1 - x of that centre
     ArrayX<Scalar> offset;         ///< point minus centre
     ArrayX<Scalar> half;           ///< delta: half the width over which a row is averaged or differenced
+    bool unloaded_ahead = false;   ///< SchemeRows::unloaded_ahead
 };
 
 /// The elements that carry unit traction.
@@ -98,7 +99,8 @@ private:
             for (Eigen::Index l = 0; l < full; ++l) result[l] = values[std::min(l, size - 1)];
             return result;
         };
-        return {pad(points.from_trailing), pad(points.from_leading), pad(points.offset), pad(points.half)};
+        return {pad(points.from_trailing), pad(points.from_leading), pad(points.offset), pad(points.half),
+                points.unloaded_ahead};
     }
 };
 

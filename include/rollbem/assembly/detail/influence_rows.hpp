@@ -22,11 +22,11 @@
 namespace rollbem::detail {
 
 // On a uniform mesh with one alpha the matrix is Toeplitz: its distinct entries are those of one element seen from all
-// points. Computes the equations from `first`, as many as `out` has rows.
+// points. Computes `equations` from `first` into the first rows of `out`.
 template <class Scalar>
 void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Scalar width, Scalar offset,
-                   Eigen::Index first, MatrixX<Scalar>& out) {
-    const Eigen::Index columns = out.cols(), count = out.rows() + columns - 1;
+                   Eigen::Index first, Eigen::Index equations, MatrixX<Scalar>& out) {
+    const Eigen::Index columns = out.cols(), count = equations + columns - 1;
     RowPoints<Scalar> rows{ArrayX<Scalar>(count), ArrayX<Scalar>(count), ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
     for (Eigen::Index i = 0; i < count; ++i) {
         // distances from the element rather than from an edge: exact multiples of the width
@@ -41,7 +41,7 @@ void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int aver
     MatrixX<Scalar> entries(count, 1);
     LineIntegrals<Scalar>(kernel, quantity, averages, rows, column, true).fill(entries);
     for (Eigen::Index m = 0; m < columns; ++m) {
-        std::copy_n(entries.data() + columns - 1 - m, out.rows(), out.data() + m * out.rows());
+        std::copy_n(entries.data() + columns - 1 - m, equations, out.data() + m * out.rows());
     }
 }
 
@@ -55,20 +55,35 @@ void influence_rows(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, 
                                          segment(halved(mesh.widths()), 0, out.cols())};
     const auto fill = [&](Scalar offset, MatrixX<Scalar>& result) {
         const RowPoints<Scalar> rows = row_points(mesh, scheme, offset);
+        // the first rows with intervals as long as an element: all but those that end on an edge of the contact
+        Eigen::Index regular = 0;
+        while (mesh.is_uniform() && regular < mesh.size() && scheme.lengths[regular] == 1) ++regular;
         // the guard can move the points of the outermost rows differently from the others
         const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * rows.half[0];
-        bool toeplitz = mesh.is_uniform();
-        for (Eigen::Index l = 0; toeplitz && l < mesh.size(); ++l) {
+        bool toeplitz = regular > 0;
+        for (Eigen::Index l = 0; toeplitz && l < regular; ++l) {
             toeplitz = std::abs(rows.offset[l] - rows.offset[0]) <= rounding;
         }
-        if (toeplitz) {
-            fill_toeplitz<Scalar>(kernel, quantity, scheme.averages, mesh.widths()[0], rows.offset[0], first, result);
+        const Eigen::Index done = toeplitz ? std::clamp(regular - first, Eigen::Index(0), count) : 0;
+        if (done > 0) {
+            fill_toeplitz<Scalar>(kernel, quantity, scheme.averages, mesh.widths()[0], rows.offset[0], first, done,
+                                  result);
+        }
+        if (done == count) return;
+        const auto asked = [&](const ArrayX<Scalar>& values) { return segment(values, first + done, count - done); };
+        const RowPoints<Scalar> others{asked(rows.from_trailing), asked(rows.from_leading), asked(rows.offset),
+                                       asked(rows.half), rows.unloaded_ahead};
+        const LineIntegrals<Scalar> integrals(kernel, quantity, scheme.averages, others, columns,
+                                              regular == mesh.size());
+        if (done == 0) {
+            integrals.fill(result);
             return;
         }
-        const RowPoints<Scalar> asked{segment(rows.from_trailing, first, count),
-                                      segment(rows.from_leading, first, count), segment(rows.offset, first, count),
-                                      segment(rows.half, first, count)};
-        LineIntegrals<Scalar>(kernel, quantity, scheme.averages, asked, columns, mesh.is_uniform()).fill(result);
+        MatrixX<Scalar> last(count - done, out.cols());
+        integrals.fill(last);
+        for (Eigen::Index m = 0; m < out.cols(); ++m) {
+            std::copy_n(last.data() + m * last.rows(), last.rows(), result.data() + m * count + done);
+        }
     };
     if (scheme.offsets.size() == 1) {
         fill(scheme.offsets[0], out);

@@ -1,5 +1,5 @@
-// The points at which a scheme takes its rows, Eqs. (28) and (29), kept off the edges of elements if the scheme
-// requires it.
+// The points and intervals at which a scheme takes its rows, Eqs. (28) and (29), kept off the edges of elements if the
+// scheme requires it.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -41,16 +41,16 @@ Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar positio
     return between + position * widths[e];
 }
 
-// x_l + (alpha_l + offset) dx_l of every element, and the intervals dx_l about these points, over which
-// Eq. (29) takes differences and Eq. (14) means.
+// The points x_l + (alpha_l + offset length_l) dx_l of every element, and the intervals about them over which Eq. (29)
+// takes differences and Eq. (14) means.
 template <class Scalar>
 RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, Scalar offset) {
-    const ArrayX<Scalar> alpha = interpolate_alpha(mesh, scheme.alpha_L, scheme.alpha_T);
     RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), ArrayX<Scalar>(mesh.size()),
-                           halved(mesh.widths())};
+                           ArrayX<Scalar>(mesh.size()), scheme.unloaded_ahead};
     for (Eigen::Index l = 0; l < mesh.size(); ++l) {
-        const Scalar position = alpha[l] + offset;
+        const Scalar position = scheme.alpha[l] + offset * scheme.lengths[l];
         rows.offset[l] = scheme.guard ? guarded_offset(mesh, l, position) : position * mesh.widths()[l];
+        rows.half[l] = scheme.lengths[l] * mesh.widths()[l] / 2;
     }
     return rows;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,17 +17,21 @@
 #include "../../types.hpp"
 #include "../combined_state.hpp"
 #include "combined_partition.hpp"
+#include "released_equations.hpp"
+#include "slip_turn.hpp"
 #include "stick_equations.hpp"
 
 namespace rollbem::detail {
 
 /// Finds the change dp of tractions that satisfies, with ds = M dp,
 /// - where elements stick:  s + ds = 0;
-/// - where they slip:       dp = tau t and t.(s + ds) + k tau = 0, t the unit vector across the traction;
+/// - where they slip:       dp = tau t and t.R(s + ds) + k tau = 0, t the unit vector across the traction, R the turn of
+///                          the element's slip, if slip is turned;
 /// - where they are free:   dp = 0.
-/// Each direction has its own matrix M, so the elements that stick are eliminated one direction at a time; LU with
-/// pivoting then gives the tau. If the equations of the sticking elements alone are singular, as for a leading element
-/// without influence on its own slip, all equations are factorised together. The constructor allocates everything.
+/// If each direction has its own matrix M, the elements that stick are eliminated one direction at a time; LU with
+/// pivoting then gives the tau. If the directions are coupled, the equations are solved from full adhesion, or all
+/// together if that is less work. All equations are factorised together as well if those of the sticking elements alone
+/// are singular, as for a leading element without influence on its own slip. The constructor allocates everything.
 template <class Scalar>
 class CombinedEquations {
 public:
@@ -34,67 +39,108 @@ public:
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
 
-    explicit CombinedEquations(Index n)
-        : side_{Side(n), Side(n)},
-          factors_(n, n),
+    /// `coupled`: traction in one direction causes slip in the other, too.
+    explicit CombinedEquations(Index n, bool coupled = false)
+        : size_(n),
+          coupled_(coupled),
+          side_{Side(coupled ? 0 : n), Side(coupled ? 0 : n)},
+          block_{Matrix(coupled ? n : 0, coupled ? n : 0), block_[0], block_[0], block_[0]},
+          released_(coupled ? n : 0),
+          factors_(coupled ? 0 : n, coupled ? 0 : n),
           whole_(2 * n, 2 * n),
           right_(2 * n),
           tangent_(ElementVectors<Scalar>::Zero(n, 2)),
+          test_(ElementVectors<Scalar>::Zero(n, 2)),
           slip_(ElementVectors<Scalar>::Zero(n, 2)),
+          across_(n, 2),
           change_(ElementVectors<Scalar>::Zero(n, 2)),
           slipping_(n),
           sticking_(n),
           eliminated_for_(n),
           swaps_(static_cast<std::size_t>(2 * n)) {}
 
-    Index size() const { return factors_.rows(); }
-    /// M of direction 0 (longitudinal) or 1 (lateral).
-    const Matrix& matrix(std::size_t direction) const { return side_[direction].sticking.matrix(); }
+    Index size() const { return size_; }
+    bool coupled() const { return coupled_; }
+    /// M: slip in direction `slip` (0 longitudinal, 1 lateral) by tractions in direction `by`; both the same unless
+    /// coupled.
+    const Matrix& matrix(std::size_t slip, std::size_t by) const {
+        return coupled_ ? block_[2 * slip + by] : side_[slip].sticking.matrix();
+    }
     /// The same, to be filled again: the factors become invalid.
-    Matrix& new_matrix(std::size_t direction) { return side_[direction].sticking.new_matrix(); }
+    Matrix& new_matrix(std::size_t slip, std::size_t by) {
+        released_.forget();
+        return coupled_ ? block_[2 * slip + by] : side_[slip].sticking.new_matrix();
+    }
+    /// s = M p
+    void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const {
+        for (std::size_t d = 0; d < 2; ++d) {
+            s.col(column(d)).noalias() = matrix(d, d) * p.col(column(d));
+            if (coupled_) s.col(column(d)).noalias() += matrix(d, 1 - d) * p.col(column(1 - d));
+        }
+    }
 
     /// Factorises for the elements that stick and slip; the stiffness is k. False if the equations are singular to
     /// working precision.
-    bool factorise(const CombinedPartition<Scalar>& part) {
+    bool factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
         slipping_.take(part.slide);
+        aim(part, turn);
+        if (coupled_) {
+            way_ = release(part) ? Way::released : Way::whole;
+            if (way_ == Way::released) return released_.factorise();
+        } else {
+            way_ = eliminate(part.stick) ? Way::reduced : Way::whole;
+        }
+        return way_ == Way::whole ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
+    }
+
+    /// Takes the directions of traction and slip from `part`, with the same elements slipping, but keeps the factors.
+    void aim(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
         for (Index k = 0; k < slipping_.count; ++k) {
             tangent_(k, 0) = -part.direction(slipping_[k], 1);
             tangent_(k, 1) = part.direction(slipping_[k], 0);
         }
-        is_whole_ = !eliminate(part.stick);
-        return is_whole_ ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
+        test_ = tangent_;
+        for (Index k = 0; k < slipping_.count; ++k) turn.take_back(slipping_[k], test_, k);
+        if (way_ != Way::released) return;
+        for (Index k = 0; k < slipping_.count; ++k) released_.aim(k, tangent_.row(k), test_.row(k));
     }
 
     /// dp for the slip s.
     void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
         change.setZero();
-        if (is_whole_) {
-            solve_whole(s, change);
-        } else {
-            solve_reduced(s, change);
-        }
+        if (way_ == Way::whole) solve_whole(s, change);
+        if (way_ == Way::reduced) solve_reduced(s, change);
+        if (way_ == Way::released) released_.solve(s, change);
     }
 
+    /// Whether the present factors are for the same elements that slip.
+    bool slips_as(const CombinedPartition<Scalar>& part) const {
+        Index slips = 0;
+        for (Index k = 0; k < slipping_.count; ++k) slips += part.slide[slipping_[k]] != 0 ? 1 : 0;
+        return slips == slipping_.count && static_cast<Scalar>(slips) == part.slide.sum();
+    }
     /// The elements that slip in the present factors.
     Index slipping_count() const { return slipping_.count; }
     Index slipping(Index k) const { return slipping_[k]; }
 
-    /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, along its own traction, due to
-    /// a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
+    /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, against its present slip, due
+    /// to a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
     /// that do not slip are left unchanged.
     void couple(Matrix& coupling) {
-        if (!is_whole_) find_across();
+        if (way_ == Way::reduced) find_across();
         for (Index k = 0; k < slipping_.count; ++k) {
-            if (is_whole_) {
-                couple_whole(k);
-            } else {
+            if (way_ == Way::reduced) {
                 couple_reduced(k);
+            } else {
+                couple_whole(k);
             }
             for (Index l = 0; l < slipping_.count; ++l) coupling(slipping_[l], k) = right_[l];
         }
     }
 
 private:
+    enum class Way : unsigned char { reduced, whole, released };
+
     // Some of the elements, in storage for all of them, which copies keep.
     struct List {
         explicit List(Index n) : elements(static_cast<std::size_t>(n)) {}
@@ -170,12 +216,33 @@ private:
         return true;
     }
 
+    // If it is less work than all equations together.
+    bool release(const CombinedPartition<Scalar>& part) {
+        Index sticks = 0;
+        for (Index i = 0; i < size_; ++i) sticks += part.stick[i] != 0 ? 1 : 0;
+        const Index slips = slipping_.count, frees = size_ - sticks - slips;
+        if (2 * (slips + frees) > 2 * sticks + slips) return false;
+        const auto fill = [&](Matrix& whole) { whole << block_[0], block_[1], block_[2], block_[3]; };
+        if (!released_.find_inverse(fill)) return false;
+        released_.clear();
+        for (Index k = 0; k < slips; ++k) {
+            released_.add(slipping_[k], tangent_.row(k), test_.row(k), part.stiffness[slipping_[k]]);
+        }
+        const Eigen::Matrix<Scalar, 1, 2> any(1, 0);
+        for (Index i = 0; frees > 0 && i < size_; ++i) {
+            if (part.stick[i] == 0 && part.slide[i] == 0) {
+                released_.add(i, any, any, std::numeric_limits<Scalar>::infinity());
+            }
+        }
+        return true;
+    }
+
     bool factorise_reduced(const Vector& stiffness) {
         const Index count = slipping_.count;
-        const auto across = [&](Index d) { return tangent_.col(d).head(count); };
+        const auto test = [&](Index d) { return test_.col(d).head(count); };
         for (Index k = 0; k < count; ++k) {
-            factors_.col(k).head(count) = tangent_(k, 0) * across(0).cwiseProduct(side_[0].reduced.col(k).head(count)) +
-                                          tangent_(k, 1) * across(1).cwiseProduct(side_[1].reduced.col(k).head(count));
+            factors_.col(k).head(count) = tangent_(k, 0) * test(0).cwiseProduct(side_[0].reduced.col(k).head(count)) +
+                                          tangent_(k, 1) * test(1).cwiseProduct(side_[1].reduced.col(k).head(count));
             factors_(k, k) += stiffness[slipping_[k]];
         }
         return factorise_first(factors_, count);
@@ -187,7 +254,7 @@ private:
         for (std::size_t d = 0; d < 2; ++d) {
             side_[d].start(s.col(column(d)), count);
             for (Index k = 0; k < count; ++k) {
-                right_[k] -= tangent_(k, column(d)) * (s(slipping_[k], column(d)) + side_[d].induced[k]);
+                right_[k] -= test_(k, column(d)) * (s(slipping_[k], column(d)) + side_[d].induced[k]);
             }
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
@@ -208,25 +275,33 @@ private:
         const Index sticks = sticking_.count, slips = slipping_.count, size = 2 * sticks + slips;
         whole_.topLeftCorner(size, size).setZero();
         for (std::size_t d = 0; d < 2; ++d) {
-            const Index first = column(d) * sticks, last = 2 * sticks;
-            for (Index k = 0; k < sticks; ++k) {
-                const auto influence = matrix(d).col(sticking_[k]);
-                for (Index j = 0; j < sticks; ++j) whole_(first + j, first + k) = influence[sticking_[j]];
-                for (Index j = 0; j < slips; ++j) {
-                    whole_(last + j, first + k) = tangent_(j, column(d)) * influence[slipping_[j]];
-                }
-            }
-            for (Index k = 0; k < slips; ++k) {
-                const auto influence = matrix(d).col(slipping_[k]);
-                const Scalar share = tangent_(k, column(d));
-                for (Index j = 0; j < sticks; ++j) whole_(first + j, last + k) = share * influence[sticking_[j]];
-                for (Index j = 0; j < slips; ++j) {
-                    whole_(last + j, last + k) += share * tangent_(j, column(d)) * influence[slipping_[j]];
-                }
+            for (std::size_t by = 0; by < 2; ++by) {
+                if (by == d || coupled_) add_whole(d, by);
             }
         }
         for (Index k = 0; k < slips; ++k) whole_(2 * sticks + k, 2 * sticks + k) += stiffness[slipping_[k]];
         return factorise_first(whole_, size);
+    }
+
+    // The slip in direction d by tractions in direction `by`.
+    void add_whole(std::size_t d, std::size_t by) {
+        const Index sticks = sticking_.count, slips = slipping_.count;
+        const Index row = column(d) * sticks, first = column(by) * sticks, last = 2 * sticks;
+        for (Index k = 0; k < sticks; ++k) {
+            const auto influence = matrix(d, by).col(sticking_[k]);
+            for (Index j = 0; j < sticks; ++j) whole_(row + j, first + k) = influence[sticking_[j]];
+            for (Index j = 0; j < slips; ++j) {
+                whole_(last + j, first + k) += test_(j, column(d)) * influence[slipping_[j]];
+            }
+        }
+        for (Index k = 0; k < slips; ++k) {
+            const auto influence = matrix(d, by).col(slipping_[k]);
+            const Scalar share = tangent_(k, column(by));
+            for (Index j = 0; j < sticks; ++j) whole_(row + j, last + k) += share * influence[sticking_[j]];
+            for (Index j = 0; j < slips; ++j) {
+                whole_(last + j, last + k) += share * test_(j, column(d)) * influence[slipping_[j]];
+            }
+        }
     }
 
     void solve_whole(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
@@ -237,7 +312,7 @@ private:
         }
         for (Index k = 0; k < slips; ++k) {
             const Index i = slipping_[k];
-            right_[2 * sticks + k] = -(tangent_(k, 0) * s(i, 0) + tangent_(k, 1) * s(i, 1));
+            right_[2 * sticks + k] = -(test_(k, 0) * s(i, 0) + test_(k, 1) * s(i, 1));
         }
         solve_in_place<Scalar>(whole_.topLeftCorner(size, size), swaps_.data(), right_.head(size));
         for (Index d = 0; d < 2; ++d) {
@@ -246,16 +321,18 @@ private:
         }
     }
 
-    // The unit vector along the traction of the k-th element that slips.
+    // The unit vector along the traction of the k-th element that slips,
     Scalar along(Index k, std::size_t direction) const { return direction == 0 ? tangent_(k, 1) : -tangent_(k, 0); }
+    // and that against its slip: the same turned back.
+    Scalar against(Index k, std::size_t direction) const { return direction == 0 ? test_(k, 1) : -test_(k, 0); }
 
-    // Slip along the tractions due to tractions across them, into whole_, which is not in use.
+    // Slip along its own line due to tractions across theirs, into whole_, which is not in use.
     void find_across() {
         const Index count = slipping_.count;
         for (Index k = 0; k < count; ++k) {
             for (Index l = 0; l < count; ++l) {
-                whole_(l, k) = along(l, 0) * side_[0].reduced(l, k) * tangent_(k, 0) +
-                               along(l, 1) * side_[1].reduced(l, k) * tangent_(k, 1);
+                whole_(l, k) = against(l, 0) * side_[0].reduced(l, k) * tangent_(k, 0) +
+                               against(l, 1) * side_[1].reduced(l, k) * tangent_(k, 1);
             }
         }
     }
@@ -266,19 +343,22 @@ private:
         auto turn = right_.segment(count, count);
         for (Index l = 0; l < count; ++l) {
             const Scalar x = side_[0].reduced(l, k) * along(k, 0), y = side_[1].reduced(l, k) * along(k, 1);
-            right_[l] = along(l, 0) * x + along(l, 1) * y;
-            turn[l] = tangent_(l, 0) * x + tangent_(l, 1) * y;
+            right_[l] = against(l, 0) * x + against(l, 1) * y;
+            turn[l] = test_(l, 0) * x + test_(l, 1) * y;
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), turn);
         right_.head(count).noalias() -= whole_.topLeftCorner(count, count) * turn;
     }
     void couple_whole(Index k) {
-        for (std::size_t d = 0; d < 2; ++d) slip_.col(column(d)) = along(k, d) * matrix(d).col(slipping_[k]);
         change_.setZero();
-        solve_whole(slip_, change_);
-        for (std::size_t d = 0; d < 2; ++d) slip_.col(column(d)).noalias() += matrix(d) * change_.col(column(d));
+        for (std::size_t d = 0; d < 2; ++d) change_(slipping_[k], column(d)) = along(k, d);
+        multiply(change_, slip_);
+        across_ = slip_;
+        solve(across_, change_);
+        multiply(change_, across_);
+        slip_ += across_;
         for (Index l = 0; l < slipping_.count; ++l) {
-            right_[l] = along(l, 0) * slip_(slipping_[l], 0) + along(l, 1) * slip_(slipping_[l], 1);
+            right_[l] = against(l, 0) * slip_(slipping_[l], 0) + against(l, 1) * slip_(slipping_[l], 1);
         }
     }
 
@@ -291,14 +371,19 @@ private:
         return true;
     }
 
-    std::array<Side, 2> side_;
+    Index size_;
+    bool coupled_;
+    std::array<Side, 2> side_;      // empty if coupled,
+    std::array<Matrix, 4> block_;  // and these if not
+    ReleasedEquations<Scalar> released_;
     Matrix factors_, whole_;
     Vector right_;
-    ElementVectors<Scalar> tangent_;  // of the elements that slip, in their order
-    ElementVectors<Scalar> slip_, change_;
+    ElementVectors<Scalar> tangent_;  // t of the elements that slip, in their order
+    ElementVectors<Scalar> test_;     // R^-1 t of the same: the component of the slip that their equations take
+    ElementVectors<Scalar> slip_, across_, change_;
     List slipping_, sticking_, eliminated_for_;
     std::vector<Index> swaps_;
-    bool is_whole_ = false;
+    Way way_ = Way::whole;
     std::array<unsigned long, 2> eliminated_revisions_{0, 0};  // 0: of no matrix yet
 };
 

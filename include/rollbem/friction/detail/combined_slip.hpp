@@ -71,12 +71,9 @@ public:
     unsigned long revision() const { return revision_; }
 
     void change_size(const Solver& solver, const Vectors& change, const Vectors& traction_change, Vector& size_change) {
-        for (std::size_t d = 0; d < 2; ++d) {
-            const auto column = static_cast<Index>(d);
-            slip_change_.col(column) = change.col(column);
-            slip_change_.col(column).noalias() += solver.matrix(d) * traction_change.col(column);
-        }
-        size_change = -slip_change_.cwiseProduct(solver.direction()).rowwise().sum();
+        solver.multiply(traction_change, slip_change_);
+        slip_change_ += change;
+        size_change = -slip_change_.cwiseProduct(solver.against_slip()).rowwise().sum();
     }
 
 private:

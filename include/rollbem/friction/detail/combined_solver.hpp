@@ -19,6 +19,7 @@
 #include "combined_equations.hpp"
 #include "combined_partition.hpp"
 #include "combined_split.hpp"
+#include "slip_turn.hpp"
 
 namespace rollbem::detail {
 
@@ -31,6 +32,9 @@ namespace rollbem::detail {
 /// two. A step is halved while the residual of the map would grow. As M may be any matrix, that can get stuck. Further
 /// attempts take full steps, and start from full sliding or from the result of CombinedSplit. If all fail, the best
 /// point is returned together with its violation. Each attempt takes at most `longest` steps.
+///
+/// If the rows behind are known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i in
+/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and on nothing that was solved
 /// before. Everything is allocated by the constructor.
@@ -51,8 +55,9 @@ public:
         StepStatus status = StepStatus::not_finite;
     };
 
-    explicit CombinedSolver(Index n)
-        : equations_(n),
+    /// `coupled`: traction in one direction causes slip in the other, too.
+    explicit CombinedSolver(Index n, bool coupled = false)
+        : equations_(n, coupled),
           zones_(static_cast<std::size_t>(n), CombinedZone::stick),
           part_(n),
           reach_(Vector::Zero(n)),
@@ -63,21 +68,36 @@ public:
           trial_slip_(n, 2),
           change_(n, 2),
           best_(n, 2),
+          against_slip_(Vectors::Zero(n, 2)),
+          begin_(n, 2),
+          begin_zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          turn_(n),
           split_(n) {}
+
+    /// Turns slip from now on; the row behind each in its strip, -1 for a trailing element. With an empty list slip is
+    /// not turned, as after construction.
+    void turn_slip(const std::vector<Index>& behind) { turn_.set_behind(behind); }
 
     Index size() const { return equations_.size(); }
 
-    /// M of direction 0 (longitudinal) or 1 (lateral), to be filled before the first solve and whenever it changes.
-    Matrix& new_matrix(std::size_t direction) {
+    bool coupled() const { return equations_.coupled(); }
+    /// The blocks of M, to be filled before the first solve and whenever they change: slip in direction `slip`
+    /// (0 longitudinal, 1 lateral) by tractions in direction `by`. Unless coupled, both directions are the same.
+    Matrix& new_matrix(std::size_t slip, std::size_t by) {
         reach_is_known_ = false;
-        return equations_.new_matrix(direction);
+        return equations_.new_matrix(slip, by);
     }
-    const Matrix& matrix(std::size_t direction) const { return equations_.matrix(direction); }
+    Matrix& new_matrix(std::size_t direction) { return new_matrix(direction, direction); }
+    const Matrix& matrix(std::size_t slip, std::size_t by) const { return equations_.matrix(slip, by); }
+    const Matrix& matrix(std::size_t direction) const { return matrix(direction, direction); }
+    /// s = M p
+    void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const { equations_.multiply(p, s); }
     /// c, to be filled before each solve.
     ElementVectors<Scalar>& constant() { return constant_; }
 
     const ElementVectors<Scalar>& traction() const { return traction_; }
-    /// s, exactly zero where elements stick and against the traction where they slip.
+    /// s, exactly zero where elements stick. Where they slip it is against the traction, or, if slip is turned, R s is;
+    /// then s_i stays the slip at the point of row i.
     const ElementVectors<Scalar>& slip() const { return slip_; }
     const Zones& zones() const { return zones_; }
     Index stick_count() const { return stick_count_; }
@@ -87,22 +107,17 @@ public:
         imposed_ = 0;
         for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
         find_reach();
-        least_ = std::numeric_limits<Scalar>::max();
+        turn_.stop();
         Outcome outcome;
-        bool settled = false;
-        for (const Start start : {Start::given, Start::sliding, Start::split}) {
-            if (start == Start::split && !settled) find_split(bound);
-            for (const bool careful : {true, false}) {
-                if (settled) break;
-                if (start == Start::given) start_from(bound, traction, zones);
-                if (start == Start::sliding) start_sliding(bound);
-                if (start == Start::split) start_from(bound, split_.traction(), split_.zones());
-                settled = settle(bound, careful, outcome);
-            }
-        }
-        if (!settled) return_to_best(bound);
+        bool settled = search(bound, traction, zones, outcome);
         outcome.residual = publish(bound);
-        outcome.tangent_exists = settled && equations_.factorise(part_);
+        if (settled && turn_.find(slip_, part_.slide)) {
+            begin_ = traction_;
+            begin_zones_ = zones_;
+            settled = search(bound, begin_, begin_zones_, outcome);
+            outcome.residual = publish(bound);
+        }
+        outcome.tangent_exists = settled && equations_.factorise(part_, turn_);
         const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
         outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
         return outcome;
@@ -117,18 +132,17 @@ public:
     /// traction.
     void respond(const ElementVectors<Scalar>& change, const Vector& bound_change,
                  ElementVectors<Scalar>& traction_change, Scalar share = 1) {
-        for (std::size_t d = 0; d < 2; ++d) {
-            const auto column = static_cast<Index>(d);
-            trial_.col(column) = share * bound_change.cwiseProduct(part_.direction.col(column));
-            trial_slip_.col(column) = change.col(column);
-            trial_slip_.col(column).noalias() += matrix(d) * trial_.col(column);
-        }
+        trial_ = (share * bound_change).asDiagonal() * part_.direction;
+        multiply(trial_, trial_slip_);
+        trial_slip_ += change;
         equations_.solve(trial_slip_, traction_change);
         traction_change += trial_;
     }
 
-    /// Unit vector along the traction of each element that slips, zero for others.
+    /// Unit vector along the traction of each element that slips, zero for others,
     const ElementVectors<Scalar>& direction() const { return part_.direction; }
+    /// and that against its slip: the same, turned back if slip is turned.
+    const ElementVectors<Scalar>& against_slip() const { return against_slip_; }
     /// 1 for each element that slips under pressure, zero for others.
     const Vector& slides() const { return part_.slide; }
     /// The factors behind respond().
@@ -155,12 +169,32 @@ private:
         reach_is_known_ = true;
     }
 
+    // All attempts for the present turn of the slip. False if none succeeds; then the best point remains.
+    bool search(const Vector& bound, const Vectors& traction, const Zones& zones, Outcome& outcome) {
+        least_ = std::numeric_limits<Scalar>::max();
+        for (const Start start : {Start::given, Start::sliding, Start::split}) {
+            if (start == Start::split) find_split(bound);
+            for (const bool careful : {true, false}) {
+                if (start == Start::given) start_from(bound, traction, zones);
+                if (start == Start::sliding) start_sliding(bound);
+                if (start == Start::split) start_from(bound, split_.traction(), split_.zones());
+                if (settle(bound, careful, outcome)) return true;
+            }
+        }
+        return_to_best(bound);
+        return false;
+    }
+
     // M p + c, and its round-off
     void find_slip(const Vectors& p, Vectors& s) {
-        s.col(0).noalias() = matrix(0) * p.col(0);
-        s.col(1).noalias() = matrix(1) * p.col(1);
+        multiply(p, s);
         slip_scale_ = rounding() * (s.cwiseAbs().maxCoeff() + imposed_);
         s += constant_;
+    }
+    // the same, turned
+    void find_turned_slip(const Vectors& p, Vectors& s) {
+        find_slip(p, s);
+        turn_.apply(s);
     }
 
     // no pressure, no traction
@@ -181,7 +215,7 @@ private:
             if (zones[static_cast<std::size_t>(i)] == CombinedZone::slip && norm > 0)
                 traction_.row(i) *= bound[i] / norm;
         }
-        find_slip(traction_, slip_);
+        find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
             const Scalar x = traction_(i, 0), y = traction_(i, 1), norm = std::hypot(x, y);
             if (bound[i] == 0) {
@@ -198,8 +232,10 @@ private:
     }
 
     void start_sliding(const Vector& bound) {
+        slip_ = constant_;
+        turn_.apply(slip_);
         for (Index i = 0; i < size(); ++i) {
-            const Scalar x = -constant_(i, 0), y = -constant_(i, 1), norm = std::hypot(x, y);
+            const Scalar x = -slip_(i, 0), y = -slip_(i, 1), norm = std::hypot(x, y);
             if (bound[i] == 0 || norm == 0) {
                 let_go(i);
                 if (bound[i] > 0) part_.let_stick(i);
@@ -212,7 +248,7 @@ private:
 
     void find_split(const Vector& bound) {
         split_.find(matrix(0), matrix(1), constant_, bound, 4 * rounding());
-        find_slip(split_.traction(), trial_slip_);
+        find_turned_slip(split_.traction(), trial_slip_);
         note(split_.traction(), natural_residual(bound, reach_, split_.traction(), trial_slip_));
     }
 
@@ -226,8 +262,13 @@ private:
     // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
+        bool keeps_factors = false;
         for (int step = 0; step < longest; ++step) {
-            if (!equations_.factorise(part_)) return false;
+            if (keeps_factors) {
+                equations_.aim(part_, turn_);
+            } else if (!equations_.factorise(part_, turn_)) {
+                return false;
+            }
             ++outcome.rounds;
             take_step(bound);
             Scalar residual = natural_residual(bound, reach_, trial_, trial_slip_);
@@ -239,8 +280,9 @@ private:
             slip_ = trial_slip_;
             note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
-            before = residual;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
+            keeps_factors = coupled() && residual < Scalar(1e-3) * before && equations_.slips_as(part_);
+            before = residual;
         }
         return false;
     }
@@ -257,7 +299,7 @@ private:
         for (Index i = 0; i < size(); ++i) {
             if (part_.slide[i] != 0) trial_.row(i) *= bound[i] / std::hypot(trial_(i, 0), trial_(i, 1));
         }
-        find_slip(trial_, trial_slip_);
+        find_turned_slip(trial_, trial_slip_);
     }
 
     // Halves the step until the residual is below the previous one, or the step is as short as it may get.
@@ -266,7 +308,7 @@ private:
         Scalar residual = before;
         for (Scalar part = Scalar(0.5); part > Scalar(1) / 300; part /= 2) {
             trial_ = traction_ + part * change_;
-            find_slip(trial_, trial_slip_);
+            find_turned_slip(trial_, trial_slip_);
             residual = natural_residual(bound, reach_, trial_, trial_slip_);
             if (residual <= (1 - Scalar(1e-4) * part) * before) break;
         }
@@ -280,13 +322,13 @@ private:
 
     void return_to_best(const Vector& bound) {
         if (least_ < std::numeric_limits<Scalar>::max()) traction_ = best_;
-        find_slip(traction_, slip_);
+        find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
             place(i, bound[i]);
             const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
             if (norm > bound[i] || part_.slide[i] != 0) traction_.row(i) *= norm > 0 ? bound[i] / norm : Scalar(0);
         }
-        find_slip(traction_, slip_);
+        find_turned_slip(traction_, slip_);
     }
 
     // Publishes zones, and slip cleared of round-off; returns the largest violation. Leaves directions and stiffnesses
@@ -295,6 +337,7 @@ private:
         Scalar slip = 0, excess = 0;
         bool finite = true;
         stick_count_ = 0;
+        against_slip_.setZero();
         for (Index i = 0; i < size(); ++i) {
             zones_[static_cast<std::size_t>(i)] = part_.stick[i] != 0 ? CombinedZone::stick : CombinedZone::slip;
             const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
@@ -310,6 +353,9 @@ private:
                 slip = std::max({slip, std::abs(x * v - y * u) / size, along});
                 part_.let_slide(i, x, y, size, std::max(-along, Scalar(0)) / bound[i]);
                 slip_.row(i) = std::min(along, Scalar(0)) * part_.direction.row(i);
+                turn_.take_back(i, slip_, i);
+                against_slip_.row(i) = part_.direction.row(i);
+                turn_.take_back(i, against_slip_, i);
             }
             finite = finite && is_finite(u) && is_finite(v) && is_finite(norm);
         }
@@ -323,6 +369,10 @@ private:
     CombinedPartition<Scalar> part_;
     Vector reach_;  // rho
     Vectors traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
+    Vectors against_slip_;
+    Vectors begin_;  // where the search with turned slip begins
+    Zones begin_zones_;
+    SlipTurn<Scalar> turn_;
     CombinedSplit<Scalar> split_;  // where the last attempts start
     Scalar imposed_ = 0;           // max |c|
     Scalar slip_scale_ = 0;        // rounding of the slip

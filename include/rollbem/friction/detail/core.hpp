@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -27,6 +27,7 @@
 #include "../state.hpp"
 #include "../workspace.hpp"
 #include "bounds.hpp"
+#include "convergence.hpp"
 #include "directions.hpp"
 #include "rolling_stage.hpp"
 #include "scratch.hpp"
@@ -58,12 +59,12 @@ public:
         const ArrayX<Scalar>* pressure_rate = nullptr;  // of a step under a load of its own, else null
     };
 
-    /// For the unknown elements of a mesh of `element_count`. `gradient`: the fingerprint of G', by which states are
-    /// recognised; `system`: that of all matrices, by which factors are. Throws std::invalid_argument, in the name of
+    /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors by
+    /// that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name of
     /// `who`, if the law is invalid.
     FrictionCore(const char* who, const Contact<Scalar>& contact, const Elements<Scalar>& elements,
-                 Eigen::Index element_count, const Friction<Law, Scalar>& friction, std::uint64_t gradient,
-                 std::uint64_t system)
+                 Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
+                 std::optional<std::uint64_t> system = std::nullopt)
         : half_length_(contact.half_length()),
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
@@ -73,20 +74,21 @@ public:
           unchanged_steps_(elements.size(), half_length_),
           ones_(VectorX<Scalar>::Ones(elements.size())),
           friction_(friction),
-          fingerprint_(fingerprint_of(contact, gradient)),
-          system_(system) {
+          coupled_(is_coupled(G_prime)),
+          fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
+          system_(system.value_or(fingerprint_)) {
         require_valid(who, friction, element_count, size());
         friction_.normal_pressure.conservativeResize(size());
         Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
         pressures.add(friction_.normal_pressure);
-        fingerprint_ ^= pressures.value();
+        fingerprint_ = fingerprint_of(contact, fingerprint_) ^ pressures.value();
     }
 
     Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
     Scalar width() const { return width_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
-    Workspace workspace() const { return Workspace(size(), slip_dependent); }
+    Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
 
     State at_rest() const {
         State state{ElementVectors<Scalar, directions>::Zero(size(), directions),
@@ -111,11 +113,8 @@ public:
         if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
         ElementVectors<Scalar, directions> displacement = state.traction;
         find_displacements(system, a, state.traction, displacement);
-        Scalar product = 0;
-        for (Eigen::Index d = 0; d < directions; ++d) {
-            product += slip_work_.product(state.traction.col(d), displacement.col(d));
-        }
-        return half_length_ * state.half_length * product / (2 * shear_modulus_);
+        return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
+               (2 * shear_modulus_);
     }
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
@@ -126,7 +125,7 @@ public:
                    state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
         };
         const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
-                             workspace.size() == n && workspace.scratch().falling.set.size() == (slip_dependent ? n : 0);
+                             workspace.fits(n, slip_dependent, coupled_);
         if (!belongs || !are_coefficients(from.friction_coefficient) ||
             !are_coefficients(from.solver.stage_coefficient)) {
             return StepStatus::wrong_state;
@@ -218,6 +217,7 @@ public:
             solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
                         progress);
             carried = motion.is_linear() ? gamma * imposed : imposed;
+            if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
             if (progress.tangent_exists) carry_tangents(bounds, system, carried, asked, scratch);
             find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
             scratch.displacement += ratio * (scratch.change - scratch.displacement);
@@ -227,6 +227,7 @@ public:
         solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
                     scratch.stage.half_length, scratch, progress);
         Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
+        if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
         if (!progress.tangent_exists) return step;
         add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
         add_load_tangents(bounds, system, part, two_stages, asked, load, scratch, step);
@@ -296,11 +297,21 @@ private:
         scratch.stage = stage;
         return true;
     }
+    template <class Fill>
+    static void for_blocks(const Scratch& scratch, const Fill& fill) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            for (std::size_t e = 0; e < 2; ++e) {
+                if (d == e || scratch.solver.coupled()) fill(d, e);
+            }
+        }
+    }
     static void fill_steady(const Gradient& G_prime, Scratch& scratch) {
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
         } else {
-            for (std::size_t d = 0; d < 2; ++d) scratch.solver.new_matrix(d) = -G_prime[d][d];
+            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                scratch.solver.new_matrix(d, e) = -G_prime[d][e];
+            });
         }
     }
     void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
@@ -308,9 +319,9 @@ private:
             if constexpr (directions == 1) {
                 influence(system).fill_stage_matrix(stage, scratch.solver.new_matrix());
             } else {
-                for (std::size_t d = 0; d < 2; ++d) {
-                    influence(system, d, d).fill_stage_matrix(stage, scratch.solver.new_matrix(d));
-                }
+                for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                    influence(system, d, e).fill_stage_matrix(stage, scratch.solver.new_matrix(d, e));
+                });
             }
         }
         bounds.enter(place, stage);
@@ -370,7 +381,8 @@ private:
         to.system = fingerprint_;
         const Force force = total(scratch.start, load.half_length * shear_modulus_);
         const Scalar work = scratch.work.sum();
-        if (!progress.finite || !is_finite(force) || !is_finite(work)) {
+        progress.finite = progress.finite && is_finite(force) && is_finite(work);
+        if (!progress.finite) {
             progress.tangent_exists = false;
             scratch.slip.setZero();
             scratch.work.setZero();
@@ -390,12 +402,28 @@ private:
         step.force_per_width = force;
         step.force = width_ * force;
         step.slip_work_per_width = work;
+        step.jump_work_per_width = 0;
         step.complementarity_residual = progress.residual;
         step.stick_count = scratch.solver.stick_count();
         step.rounds = progress.rounds;
         step.pivots = progress.pivots;
         step.status = progress.solved ? StepStatus::ok : StepStatus::no_solution;
         return step;
+    }
+
+    // After the last stage; with constant friction only a shift has jumps.
+    void add_jump_work(const System& system, const State& from, bool two_stages, bool rolls, const Load& load,
+                       Scratch& scratch, Step& step) const {
+        const Scalar a = load.half_length / half_length_;
+        const auto start = 1 / shear_modulus_ * from.traction;
+        Scalar work = 0;
+        if (!rolls) {
+            scratch.change = 1 / half_length_ * scratch.slip;
+            work = scratch.jump_work.shifted(slip_work_, a, start, scratch.start, scratch.change);
+        } else if constexpr (slip_dependent) {
+            work = scratch.jump_work.rolled(system, slip_work_, a, two_stages, start, scratch.start);
+        }
+        step.jump_work_per_width = shear_modulus_ * half_length_ * half_length_ * work;
     }
 
     // For the second stage, what dp of the first adds to its constants.
@@ -488,6 +516,7 @@ private:
     UnchangedSteps<Scalar> unchanged_steps_;
     VectorX<Scalar> ones_;
     Friction<Law, Scalar> friction_;
+    bool coupled_;
     std::uint64_t fingerprint_, system_;
 };
 

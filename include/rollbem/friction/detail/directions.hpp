@@ -29,6 +29,14 @@ struct Directions {
     using Value = ByDirections<directions, Scalar, Creepage<Scalar>>;
     using System = ElementSystem<Scalar, directions>;
     using Gradient = ByDirections<directions, MatrixX<Scalar>, DirectionBlocks<Scalar>>;  // G'
+
+    static Solver solver(Eigen::Index n, bool coupled) {
+        if constexpr (directions == 1) {
+            return Solver(n);
+        } else {
+            return Solver(n, coupled);
+        }
+    }
 };
 
 /// G' of a system.
@@ -39,6 +47,16 @@ const MatrixX<Scalar>& gradient(const ElementSystem<Scalar>& system) {
 template <class Scalar>
 const DirectionBlocks<Scalar>& gradient(const ElementSystem<Scalar, 2>& system) {
     return system.G_prime_blocks();
+}
+
+/// Whether tractions along one direction cause slip along the other.
+template <class Scalar>
+bool is_coupled(const MatrixX<Scalar>&) {
+    return false;
+}
+template <class Scalar>
+bool is_coupled(const DirectionBlocks<Scalar>& G_prime) {
+    return G_prime[0][1].size() > 0;
 }
 
 }  // namespace rollbem::detail

@@ -273,8 +273,10 @@ private:
                    Solver& solver, const Vector& mu) {
         slip_.linearise(solver);
         const bool steady = passage.before == nullptr;
-        // differences of a width that also suits elements that hardly slip
-        const Scalar unit = memory.least_velocity + rounded(velocity_.maxCoeff()) / 1000;
+        // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
+        // far above any slip
+        const Scalar fastest = rounded(velocity_.maxCoeff());
+        const Scalar unit = std::min(memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
         Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
         for (Index i = size() - 1; i >= 0; --i) {

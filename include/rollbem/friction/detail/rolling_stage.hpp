@@ -128,7 +128,7 @@ void find_displacements(const System& system, Scalar a, const Vectors& p, Vector
         const auto direction = static_cast<std::size_t>(d);
         influence(system, direction, direction).find_displacement(a, p.col(d), U.col(d));
         if constexpr (Vectors::ColsAtCompileTime == 2) {
-            if (system.coupled()) U.col(d).noalias() += a * (system.G(direction, 1 - direction) * p.col(1 - d));
+            if (system.coupled()) U.col(d).noalias() += a * system.G(direction, 1 - direction) * p.col(1 - d);
         }
     }
 }

@@ -14,20 +14,21 @@
 #include "../state.hpp"
 #include "directions.hpp"
 #include "falling_scratch.hpp"
+#include "jump_work.hpp"
 #include "rolling_stage.hpp"
 
 namespace rollbem::detail {
 
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
-/// constructor; that for a coefficient that depends on slip only if `slip_dependent`.
+/// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that couple only if `coupled`.
 template <int directions, class Scalar>
 struct FrictionScratch {
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
     using Solver = typename Directions<directions, Scalar>::Solver;
 
-    FrictionScratch(Eigen::Index n, bool slip_dependent)
-        : solver(n),
+    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
+        : solver(Directions<directions, Scalar>::solver(n, coupled)),
           falling(slip_dependent ? n : 0),
           slip(Vectors::Zero(n, directions)),
           stage_slip(slip),
@@ -39,7 +40,8 @@ struct FrictionScratch {
           work(Vector::Zero(n)),
           bound(work),
           bound_rate(work),
-          rate(work) {
+          rate(work),
+          jump_work(n) {
         carried.fill(right);
     }
 
@@ -55,6 +57,7 @@ struct FrictionScratch {
     Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip
     Vector bound_rate;  // its derivative by the load
     Vector rate;
+    JumpWork<directions, Scalar> jump_work;
     std::array<Vectors, TangentBy<directions>::count> carried;  // dc of the second stage, from the first
 
     // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`

@@ -60,11 +60,16 @@ public:
         one_by_one(begin_ + count_, size());
     }
 
-    /// Sum of p u dx over all elements; twice the elastic energy if u are the displacements in all equations.
+    /// Sum of p u dx over all elements and directions; twice the elastic energy if u are the displacements in all
+    /// equations.
     template <class Traction, class Displacement>
     Scalar product(const Traction& traction, const Displacement& displacement) const {
         Scalar sum = 0;
-        for (Index i = 0; i < size(); ++i) sum += widths_[i] * traction[i] * at_centre(i, displacement);
+        for (Index d = 0; d < traction.cols(); ++d) {
+            const auto p = traction.col(d);
+            const auto u = displacement.col(d);
+            for (Index i = 0; i < size(); ++i) sum += widths_[i] * p[i] * at_centre(i, u);
+        }
         return sum;
     }
 

@@ -1,0 +1,18 @@
+# add_precompiled(target HEADERS header... LIBRARIES library...)
+# headers parsed once, for target_precompile_headers(... REUSE_FROM target). Sources still include what they need: with
+# ccache, which does not cache units that use a precompiled header, and in the stricter presets there are none.
+if("${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}" MATCHES ccache)
+    set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+function(add_precompiled target)
+    cmake_parse_arguments(PARSE_ARGV 1 precompiled "" "" "HEADERS;LIBRARIES")
+    set(nothing "${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp")
+    file(CONFIGURE OUTPUT "${nothing}" CONTENT "" @ONLY)
+    add_library(${target} OBJECT "${nothing}")
+    target_link_libraries(${target} PRIVATE ${precompiled_LIBRARIES} rollbem_quick_to_compile)
+    target_precompile_headers(${target} PRIVATE ${precompiled_HEADERS})
+endfunction()
+
+set(rollbem_precompiled_headers
+    <algorithm> <cmath> <complex> <cstddef> <functional> <limits> <map> <memory> <numbers> <optional> <string> <utility>
+    <variant> <vector> <Eigen/Eigenvalues> <Eigen/LU> <rollbem/compiled/all.hpp>)

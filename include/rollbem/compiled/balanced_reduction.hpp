@@ -1,0 +1,12 @@
+// Balanced reduction compiled for double. Replaces adhesion/balanced_reduction.hpp; link rollbem::compiled.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../adhesion/balanced_reduction.hpp"
+
+namespace rollbem {
+
+extern template BalancedReduction<double> balanced_reduction<double>(const StateSpace<double>&, Eigen::Index);
+
+}  // namespace rollbem

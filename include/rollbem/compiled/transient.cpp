@@ -1,7 +1,0 @@
-#include "transient.hpp"
-
-namespace rollbem {
-
-template class TransientModel<double>;
-
-}  // namespace rollbem

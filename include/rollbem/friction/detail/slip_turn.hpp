@@ -1,0 +1,100 @@
+// Friction in two directions to second order: the direction of slip is taken where the traction of the element acts.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "../combined_state.hpp"
+
+namespace rollbem::detail {
+
+/// The slip s_i of a row that lies half an element ahead of the centre of its element opposes a traction that acts
+/// there. Where the direction of slip varies, that is an error of first order. Slip at the centre points along
+///     m_i = s_i + s_(i-1),   at a trailing element   m_0 = 3 s_0 - s_1,
+/// with the row behind in the same strip and zero where elements stick. Replacing s_i by m_i in the law is not well
+/// posed; turning s_i by the angle from s_i to m_i of a solution, and solving once more at fixed angles, is.
+///
+/// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes, or a trailing element
+/// has none ahead. Everything is allocated by the constructor.
+template <class Scalar>
+class SlipTurn {
+public:
+    using Index = Eigen::Index;
+    using Vectors = ElementVectors<Scalar>;
+
+    explicit SlipTurn(Index n) : ahead_(static_cast<std::size_t>(n)), rotation_(Vectors::Zero(n, 2)) {
+        behind_.reserve(static_cast<std::size_t>(n));
+    }
+
+    /// The row behind each in its strip, -1 for a trailing element. Empty: slip is not turned.
+    void set_behind(const std::vector<Index>& behind) {
+        behind_.assign(behind.begin(), behind.end());
+        std::fill(ahead_.begin(), ahead_.end(), Index(-1));
+        for (std::size_t i = 0; i < behind_.size(); ++i) {
+            if (behind_[i] >= 0) ahead_[at(behind_[i])] = static_cast<Index>(i);
+        }
+        turns_ = false;
+    }
+
+    bool turns() const { return turns_; }
+    void stop() { turns_ = false; }
+    /// Finds the angles for slip that has not been turned, `slides` is 1 where elements slip. False if there is nothing
+    /// to turn.
+    bool find(const Vectors& slip, const VectorX<Scalar>& slides) {
+        turns_ = false;
+        rotation_.col(0).setOnes();
+        rotation_.col(1).setZero();
+        for (std::size_t k = 0; k < behind_.size(); ++k) {
+            const auto i = static_cast<Index>(k);
+            if (slides[i] == 0) continue;
+            Scalar x = 0, y = 0;
+            if (behind_[k] >= 0) {
+                x = slip(i, 0) + slip(behind_[k], 0);
+                y = slip(i, 1) + slip(behind_[k], 1);
+            } else if (ahead_[k] >= 0) {
+                x = 3 * slip(i, 0) - slip(ahead_[k], 0);
+                y = 3 * slip(i, 1) - slip(ahead_[k], 1);
+            }
+            const Scalar product = std::hypot(slip(i, 0), slip(i, 1)) * std::hypot(x, y);
+            const Scalar across = slip(i, 0) * y - slip(i, 1) * x;
+            if (!(product > 0) || across == 0) continue;
+            const Scalar cosine = (slip(i, 0) * x + slip(i, 1) * y) / product, sine = across / product;
+            const bool cut = cosine < Scalar(0.5);
+            rotation_(i, 0) = cut ? Scalar(0.5) : cosine;
+            rotation_(i, 1) = cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine;
+            turns_ = true;
+        }
+        return turns_;
+    }
+
+    /// Turns the vectors of all elements, if slip turns.
+    void apply(Vectors& vectors) const {
+        for (Index i = 0; turns_ && i < vectors.rows(); ++i) {
+            const Scalar x = vectors(i, 0), y = vectors(i, 1);
+            vectors(i, 0) = rotation_(i, 0) * x - rotation_(i, 1) * y;
+            vectors(i, 1) = rotation_(i, 1) * x + rotation_(i, 0) * y;
+        }
+    }
+    /// Turns row k of `vectors` back by the angle of element i.
+    void take_back(Index i, Vectors& vectors, Index k) const {
+        if (!turns_) return;
+        const Scalar x = vectors(k, 0), y = vectors(k, 1);
+        vectors(k, 0) = rotation_(i, 0) * x + rotation_(i, 1) * y;
+        vectors(k, 1) = rotation_(i, 0) * y - rotation_(i, 1) * x;
+    }
+
+private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    std::vector<Index> behind_, ahead_;
+    Vectors rotation_;  // cosine and sine of the angles
+    bool turns_ = false;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,280 @@
+// rollbem/adhesion/balanced_reduction.hpp
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <rollbem/compiled/balanced_reduction.hpp>
+#include <rollbem/compiled/chebyshev.hpp>
+#include <rollbem/compiled/frequency.hpp>
+
+#include "support/catch.hpp"
+#include "support/dense.hpp"
+#include "support/refusal.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Complex = std::complex<double>;
+using Catch::Matchers::ContainsSubstring;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+const PlaneKernel<double> plane(100, 0.75, 0.25);
+
+// C (s I - A)^-1 B + D
+Eigen::MatrixXcd response(const StateSpace<double>& space, Complex s) {
+    Eigen::MatrixXcd resolvent = -space.A.cast<Complex>();
+    resolvent.diagonal().array() += s;
+    const Eigen::MatrixXcd x = dense::solve_complex(resolvent, space.B.cast<Complex>());
+    Eigen::MatrixXcd result = space.D.cast<Complex>();
+    for (Eigen::Index j = 0; j < x.rows(); ++j) result += space.C.col(j).cast<Complex>() * x.row(j);
+    return result;
+}
+
+double norm(const Eigen::MatrixXcd& A) {
+    Eigen::MatrixXd parts(2 * A.rows(), 2 * A.cols());
+    parts << A.real(), -A.imag(), A.imag(), A.real();
+    return dense::largest_singular_value(parts);
+}
+
+// The frequencies of a scan, 0 to far beyond all eigenvalues.
+std::vector<double> scan() {
+    std::vector<double> z = {0, 1e6};
+    for (double next = 1e-2; next < 1e4; next *= 1.05) z.push_back(next);
+    return z;
+}
+
+double largest_difference(const StateSpace<double>& one, const StateSpace<double>& other,
+                          const std::vector<double>& z = scan()) {
+    double largest = 0;
+    for (const double at : z) {
+        largest = std::max(largest, norm(response(one, Complex(0, at)) - response(other, Complex(0, at))));
+    }
+    return largest;
+}
+
+double abscissa(const StateSpace<double>& space) { return dense::spectrum(space.A).values.real().maxCoeff(); }
+
+// A dense system that decays, with k inputs and outputs.
+StateSpace<double> drawn(Eigen::Index n, Eigen::Index k, unsigned seed) {
+    std::mt19937 generator(seed);
+    const auto matrix = [&](Eigen::Index rows, Eigen::Index columns) {
+        Eigen::MatrixXd entries(rows, columns);
+        for (Eigen::Index i = 0; i < entries.size(); ++i) {
+            entries.data()[i] = static_cast<double>(generator()) / 2147483648.0 - 1;
+        }
+        return entries;
+    };
+    StateSpace<double> space{matrix(n, n), matrix(n, k), matrix(k, n), matrix(k, k)};
+    space.A.diagonal().array() -= dense::spectrum(space.A).values.real().maxCoeff() + 0.1;
+    return space;
+}
+
+struct Scene {
+    const char* name;
+    StateSpace<double> space;
+};
+
+std::vector<Scene> scenes() {
+    return {{"cosine", state_space<double>(rolling_system(cosine_mesh(24), Collocation{0.5, 0.5}, plane))},
+            {"uniform", state_space<double>(rolling_system(uniform_mesh(20), Collocation{0, 0.63},
+                                                           StripKernel<double>(0.5, 0.75, 0.25)))},
+            {"chebyshev", state_space(Chebyshev{30}, plane)},
+            {"drawn", drawn(20, 3, 1)},
+            {"drawn, one input", drawn(17, 1, 2)}};
+}
+
+TEST_CASE("A reduced system has the steady state of the original, decays, and keeps to its bound", "[reduction]") {
+    for (const auto& [scene, space] : scenes()) {
+        const Eigen::MatrixXcd steady = response(space, 0);
+        for (const Eigen::Index states : {1, 2, 3, 5, 8, 12, 17}) {
+            const BalancedReduction<double> reduced = balanced_reduction(space, states);
+            CAPTURE(scene, states, reduced.error_bound);
+            REQUIRE(reduced.status == Status::ok);
+            const Eigen::Index K = reduced.space.A.rows(), count = reduced.hankel_singular_values.size();
+            CHECK(K == std::min(states, count));
+            CHECK(norm(response(reduced.space, 0) - steady) < 1e-13 * norm(steady));
+            CHECK(abscissa(reduced.space) < 0);
+            CHECK(std::abs(reduced.error_bound - 2 * reduced.hankel_singular_values.tail(count - K).sum()) <=
+                  eps * reduced.error_bound);
+            // no system of K states comes closer than the first singular value left out
+            const double error = largest_difference(reduced.space, space);
+            const double rounding = 1e-12 * norm(steady);
+            CHECK(error <= reduced.error_bound + rounding);
+            if (K < count) CHECK(error >= (1 - 1e-3) * reduced.hankel_singular_values[K] - rounding);
+            // nor is the bound for frequencies alone
+            const Complex s(0.3, 1.7);
+            CHECK(norm(response(reduced.space, s) - response(space, s)) <= reduced.error_bound + rounding);
+        }
+    }
+}
+
+// X of A X + X A^T + B B^T = 0 as n^2 linear equations.
+Eigen::MatrixXd gramian(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+    const Eigen::Index n = A.rows();
+    Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(n * n, n * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index j = 0; j < n; ++j) {
+            for (Eigen::Index k = 0; k < n; ++k) {
+                equations(i * n + j, k * n + j) += A(i, k);
+                equations(i * n + j, i * n + k) += A(j, k);
+            }
+        }
+    }
+    const Eigen::MatrixXd square = dense::product(B, B.transpose());
+    const Eigen::MatrixXd X = dense::solve(equations, -square.reshaped(n * n, 1));
+    return X.reshaped(n, n);
+}
+
+TEST_CASE("Hankel singular values are those of the product of both Gramians", "[reduction]") {
+    for (const unsigned seed : {3U, 4U, 5U}) {
+        const Eigen::Index k = seed - 2;
+        const StateSpace<double> space = drawn(7, k, seed);
+        const Eigen::MatrixXd product =
+            dense::product(gramian(space.A, space.B), gramian(space.A.transpose(), space.C.transpose()));
+        Eigen::ArrayXd squares = dense::spectrum(product).values.real();
+        std::sort(squares.begin(), squares.end(), std::greater<>());
+        const Eigen::ArrayXd sigma = balanced_reduction(space, 3).hankel_singular_values;
+        REQUIRE(sigma.size() == 7);
+        CHECK((sigma.square() - squares).abs().maxCoeff() < 1e-12 * squares[0]);
+    }
+}
+
+TEST_CASE("Reductions are nested: the reduced system has the first singular values", "[reduction]") {
+    for (const auto& [scene, space] : scenes()) {
+        CAPTURE(scene);
+        const BalancedReduction<double> ten = balanced_reduction(space, 10), four = balanced_reduction(space, 4);
+        REQUIRE(ten.space.A.rows() == 10);
+        const BalancedReduction<double> again = balanced_reduction(ten.space, 4);
+        REQUIRE(again.hankel_singular_values.size() == 10);
+        const double unit = ten.hankel_singular_values[0];
+        CHECK((again.hankel_singular_values - ten.hankel_singular_values.head(10)).abs().maxCoeff() < 1e-12 * unit);
+        CHECK(largest_difference(again.space, four.space) < 1e-10 * unit);
+        // of balanced states: Gramians diag(sigma)
+        const Eigen::MatrixXd P = gramian(four.space.A, four.space.B),
+                              Q = gramian(four.space.A.transpose(), four.space.C.transpose());
+        const Eigen::MatrixXd sigma = four.hankel_singular_values.head(4).matrix().asDiagonal();
+        CHECK((P - sigma).cwiseAbs().maxCoeff() < 1e-11 * unit);
+        CHECK((Q - sigma).cwiseAbs().maxCoeff() < 1e-11 * unit);
+    }
+}
+
+TEST_CASE("Other states of the same contact change nothing", "[reduction]") {
+    const StateSpace<double> space = drawn(9, 2, 6), mixing = drawn(9, 2, 7);
+    const StateSpace<double> mixed{
+        dense::product(mixing.A, dense::product(space.A, dense::solve(mixing.A, Eigen::MatrixXd::Identity(9, 9)))),
+        dense::product(mixing.A, space.B), dense::solve(mixing.A.transpose(), space.C.transpose()).transpose(),
+        space.D};
+    const BalancedReduction<double> one = balanced_reduction(space, 4), other = balanced_reduction(mixed, 4);
+    CHECK((one.hankel_singular_values - other.hankel_singular_values).abs().maxCoeff() < 1e-11);
+    CHECK(largest_difference(one.space, other.space) < 1e-10);
+}
+
+TEST_CASE("One state of closed form", "[reduction]") {
+    // b c/(s + lambda): sigma = |b c|/(2 lambda)
+    const StateSpace<double> space{Eigen::MatrixXd::Constant(1, 1, -3), Eigen::MatrixXd::Constant(1, 1, 2),
+                                   Eigen::MatrixXd::Constant(1, 1, -5), Eigen::MatrixXd::Constant(1, 1, 7)};
+    const BalancedReduction<double> same = balanced_reduction(space, 1);
+    CHECK(std::abs(same.hankel_singular_values[0] - 10.0 / 6) < 4 * eps);
+    CHECK(same.error_bound == 0);
+    CHECK(largest_difference(same.space, space) < 20 * eps);
+}
+
+TEST_CASE("Balanced states need fewer than Chebyshev states over a wide range of frequencies", "[reduction]") {
+    const StateSpace<double> space = state_space(Chebyshev{48}, plane);
+    std::vector<double> z;
+    for (int k = 0; k <= 50; ++k) z.push_back(0.2 * k);
+    for (const Eigen::Index states : {2, 4, 6, 8}) {
+        CAPTURE(states);
+        // 5.9e-3, 1.5e-3, 6.6e-4, 1.2e-4 and 6.0e-3, 1.8e-3, 9.4e-4, 5.6e-4
+        const double balanced = largest_difference(balanced_reduction(space, states).space, space, z),
+                     chebyshev = largest_difference(state_space(Chebyshev{states}, plane), space, z);
+        CHECK(balanced < chebyshev);
+        if (states == 8) CHECK(balanced < chebyshev / 4);
+        // while at low frequencies Chebyshev states are exact to rounding
+        CHECK(
+            (states < 8 || norm(response(state_space(Chebyshev{states}, plane), 0.5) - response(space, 0.5)) < 1e-12));
+    }
+}
+
+TEST_CASE("What cannot be reduced has a status", "[reduction]") {
+    const auto status = [](StateSpace<double> space) {
+        const BalancedReduction<double> reduced = balanced_reduction(space, 2);
+        if (reduced.status != Status::ok) CHECK(reduced.space.A.size() == 0);
+        return reduced.status;
+    };
+    const StateSpace<double> decays = drawn(6, 2, 8);
+    CHECK(status(decays) == Status::ok);
+    StateSpace<double> space = decays;
+    space.A.diagonal().array() += 0.2;
+    CHECK(status(space) == Status::unstable);
+    space = decays;
+    space.A.diagonal().array() += 0.1 - 0x1p-56;
+    CHECK(status(space) == Status::ill_conditioned);
+    space = decays;
+    space.A.row(2).setZero();  // singular
+    CHECK(status(space) != Status::ok);
+    space = decays;
+    space.B.setZero();
+    CHECK(status(space) == Status::ill_conditioned);
+    space = decays;
+    space.B *= 1e300;
+    space.C *= 1e300;
+    CHECK(status(space) == Status::not_finite);
+    // a discretisation whose modes grow
+    CHECK(status(state_space<double>(rolling_system(uniform_mesh(20), Collocation{0.5, 1.2}, plane))) ==
+          Status::unstable);
+}
+
+TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[reduction]") {
+    const StateSpace<double> good = drawn(6, 2, 9);
+    const auto told = [](const StateSpace<double>& space, Eigen::Index states) {
+        return refusal([&] { balanced_reduction(space, states); });
+    };
+    CHECK(told(good, 6).empty());
+    for (const Eigen::Index states : {0, -1, 7}) {
+        CHECK_THAT(told(good, states),
+                   ContainsSubstring("balanced_reduction: states = ") && ContainsSubstring("must lie in [1, 6]"));
+    }
+    StateSpace<double> bad = good;
+    bad.A.resize(6, 5);
+    CHECK_THAT(told(bad, 2), ContainsSubstring("number of columns of A = 5"));
+    bad = good;
+    bad.B.resize(5, 2);
+    CHECK_THAT(told(bad, 2), ContainsSubstring("number of rows of B = 5"));
+    bad = good;
+    bad.C.resize(2, 7);
+    CHECK_THAT(told(bad, 2), ContainsSubstring("number of columns of C = 7"));
+    bad = good;
+    bad.D.resize(1, 1);
+    CHECK_THAT(told(bad, 2), ContainsSubstring("number of rows of D = 1"));
+    bad.D.resize(2, 1);
+    CHECK_THAT(told(bad, 2), ContainsSubstring("number of columns of D = 1"));
+    for (MatrixX<double> StateSpace<double>::*matrix :
+         {&StateSpace<double>::A, &StateSpace<double>::B, &StateSpace<double>::C, &StateSpace<double>::D}) {
+        bad = good;
+        (bad.*matrix)(1, 0) = std::numeric_limits<double>::quiet_NaN();
+        CHECK_THAT(told(bad, 2), ContainsSubstring("(1, 0) = nan must be finite"));
+    }
+    CHECK_THAT(told(StateSpace<double>{}, 1), ContainsSubstring("number of rows of A = 0"));
+}
+
+TEST_CASE("Reductions in long double agree with those in double", "[reduction]") {
+    const StateSpace<long double> space = state_space(Chebyshev{40}, StripKernel<long double>(2.0L, 0.75L, 0.25L));
+    const BalancedReduction<long double> reduced = balanced_reduction(space, 40);
+    REQUIRE(reduced.status == Status::ok);
+    const BalancedReduction<double> in_double =
+        balanced_reduction(StateSpace<double>{space.A.cast<double>(), space.B.cast<double>(), space.C.cast<double>(),
+                                              space.D.cast<double>()},
+                           40);
+    const Eigen::Index count = in_double.hankel_singular_values.size();
+    CHECK(reduced.hankel_singular_values.size() > count);
+    CHECK((reduced.hankel_singular_values.head(count).cast<double>() - in_double.hankel_singular_values)
+              .abs()
+              .maxCoeff() < 1e-14 * in_double.hankel_singular_values[0]);
+}
+
+}  // namespace
