@@ -138,8 +138,8 @@ Forces step_forces(const Scene& scene, RollingSystem<double> system) {
 
 double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel<> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(),
-                                                     friction);
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction,
+                                             rollbem::unchecked);
     const rollbem::FrictionState<> rest = model.at_rest();
     rollbem::FrictionState<> state = rest;
     rollbem::FrictionWorkspace<> workspace = model.workspace();
@@ -149,9 +149,9 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
 }
 
 std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel<ConstantFriction<>, 2> model(scene.contact, slopes(scene, elements, mesh),
-                                                     slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
-                                                     {1, peak * rollbem::mean_hertz_pressure(mesh)});
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh),
+                                             slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
+                                             {1, peak * rollbem::mean_hertz_pressure(mesh)}, rollbem::unchecked);
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();
