@@ -261,7 +261,7 @@ TEST_CASE("The eigenvalues of the Chebyshev pencil are the exact ones", "[polyno
     }
 }
 
-TEMPLATE_TEST_CASE("Both bases agree in every scalar type", "[polynomial]", float, double, long double) {
+TEMPLATE_TEST_CASE("Both bases agree in double and long double", "[polynomial]", double, long double) {
     using Scalar = TestType;
     using ScalarComplex = std::complex<Scalar>;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
