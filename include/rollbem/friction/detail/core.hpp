@@ -64,25 +64,7 @@ public:
     /// `who`, if the law is invalid.
     FrictionCore(const char* who, const Contact<Scalar>& contact, const Elements<Scalar>& elements,
                  Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
-                 std::optional<std::uint64_t> system = std::nullopt)
-        : half_length_(contact.half_length()),
-          width_(2 * contact.half_width()),
-          shear_modulus_(contact.shear_modulus()),
-          areas_(elements.areas.matrix()),
-          points_(elements.x),
-          slip_work_(elements.areas, elements.x),
-          unchanged_steps_(elements.size(), half_length_),
-          ones_(VectorX<Scalar>::Ones(elements.size())),
-          friction_(friction),
-          coupled_(is_coupled(G_prime)),
-          fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
-          system_(system.value_or(fingerprint_)) {
-        require_valid(who, friction, element_count, size());
-        friction_.normal_pressure.conservativeResize(size());
-        Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
-        pressures.add(friction_.normal_pressure);
-        fingerprint_ = fingerprint_of(contact, fingerprint_) ^ pressures.value();
-    }
+                 std::optional<std::uint64_t> system = std::nullopt);
 
     Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
@@ -108,31 +90,10 @@ public:
     Force force(const State& state) const { return total(state.traction, width_ * state.half_length); }
 
     /// Per unit width [J/m]; NaN if the system cannot represent the half-length.
-    Scalar elastic_energy(const State& state, const System& system) const {
-        const Scalar a = state.half_length / half_length_;
-        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
-        ElementVectors<Scalar, directions> displacement = state.traction;
-        find_displacements(system, a, state.traction, displacement);
-        return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
-               (2 * shear_modulus_);
-    }
+    Scalar elastic_energy(const State& state, const System& system) const;
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
-    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
-        const Eigen::Index n = size();
-        const auto sized = [n](const State& state) {
-            return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
-                   state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
-        };
-        const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
-                             workspace.fits(n, slip_dependent, coupled_);
-        if (!belongs || !are_coefficients(from.friction_coefficient) ||
-            !are_coefficients(from.solver.stage_coefficient)) {
-            return StepStatus::wrong_state;
-        }
-        const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
-        return valid ? StepStatus::ok : StepStatus::invalid_load;
-    }
+    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept;
 
     static Step failed(StepStatus status) noexcept {
         Step step;
@@ -153,86 +114,12 @@ public:
 
     /// Steady rolling, s/V = creepage - G' p, sought from `from`, whose load and the given one have been checked.
     Step solve_steady(const Gradient& G_prime, const State& from, const Value& creepage, Scalar speed, const Load& load,
-                      State& to, Workspace& workspace) const noexcept {
-        if (!is_finite(creepage)) return failed(StepStatus::not_finite);
-        if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
-        Scratch& scratch = workspace.scratch();
-        const Stage stage{.distance = steadily};
-        if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
-        Bounds bounds = [&] {
-            if constexpr (slip_dependent) {
-                return Bounds(friction_, areas_, from, load.half_length, speed, scratch.falling);
-            } else {
-                return Bounds();
-            }
-        }();
-        begin(from, scratch);
-        if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
-        set_bounds(load.pressure, scratch);
-        Progress progress;
-        solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
-        Step step = finish(bounds, from, progress, load, 1, to, scratch);
-        if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
-        return step;
-    }
+                      State& to, Workspace& workspace) const noexcept;
 
     /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
     /// for the duration.
     Step roll(const System& system, Integrator integrator, const State& from, const rollbem::Travel<Scalar>& travel,
-              const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept {
-        if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
-        Scratch& scratch = workspace.scratch();
-        const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
-                     a_end = load.half_length / half_length_;
-        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
-        const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
-        const Scalar part = two_stages ? gamma : Scalar(1);
-        const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
-        const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
-                          .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system)};
-        if (asked.by_load) {
-            scratch.bound_rate = bound_per_pressure() * load.pressure_rate->head(size()).matrix();
-        }
-        Bounds bounds = [&] {
-            if constexpr (slip_dependent) {
-                return Bounds(friction_, points_, from, half_length_, travel, scratch.falling);
-            } else {
-                return Bounds();
-            }
-        }();
-        begin(from, scratch);
-        if constexpr (directions == 1) {
-            scratch.solver.begin(a != a_end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
-        }
-        find_displacements(system, a, scratch.start, scratch.displacement);
-        Progress progress;
-        Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
-        if (two_stages) {
-            enter(system, {part, part}, Stage::within(part, dq, a, a_end), bounds, scratch);
-            if (load.pressure_rate != nullptr) {
-                set_bounds(from.normal_pressure, load.pressure, part, scratch);
-            } else {
-                set_bounds(load.pressure, scratch);  // for both stages
-            }
-            solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
-                        progress);
-            carried = motion.is_linear() ? gamma * imposed : imposed;
-            if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-            if (progress.tangent_exists) carry_tangents(bounds, system, carried, asked, scratch);
-            find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
-            scratch.displacement += ratio * (scratch.change - scratch.displacement);
-        }
-        enter(system, {part, 1}, Stage::last(part, dq, a, a_end), bounds, scratch);
-        if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
-        solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
-                    scratch.stage.half_length, scratch, progress);
-        Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
-        if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-        if (!progress.tangent_exists) return step;
-        add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
-        add_load_tangents(bounds, system, part, two_stages, asked, load, scratch, step);
-        return step;
-    }
+              const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept;
 
 private:
     using Scratch = FrictionScratch<directions, Scalar>;
@@ -309,9 +196,8 @@ private:
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
         } else {
-            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                scratch.solver.new_matrix(d, e) = -G_prime[d][e];
-            });
+            for_blocks(scratch,
+                       [&](std::size_t d, std::size_t e) { scratch.solver.new_matrix(d, e) = -G_prime[d][e]; });
         }
     }
     void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
@@ -357,8 +243,8 @@ private:
         if constexpr (directions == 1) progress.pivots += outcome.pivots;
         progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;
         progress.solved = progress.solved && outcome.status == StepStatus::ok;
-        progress.finite = progress.finite && outcome.status != StepStatus::not_finite &&
-                          is_finite(outcome.residual) && all_finite(solver.slip());  // std::max may drop a NaN
+        progress.finite = progress.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
+                          all_finite(solver.slip());  // std::max may drop a NaN
         if constexpr (directions == 1) {  // without the round-off of sticking elements and at the border of slip
             const auto& signs = solver.signs();
             scratch.stage_slip = weight * signs.cwiseProduct(signs.cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
@@ -519,5 +405,140 @@ private:
     bool coupled_;
     std::uint64_t fingerprint_, system_;
 };
+
+template <class Law, int directions, class Scalar>
+FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Contact<Scalar>& contact,
+                                                    const Elements<Scalar>& elements, Eigen::Index element_count,
+                                                    const Friction<Law, Scalar>& friction, const Gradient& G_prime,
+                                                    std::optional<std::uint64_t> system)
+    : half_length_(contact.half_length()),
+      width_(2 * contact.half_width()),
+      shear_modulus_(contact.shear_modulus()),
+      areas_(elements.areas.matrix()),
+      points_(elements.x),
+      slip_work_(elements.areas, elements.x),
+      unchanged_steps_(elements.size(), half_length_),
+      ones_(VectorX<Scalar>::Ones(elements.size())),
+      friction_(friction),
+      coupled_(is_coupled(G_prime)),
+      fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
+      system_(system.value_or(fingerprint_)) {
+    require_valid(who, friction, element_count, size());
+    friction_.normal_pressure.conservativeResize(size());
+    Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
+    pressures.add(friction_.normal_pressure);
+    fingerprint_ = fingerprint_of(contact, fingerprint_) ^ pressures.value();
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, const System& system) const -> Scalar {
+    const Scalar a = state.half_length / half_length_;
+    if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
+    ElementVectors<Scalar, directions> displacement = state.traction;
+    find_displacements(system, a, state.traction, displacement);
+    return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) / (2 * shear_modulus_);
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State& to,
+                                                  const Workspace& workspace) const noexcept -> StepStatus {
+    const Eigen::Index n = size();
+    const auto sized = [n](const State& state) {
+        return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
+               state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
+    };
+    const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
+                         workspace.fits(n, slip_dependent, coupled_);
+    if (!belongs || !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
+        return StepStatus::wrong_state;
+    }
+    const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
+    return valid ? StepStatus::ok : StepStatus::invalid_load;
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime, const State& from,
+                                                         const Value& creepage, Scalar speed, const Load& load,
+                                                         State& to, Workspace& workspace) const noexcept -> Step {
+    if (!is_finite(creepage)) return failed(StepStatus::not_finite);
+    if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
+    Scratch& scratch = workspace.scratch();
+    const Stage stage{.distance = steadily};
+    if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
+    Bounds bounds = [&] {
+        if constexpr (slip_dependent) {
+            return Bounds(friction_, areas_, from, load.half_length, speed, scratch.falling);
+        } else {
+            return Bounds();
+        }
+    }();
+    begin(from, scratch);
+    if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
+    set_bounds(load.pressure, scratch);
+    Progress progress;
+    solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
+    Step step = finish(bounds, from, progress, load, 1, to, scratch);
+    if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
+    return step;
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrator integrator, const State& from,
+                                                 const rollbem::Travel<Scalar>& travel, const Motion& motion,
+                                                 const Load& load, State& to, Workspace& workspace) const noexcept
+    -> Step {
+    if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
+    Scratch& scratch = workspace.scratch();
+    const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
+                 a_end = load.half_length / half_length_;
+    // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
+    const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
+    const Scalar part = two_stages ? gamma : Scalar(1);
+    const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
+    const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
+                      .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system)};
+    if (asked.by_load) {
+        scratch.bound_rate = bound_per_pressure() * load.pressure_rate->head(size()).matrix();
+    }
+    Bounds bounds = [&] {
+        if constexpr (slip_dependent) {
+            return Bounds(friction_, points_, from, half_length_, travel, scratch.falling);
+        } else {
+            return Bounds();
+        }
+    }();
+    begin(from, scratch);
+    if constexpr (directions == 1) {
+        scratch.solver.begin(a != a_end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
+    }
+    find_displacements(system, a, scratch.start, scratch.displacement);
+    Progress progress;
+    Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
+    if (two_stages) {
+        enter(system, {part, part}, Stage::within(part, dq, a, a_end), bounds, scratch);
+        if (load.pressure_rate != nullptr) {
+            set_bounds(from.normal_pressure, load.pressure, part, scratch);
+        } else {
+            set_bounds(load.pressure, scratch);  // for both stages
+        }
+        solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
+                    progress);
+        carried = motion.is_linear() ? gamma * imposed : imposed;
+        if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
+        if (progress.tangent_exists) carry_tangents(bounds, system, carried, asked, scratch);
+        find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
+        scratch.displacement += ratio * (scratch.change - scratch.displacement);
+    }
+    enter(system, {part, 1}, Stage::last(part, dq, a, a_end), bounds, scratch);
+    if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
+    solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
+                scratch.stage.half_length, scratch, progress);
+    Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
+    if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
+    if (!progress.tangent_exists) return step;
+    add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
+    add_load_tangents(bounds, system, part, two_stages, asked, load, scratch, step);
+    return step;
+}
 
 }  // namespace rollbem::detail
