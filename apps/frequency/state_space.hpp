@@ -19,16 +19,23 @@ class StateSpaceFiles {
 public:
     static std::vector<std::string> names();
 
-    /// Computes and writes the files, to which commit() gives their names. Throws BadInput unless there is one scene,
-    /// whose G is regular and whose tractions converge to full adhesion, and if the folder cannot be written; throws
-    /// WriteError.
+    /// Computes and writes the files, to which commit() gives their names; reduced to --states, if given. Throws
+    /// BadInput unless there is one scene, whose G is regular, whose tractions converge to full adhesion, and which
+    /// decays where it is to be reduced, and if the folder cannot be written; throws WriteError.
     StateSpaceFiles(const study::Options& options, const std::vector<study::Scene>& scenes);
 
     /// Throws WriteError.
     void commit();
 
 private:
-    StateSpaceFiles(const study::Options& options, const rollbem::StateSpace<double>& space);
+    struct Contents {
+        rollbem::StateSpace<double> space;
+        std::string conventions;  // for the sidecar
+    };
+
+    static Contents contents(const study::Options& options, const std::vector<study::Scene>& scenes);
+
+    StateSpaceFiles(const study::Options& options, const Contents& contents);
 
     study::OutputFolder folder_;
     std::vector<study::OutputFile> files_;

@@ -189,12 +189,26 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
     }
 }
 
+/// Rows without results, where G' is not finite, as for b/a or a layer near the limits of double.
+void rows_without(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
+                  const study::Emit& emit) {
+    CreepResult result{.mesh_name = scene.mesh_name, .alpha_L = scene.alpha_L, .alpha_T = scene.alpha_T};
+    result.status = name(rollbem::Status::not_finite);
+    const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
+    for (std::size_t i = range.first; i < range.last; ++i) {
+        emit(creep_row(curve, scene, curve.points[i], result));
+        if (curve.profiles == nullptr) continue;
+        curve.profiles->keep(task, i, empty_profile(scene, curve.points[i], result.status, means));
+    }
+}
+
 }  // namespace
 
 void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {
     const Surface surface{scene, curve.layer};
     const auto [G_prime, widths] = surface.gradient(Direction::longitudinal);
+    if (!G_prime.allFinite()) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
     rows_of<OneDirection>(curve, scene, task, range, emit, surface.steady_model({1, means}), means,
                           is_consistent(G_prime, widths),
@@ -205,6 +219,7 @@ void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
                   const study::Emit& emit) {
     const Surface surface{scene, curve.layer};
     const auto [G_prime, widths] = surface.gradient(Direction::longitudinal);
+    if (!G_prime.allFinite()) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
     const SteadyFalling model = surface.falling_model(*curve.falling, means);
     if (curve.other != nullptr) {
@@ -223,6 +238,7 @@ void combined_rows(const CreepCurve& curve, const study::Scene& scene, std::size
     const Surface surface{scene, curve.layer};
     const auto [along, widths] = surface.gradient(Direction::longitudinal);
     const Eigen::MatrixXd across = surface.gradient(Direction::lateral).first;
+    if (!along.allFinite() || !across.allFinite()) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
     const bool consistent = is_consistent(along, widths) && is_consistent(across, widths);
     const auto assemble = [&] {

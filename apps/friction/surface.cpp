@@ -1,6 +1,7 @@
 #include "surface.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 
 #include <rollbem/elasticity/layered_kernel.hpp>
@@ -36,12 +37,18 @@ rollbem::Contact<double> Surface::contact() const {
 }
 
 rollbem::ElementSystem<double> Surface::system(Direction direction) const {
-    return visit(
-        *this,
-        [](const auto& mesh, const auto& scheme, const auto& kernel) {
-            return rollbem::rolling_system(mesh, scheme, kernel);
-        },
-        direction);
+    try {
+        return visit(
+            *this,
+            [](const auto& mesh, const auto& scheme, const auto& kernel) {
+                return rollbem::rolling_system(mesh, scheme, kernel);
+            },
+            direction);
+    } catch (const std::invalid_argument&) {
+        if (gradient(direction).first.allFinite()) throw;
+        throw study::BadInput("--aspect = " + study::aspect_cell(scene.contact).text() +
+                              " and --layer = " + study::Cell(layer).text() + " must be such that G and G' are finite");
+    }
 }
 
 std::pair<Eigen::MatrixXd, Eigen::ArrayXd> Surface::gradient(Direction direction) const {

@@ -164,16 +164,13 @@ std::vector<double> combined_force(const Scene& scene, const Elements& elements,
 
 std::vector<double> load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
                                 std::size_t parts) {
-    const double full = peak * std::numbers::pi / 2;
+    const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
+    const double full = line.load_per_width();
     const double half_length = cover == Cover::largest ? std::sqrt(1 + load_amplitude) : 1;
     scene.contact = Contact<double>({.half_length = half_length,
                                      .half_width = scene.contact.half_width(),
                                      .shear_modulus = 1,
                                      .poisson_ratio = scene.contact.poisson_ratio()});
-    // Hertz's contact of a_0 = 1 and p_0 = mu p_0 = peak under N_0
-    const rollbem::ElasticBody<double> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
-    const rollbem::HertzLine<double> line(
-        {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
     const auto hertz = cover == Cover::largest ? rollbem::HertzLoad<double>::fixed(line, mesh, half_length)
                                                : rollbem::HertzLoad<double>::breathing(line, mesh);
     const auto load_at = [&](double q) {

@@ -26,6 +26,7 @@
 #include "elasticity/layered_kernel.hpp"
 #include "elasticity/line_kernel.hpp"
 #include "friction/friction.hpp"
+#include "normal/hertz_ellipse.hpp"
 #include "scene/contact.hpp"
 #include "scene/creepage.hpp"
 #include "scene/rigid_motion.hpp"
