@@ -44,7 +44,7 @@ done
 bad '--method = chebyshev must be collocation or galerkin with --critical' $stability --critical
 bad 'has too few states for so narrow a strip' $transient --step 1 --n 4 --aspect 0.3 --output x.csv
 for options in '' '--transient --creepage-ratio 0.5'; do
-    bad '--method = chebyshev must be one of collocation, galerkin, knothe-bc: friction' \
+    bad '--method = chebyshev must be one of collocation, galerkin, knothe-bc, nodes: friction' \
         "$programs/friction_study" --method chebyshev --output x.csv $options
 done
 

@@ -162,7 +162,7 @@ awk -F, 'NR == 2 { small = ($8 / 0.02 - 1) ^ 2 < 0.2 ^ 2 } NR == 3 { slid = ($8 
     END { exit !(small && slid) }' out || fail 'a gap in the pressure'
 good 3 $steady --n 10,20 --creepage-ratio 0.5 --jobs 2 --tractions t
 check 'no times with --jobs' '$14 == "" && $17 == ""'
-traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio,kernel,aspect,poisson,size_ratio,epsilon,quadrature
+traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio,kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes
 [ "$(head -n 1 t)" = $traction_columns ] || fail "columns of the tractions"
 grep -q '^command_line = ".* --creepage-ratio 0.5 --jobs 2 --tractions t"$' t.toml || fail "companion of the tractions"
 awk -F, 'NR > 1 { rows += 1; if ($4 < 0 && -$4 <= $5 * (1 + 1e-12) && ($6 == 1) == ($7 == 0) && $7 >= 0) good += 1;
