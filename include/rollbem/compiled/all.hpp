@@ -9,6 +9,7 @@
 #include "falling.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
+#include "patch.hpp"
 #include "polynomial.hpp"
 #include "stability.hpp"
 #include "steady.hpp"
