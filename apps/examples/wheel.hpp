@@ -34,7 +34,7 @@ inline double creepage(const Wheel& wheel, double speed, double rotation) {
 /// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's
 /// method. Each trial advances the contact from the same state; the next one overwrites what it leaves in `next`.
 /// If the contact refuses the step, its status says why; if Newton's method does not converge, the status is
-/// not_finite. `workspace` is that of the model with friction, and nothing without.
+/// not_finite. `workspace` is that of the model with friction, and unused otherwise.
 template <class Model, class... Workspace>
 typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
                              State<Model>& next, Workspace&... workspace) {

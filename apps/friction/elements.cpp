@@ -189,7 +189,8 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
     }
 }
 
-/// Rows without results, where G' is not finite, as for b/a or a layer near the limits of double.
+}  // namespace
+
 void rows_without(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {
     CreepResult result{.mesh_name = scene.mesh_name, .alpha_L = scene.alpha_L, .alpha_T = scene.alpha_T};
@@ -201,8 +202,6 @@ void rows_without(const CreepCurve& curve, const study::Scene& scene, std::size_
         curve.profiles->keep(task, i, empty_profile(scene, curve.points[i], result.status, means));
     }
 }
-
-}  // namespace
 
 void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {

@@ -19,7 +19,7 @@ struct FallingLaw {
     rollbem::SlipMemory<double> memory;
 };
 
-/// --falling and --memory; nothing without. Throws BadInput, also for what does not go with them.
+/// --falling and --memory; std::nullopt without --falling. Throws BadInput, also for what does not go with them.
 std::optional<FallingLaw> read_falling(const study::Options& options);
 
 /// A steady model of falling friction with the signatures of the one for constant friction, V = 1.

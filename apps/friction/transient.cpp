@@ -309,7 +309,8 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
                               .falling = falling.has_value(),
                               .carter = pressure.hertz && layer == 0 && !falling && !history.lateral && !history.load,
                               .ratio = history.amplitude,
-                              .end = double(steps.count) * steps.dq});
+                              .end = double(steps.count) * steps.dq,
+                              .scene = scene_in_title(options)});
     };
     std::string undrawn;
     try {

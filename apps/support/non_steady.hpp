@@ -3,10 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/integrator.hpp>
@@ -15,7 +13,6 @@
 #include <rollbem/status.hpp>
 
 #include "options.hpp"
-#include "plot.hpp"
 #include "scenes.hpp"
 
 namespace study {
@@ -39,14 +36,6 @@ inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
 /// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
 Sine read_sine(const Options& options);
-
-/// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
-/// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,
-/// contact) are the points (x, |strip/plane - 1|). Left out where the curves lie far above.
-void add_model_differences(
-    Plot& plot, const std::vector<Scene>& scenes,
-    const std::function<std::vector<std::pair<double, double>>(
-        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference);
 
 /// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
 /// --help. Throws BadInput.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "errors.hpp"
@@ -299,6 +300,33 @@ std::string steady_status(const Scene& scene, rollbem::Status status, double c11
     if (scene.chebyshev || scene.n() >= 10 || !(plane || scene.contact.aspect() >= wide)) return name(status);
     const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
     return std::abs(c11 / exact - 1) > 0.5 ? coarse : name(status);
+}
+
+void add_model_differences(
+    Plot& plot, const std::vector<Scene>& scenes,
+    const std::function<std::vector<std::pair<double, double>>(
+        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference) {
+    constexpr Eigen::Index states = 64;  // exact to rounding for b/a down to 0.3
+    double least = HUGE_VAL;
+    for (const Series& series : plot.series) {
+        for (const auto& [x, error] : series.points) least = error > 0 ? std::min(least, error) : least;
+    }
+    std::vector<Scene> strips;
+    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(strips), [](const Scene& scene) {
+        return std::holds_alternative<rollbem::StripKernel<double>>(scene.kernel) && scene.contact.aspect() >= 0.3;
+    });
+    const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
+    for (const rollbem::Contact<double>& contact : contacts) {
+        const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
+        Series line{.label = "strip against plane", .points = {}, .markers = false, .reference = true};
+        if (contacts.size() > 1) {
+            line.label +=
+                ", b/a = " + Cell(contact.aspect()).text(6) + ", ν = " + Cell(contact.poisson_ratio()).text(6);
+        }
+        line.points = difference(rollbem::Chebyshev{states}, kernel, contact);
+        const auto is_near = [&](const auto& point) { return point.second > least / 10; };
+        if (std::any_of(line.points.begin(), line.points.end(), is_near)) plot.series.push_back(std::move(line));
+    }
 }
 
 }  // namespace study

@@ -375,21 +375,28 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
 
 TEST_CASE("The combined solver does not allocate, whichever of its attempts succeeds", "[friction]") {
     constexpr Eigen::Index n = 6;
-    detail::CombinedSolver<double> solver(n);
+    detail::CombinedSolver<double> uncoupled(n), coupled(n, true);
+    const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
     const std::vector<CombinedZone> zones(n, CombinedZone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
     std::mt19937 generator(11);
     std::normal_distribution<double> normal;
     int several = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
-        for (const std::size_t direction : {0, 1}) {
-            for (double& entry : solver.new_matrix(direction).reshaped()) entry = normal(generator);
+        detail::CombinedSolver<double>& solver = problem % 2 == 0 ? uncoupled : coupled;
+        for (const std::size_t slip : {0, 1}) {
+            for (const std::size_t by : {0, 1}) {
+                if (slip != by && !solver.coupled()) continue;
+                for (double& entry : solver.new_matrix(slip, by).reshaped()) entry = normal(generator);
+            }
         }
         for (double& entry : solver.constant().reshaped()) entry = normal(generator);
         VectorX<double> bound(n);
         for (double& entry : bound) entry = std::abs(normal(generator));
         const long before = allocations;
+        if (problem % 4 > 1) solver.turn_slip(behind);
         const auto outcome = solver.solve(bound, start, zones);
+        solver.turn_slip({});
         const long after = allocations;
         CAPTURE(problem, outcome.rounds);
         CHECK(after == before);

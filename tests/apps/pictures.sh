@@ -96,7 +96,13 @@ says 0.0238524 && says 0.0238849 && says_not 0.023855
 # eigenvalues outside the picture are counted
 draws "$programs/stability_study" --spectrum --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --n 40
 title '; 13 of 40 are not shown'
-# what the creepage is
+# what the creepage, the law and the load are; one symbol for the creepage ratio in axis and legend
+draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3
+says 'δy = 0.3' && says 'creepage ratio δx = ξx G / (2 (1 - ν) μ p0)'
+draws "$programs/friction_study" --transient --n 10 --creepage-ratio 0.5 --load-sine 0.5,8 --until 1
+title 'Rolling with friction, δ = 0.5, N/N0 = 1 + 0.5 sin(2π q/8), collocation'
+draws "$programs/friction_study" --n 10 --falling 0.6,1.2 --layer 0.5 --creepage-ratio 0.5,1
+title 'Creep curve, μ falls to μ0 times 0.6, by half at a slip of 1.2, layer 0.5, collocation'
 draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
 title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 

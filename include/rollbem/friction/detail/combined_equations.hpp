@@ -373,7 +373,7 @@ private:
 
     Index size_;
     bool coupled_;
-    std::array<Side, 2> side_;      // empty if coupled,
+    std::array<Side, 2> side_;     // empty if coupled,
     std::array<Matrix, 4> block_;  // and these if not
     ReleasedEquations<Scalar> released_;
     Matrix factors_, whole_;
