@@ -174,7 +174,7 @@ outline. With n = strips = 12 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2
 assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
 the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is not ok the
 coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
-and the largest Re(nu) a. More than 2 elements of a strip for each strip may be unstable in time.
+and the largest Re(nu) a.
 --state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
 )");
 
