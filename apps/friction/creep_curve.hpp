@@ -88,7 +88,4 @@ CreepRows element_rows, border_rows, combined_rows, falling_rows;
 /// One row per element of every profile, and the companion file.
 void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file);
 
-/// `consistent` is whether steady rolling of the same scheme in full adhesion is.
-std::string status_of(rollbem::StepStatus status, bool consistent);
-
 }  // namespace friction

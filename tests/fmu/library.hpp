@@ -4,7 +4,7 @@
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
-#include <rollbem/friction/combined_transient.hpp>
+#include <rollbem/friction/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
@@ -16,7 +16,7 @@ constexpr double friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 
 /// The steps of rollbem_friction at its start values, with 40 elements.
 class Friction {
 public:
-    using Step = rollbem::LoadedCombinedStep<double>;
+    using Step = rollbem::FrictionStep<2>;
 
     explicit Friction(bool fixed) : Friction(line(), fixed) {}
 
@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    using Model = rollbem::CombinedFrictionModel<double>;
+    using Model = rollbem::FrictionModel<ConstantFriction<>, 2>;
 
     static rollbem::HertzLine<double> line() {
         const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};

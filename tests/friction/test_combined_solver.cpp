@@ -23,8 +23,8 @@ using namespace rollbem;
 template <class Scalar>
 using Solver = detail::CombinedSolver<Scalar>;
 
-std::vector<CombinedZone> all_stick(Eigen::Index n) {
-    return std::vector<CombinedZone>(static_cast<std::size_t>(n), CombinedZone::stick);
+std::vector<Zone> all_stick(Eigen::Index n) {
+    return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick);
 }
 
 struct Problem {
@@ -225,7 +225,7 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
     problem.constant << 0.9, 0.7, 0.45, 0.36;
     Solver<double> solver(2);
     problem.put_into(solver);
-    std::vector<CombinedZone> zones{CombinedZone::slip, CombinedZone::stick};
+    std::vector<Zone> zones{Zone::slip, Zone::stick};
     ElementVectors<double> start(2, 2);
     start << -0.8, -0.6, 0, 0;
     const auto outcome = solver.solve(problem.bound, start, zones);

@@ -6,7 +6,6 @@
 #include "assembly.hpp"
 #include "balanced_reduction.hpp"
 #include "chebyshev.hpp"
-#include "falling.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
 #include "polynomial.hpp"

@@ -115,12 +115,12 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
                        const Pressure& pressure, Scalar creepage, Eigen::Index count,
                        StickBorderSolution<Scalar>& result) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(count);
-    const SteadyFrictionModel<Scalar> model(contact, mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel,
-                                            {friction_coefficient, pressure(mesh)});
-    const FrictionState<Scalar> rest = model.at_rest();
-    FrictionState<Scalar> state = rest;
-    FrictionWorkspace<Scalar> workspace = model.workspace();
-    const FrictionStep<Scalar> step = model.solve(rest, creepage, state, workspace);
+    const SteadyFrictionModel model(contact, mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel,
+                                    {friction_coefficient, pressure(mesh)});
+    const FrictionState<1, Scalar> rest = model.at_rest();
+    FrictionState<1, Scalar> state = rest;
+    FrictionWorkspace<1, Scalar> workspace = model.workspace();
+    const FrictionStep<1, Scalar> step = model.steady(rest, creepage, state, workspace);
     result.elements.emplace(typename StickBorderSolution<Scalar>::Elements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force_per_width;
     result.tangent_per_width = step.tangent_per_width;

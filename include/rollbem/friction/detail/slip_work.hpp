@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,8 +23,8 @@ template <class Scalar>
 class SlipWork {
 public:
     /// `widths` of the elements with unknown tractions, beginning at the trailing edge; `points` the collocation points
-    /// x/a. Without points the slip of each element's own equation is used.
-    SlipWork(const ArrayX<Scalar>& widths, const std::optional<ArrayX<Scalar>>& points)
+    /// x/a, empty if unknown. Without points the slip of each element's own equation is used.
+    SlipWork(const ArrayX<Scalar>& widths, const ArrayX<Scalar>& points)
         : widths_(widths), between_(static_cast<std::size_t>(widths.size())), shares_(widths.size()) {
         Scalar edge = 0;  // 1 + x/a of the trailing edge of element i
         for (Index i = 0; i < size(); ++i) {
@@ -61,11 +60,16 @@ public:
         one_by_one(begin_ + count_, size());
     }
 
-    /// Sum of p u dx over all elements; twice the elastic energy if u are the displacements in all equations.
+    /// Sum of p u dx over all elements and directions; twice the elastic energy if u are the displacements in all
+    /// equations.
     template <class Traction, class Displacement>
     Scalar product(const Traction& traction, const Displacement& displacement) const {
         Scalar sum = 0;
-        for (Index i = 0; i < size(); ++i) sum += widths_[i] * traction[i] * at_centre(i, displacement);
+        for (Index d = 0; d < traction.cols(); ++d) {
+            const auto p = traction.col(d);
+            const auto u = displacement.col(d);
+            for (Index i = 0; i < size(); ++i) sum += widths_[i] * p[i] * at_centre(i, u);
+        }
         return sum;
     }
 
@@ -83,11 +87,11 @@ private:
     };
 
     // `centre` is its 1 + x/a.
-    void place(Index element, Scalar centre, const std::optional<ArrayX<Scalar>>& points) {
+    void place(Index element, Scalar centre, const ArrayX<Scalar>& points) {
         Between& between = between_[static_cast<std::size_t>(element)];
         between = {.behind = element, .ahead = element};
-        if (!points || size() < 2) return;
-        const auto point = [&](Index k) { return 1 + (*points)[k]; };
+        if (points.size() == 0 || size() < 2) return;
+        const auto point = [&](Index k) { return 1 + points[k]; };
         Index behind = std::min(element, size() - 2);
         while (behind > 0 && point(behind) > centre) --behind;
         while (behind < size() - 2 && point(behind + 1) <= centre) ++behind;
