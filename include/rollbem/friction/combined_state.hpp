@@ -1,4 +1,7 @@
 #pragma once
 #include "../detail/language.hpp"
+
 #include "state.hpp"
-namespace rollbem { using CombinedZone = Zone; }
+namespace rollbem {
+using CombinedZone = Zone;
+}
