@@ -163,7 +163,14 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
     }
 }
 
-/// Rows without results, where G' is not finite, as for b/a or a layer near the limits of double.
+/// Whether G' is, in one direction or in both.
+bool is_finite(const Surface& surface, bool both) {
+    return surface.gradient(Direction::longitudinal).allFinite() &&
+           (!both || surface.gradient(Direction::lateral).allFinite());
+}
+
+}  // namespace
+
 void rows_without(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {
     CreepResult result{.mesh_name = scene.mesh_name, .alpha_L = scene.alpha_L, .alpha_T = scene.alpha_T};
@@ -176,11 +183,10 @@ void rows_without(const CreepCurve& curve, const study::Scene& scene, std::size_
     }
 }
 
-}  // namespace
-
 void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {
     const Surface surface{scene, curve.layer};
+    if (!is_finite(surface, false)) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
     rows_of(curve, scene, task, range, emit, surface, surface.steady_model<1>(rollbem::Friction<>{1, means}), means);
 }
@@ -188,6 +194,7 @@ void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
 void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {
     const Surface surface{scene, curve.layer};
+    if (!is_finite(surface, false)) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
     const auto model = surface.steady_model<1>(curve.falling->under(means));
     if (curve.other != nullptr) {
@@ -203,6 +210,7 @@ void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
 void combined_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                    const study::Emit& emit) {
     const Surface surface{scene, curve.layer};
+    if (!is_finite(surface, true)) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
     if (curve.falling) {
         const auto model = surface.steady_model<2>(curve.falling->under(means));

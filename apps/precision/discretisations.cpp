@@ -22,6 +22,7 @@ using rollbem::Contact;
 using rollbem::Galerkin;
 using rollbem::MatrixX;
 using rollbem::Mesh;
+using rollbem::NodeDifference;
 using rollbem::RollingSystem;
 using rollbem::Topology;
 using Complex = std::complex<double>;
@@ -58,12 +59,12 @@ MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<
 
 double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()) * peak; }
 
-// A uniform mesh gains nothing from edges that move with those of the contact, and only collocation with the plane
-// kernel can change its half-length.
+// A uniform mesh gains nothing from edges that move with those of the contact, and only equations that hold at points,
+// with the plane kernel, can change the half-length.
 Cover cover_of(const Scene& scene, const Elements& elements) {
     const bool graded = elements.topology != Topology::uniform;
-    return graded && scene.plane && std::holds_alternative<Collocation>(elements.scheme) ? Cover::breathing
-                                                                                         : Cover::largest;
+    return graded && scene.plane && !std::holds_alternative<Galerkin>(elements.scheme) ? Cover::breathing
+                                                                                       : Cover::largest;
 }
 
 }  // namespace
@@ -79,7 +80,11 @@ const std::vector<std::pair<std::string, Elements>>& element_schemes() {
         {"galerkin-uniform", {Topology::uniform, Galerkin{.alpha_L = 0, .alpha_T = 0.63}}},
         {"galerkin-cosine", {Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}}},
         {"richardson-uniform", {Topology::uniform, halves, 1}},
-        {"richardson-cosine", {Topology::cosine, halves, 2}}};
+        {"richardson-cosine", {Topology::cosine, halves, 2}},
+        {"nodes-uniform", {Topology::uniform, NodeDifference{}}},
+        {"nodes-cosine", {Topology::cosine, NodeDifference{}}},
+        {"nodes-chebyshev", {Topology::cosine, NodeDifference{rollbem::Nodes::chebyshev}}},
+        {"richardson-nodes", {Topology::cosine, NodeDifference{}, 2}}};
     return all;
 }
 

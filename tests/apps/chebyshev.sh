@@ -23,7 +23,7 @@ near() {
 for study in steady traction stability frequency 'transient --step 1'; do
     s="$programs/${study%% *}_study --method chebyshev --output x.csv"
     case $study in *' '*) s="$s ${study#* }" ;; esac
-    for option in mesh=cosine edges=e size-ratio=2 epsilon=0.4 quadrature=exact derivative=fd alpha=0.5 alpha-L=0 \
+    for option in mesh=cosine edges=e size-ratio=2 epsilon=0.4 quadrature=exact nodes=centres derivative=fd alpha=0.5 alpha-L=0 \
         alpha-T=0.63; do
         bad "--${option%=*} = ${option#*=} has no effect with --method chebyshev" $s --$option
     done
@@ -42,9 +42,10 @@ for study in stability frequency 'transient --step 1'; do
     bad '--aspect = 0.1 must be larger than' $s --kernel plane --aspect 0.1
 done
 bad '--method = chebyshev must be collocation or galerkin with --critical' $stability --critical
+bad '--method = nodes must be collocation or galerkin with --critical' ${stability%% *} --method nodes --critical
 bad 'has too few states for so narrow a strip' $transient --step 1 --n 4 --aspect 0.3 --output x.csv
 for options in '' '--transient --creepage-ratio 0.5'; do
-    bad '--method = chebyshev must be one of collocation, galerkin, knothe-bc: friction' \
+    bad '--method = chebyshev must be one of collocation, galerkin, knothe-bc, nodes: friction' \
         "$programs/friction_study" --method chebyshev --output x.csv $options
 done
 
