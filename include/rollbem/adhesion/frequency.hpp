@@ -40,7 +40,7 @@ struct HarmonicSolution {
 template <class Scalar>
 struct SweepPoint {
     std::complex<Scalar> c11 = 0;                ///< as in HarmonicSolution; the first of the coefficients
-    MatrixX<std::complex<Scalar>> coefficients;  ///< as in Response, k x k
+    MatrixX<std::complex<Scalar>> coefficients{};  ///< as in Response, k x k
     Scalar residual = 0;                         ///< of the reduced equations; otherwise as in HarmonicSolution
     /// Of the reduced equations from one more right-hand side, where c11 is accurate to eps/rcond; otherwise as in
     /// HarmonicSolution [-].
