@@ -28,7 +28,7 @@ struct Elements {
     /// The way along x over which each equation holds, about its point: of a difference of u the distance between both
     /// points. Empty where it is not known.
     ArrayX<Scalar> intervals;
-    std::vector<Eigen::Index> behind;   ///< the equation behind in the same strip; -1 for a trailing element
+    std::vector<Eigen::Index> behind;  ///< the equation behind in the same strip; -1 for a trailing element
     /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and
     /// finite differences at equal alphas of 0.5. False where it is not known.
     bool half_element_ahead = false;

@@ -97,8 +97,8 @@ struct Friction {
 template <std::floating_point Scalar, class... More>
 Friction(Scalar, ArrayX<Scalar>, More...) -> Friction<ConstantFriction<Scalar>, Scalar>;
 template <class Law, class Scalar, class... More>
-    requires(!std::is_arithmetic_v<Law>)
-Friction(Law, ArrayX<Scalar>, More...) -> Friction<Law, Scalar>;
+requires(!std::is_arithmetic_v<Law>) Friction(Law, ArrayX<Scalar>, More...)
+->Friction<Law, Scalar>;
 
 namespace detail {
 

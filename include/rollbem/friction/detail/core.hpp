@@ -310,9 +310,8 @@ private:
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
         } else {
-            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                scratch.solver.new_matrix(d, e) = -G_prime[d][e];
-            });
+            for_blocks(scratch,
+                       [&](std::size_t d, std::size_t e) { scratch.solver.new_matrix(d, e) = -G_prime[d][e]; });
         }
     }
     void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
@@ -358,8 +357,8 @@ private:
         if constexpr (directions == 1) progress.pivots += outcome.pivots;
         progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;
         progress.solved = progress.solved && outcome.status == StepStatus::ok;
-        progress.finite = progress.finite && outcome.status != StepStatus::not_finite &&
-                          is_finite(outcome.residual) && all_finite(solver.slip());  // std::max may drop a NaN
+        progress.finite = progress.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
+                          all_finite(solver.slip());  // std::max may drop a NaN
         if constexpr (directions == 1) {  // without the round-off of sticking elements and at the border of slip
             const auto& signs = solver.signs();
             scratch.stage_slip = weight * signs.cwiseProduct(signs.cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
