@@ -35,6 +35,7 @@ struct Elements {
 
     Eigen::Index size() const { return areas.size(); }
     bool places_are_known() const { return x.size() == size(); }
+    bool is_one_strip() const { return behind == one_strip(size()); }
 
     /// `behind` for n elements in one strip.
     static std::vector<Eigen::Index> one_strip(Eigen::Index n) {
