@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -296,14 +297,7 @@ int main(int argc, char** argv) {
         "with --method polynomial: its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis "
         "needs for machine precision at each frequency");
     options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
-    options.add_folder(
-        "state-space",
-        "also write the scheme, a single one, as linear differential equations: A.csv, B.csv, C.csv, D.csv "
-        "and state_space.toml in this folder, which is made if it does not exist (dimensionless)",
-        frequency::StateSpaceFiles::names());
-    options.add("states", "K",
-                "with --state-space: reduce to the K states that matter most (balanced reduction, the steady state "
-                "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)");
+    study::StateSpaceFiles::add_options(options, "the scheme, a single one,");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
     options.footer(R"(Example: three meshes, with the Argand diagram and both parts over the frequency
   frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
@@ -344,7 +338,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
         table.columns = columns;
         std::vector<study::Scene> scenes;
         std::vector<study::Row> polynomial;
-        std::optional<frequency::StateSpaceFiles> state_space;
+        std::unique_ptr<study::StateSpaceFiles> state_space;
         if (method == "polynomial") {
             polynomial = polynomial_rows(given, omegas);
             table.rows_of_task = {polynomial.size()};
@@ -356,7 +350,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
                 given.ignored(name, "with --method " + method + "; it is for --method polynomial");
             }
             scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-            if (given.given("state-space")) state_space.emplace(given, scenes);
+            if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
             table.rows_of_task.assign(scenes.size(), omegas.size());
             table.label = [&](std::size_t task) { return scenes[task].label(); };
             table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {

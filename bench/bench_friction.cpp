@@ -20,7 +20,7 @@ constexpr double poisson_ratio = 0.25;
 constexpr double peak = 1e-3;  // mu p0 / G
 
 double creepage(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
-double force_ratio(const FrictionStep<double>& step) { return -step.force_per_width / (peak * std::numbers::pi / 2); }
+double force_ratio(const FrictionStep<>& step) { return -step.force_per_width / (peak * std::numbers::pi / 2); }
 
 struct Scene {
     explicit Scene(Eigen::Index n) : mesh(cosine_mesh<double>(n)), friction{1, peak * mean_hertz_pressure(mesh)} {}
@@ -30,7 +30,7 @@ struct Scene {
     StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     Mesh<double> mesh;
-    CoulombFriction<double> friction;
+    Friction<> friction;
 };
 
 void BM_Gemv(benchmark::State& state) {
@@ -87,11 +87,11 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 // step for stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
+    const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
                                       scene.friction, integrator);
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionStep<double> step = model.steady(next, creepage(0.5), now, workspace);
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionStep<> step = model.steady(next, creepage(0.5), now, workspace);
     for (int i = 0; i < 400; ++i) {
         step = model.advance(now, 0.05, creepage(0.5), next, workspace);
         std::swap(now, next);
@@ -119,21 +119,21 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
     const Contact<double> contact(
         {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
-    const FallingFriction<ExponentialFall<double>> friction{
-        {0.3, 0.18, 0.1}, {10e-6, 1e-3}, 495.169e6 * mean_hertz_pressure(mesh), with_tangents};
-    const FallingFrictionModel<ExponentialFall<double>> model(
+    const Friction<ExponentialFall<double>> friction{
+        {0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
+    const FrictionModel<ExponentialFall<double>> model(
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
         friction, integrator);
-    FallingFrictionWorkspace<double> workspace = model.workspace();
-    FallingFrictionState<double> now = model.at_rest(), next = now;
-    FrictionStep<double> step;
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionStep<> step;
     for (int i = 0; i < 2000; ++i) {
-        step = model.advance(now, 0.05 * a, 0.05 * a / speed, 1e-3, next, workspace);
+        step = model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
         std::swap(now, next);
     }
     double rounds = 0;
     for (auto _ : state) {
-        step = model.advance(now, 0.05 * a, 0.05 * a / speed, 1e-3, next, workspace);
+        step = model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
         rounds += step.rounds;
         std::swap(now, next);
         benchmark::DoNotOptimize(step);
@@ -153,17 +153,17 @@ BENCHMARK(BM_FrictionStepFallingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // A cycle of sinusoidal creepage. Counters: rounds per step, and the share of steps in which elements change zones.
 void steps_changing(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
+    const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
                                       scene.friction, integrator);
-    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionWorkspace<> workspace = model.workspace();
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
-    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionState<> now = model.at_rest(), next = now;
     double q = 0, rounds = 0, changing = 0;
     for (auto _ : state) {
         const double before = creepage(0.9 * std::sin(q));
         q += 0.05;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<double> step = model.advance(now, 0.05, motion, next, workspace);
+        const FrictionStep<> step = model.advance(now, 0.05, motion, next, workspace);
         rounds += step.rounds;
         changing += step.rounds > solutions ? 1 : 0;
         std::swap(now, next);
@@ -181,17 +181,17 @@ BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // compared with BM_LuSolve.
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
+    const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
                                       scene.friction, integrator);
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
     double q = 0, rounds = 0, dq = 0.05;
     for (auto _ : state) {
         const double before = creepage(0.9 * std::sin(q));
         dq = dq == 0.05 ? 0.0501 : 0.05;
         q += dq;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<double> step = model.advance(now, dq, motion, next, workspace);
+        const FrictionStep<> step = model.advance(now, dq, motion, next, workspace);
         rounds += step.rounds;
         std::swap(now, next);
     }
@@ -215,15 +215,15 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
     const HertzLoad<double> hertz =
         breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
     NormalLoad<double> load = hertz.at(line.load_per_width());
-    const FrictionModel<double> model(
+    const FrictionModel<> model(
         contact,
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
         unchecked, {0.3, load.normal_pressure}, integrator);
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
     const double dq = 0.05 * line.half_length();
     double q = 0, rounds = 0;
-    FrictionStep<double> step;
+    FrictionStep<> step;
     for (auto _ : state) {
         q += 0.05;
         if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) !=
@@ -251,16 +251,16 @@ BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 // One point of the creep curve from scratch, without assembly.
 void BM_FrictionSteady(benchmark::State& state) {
     const Scene scene(state.range(0));
-    const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
-    const FrictionState<double> rest = model.at_rest();
-    FrictionState<double> next = rest;
-    const FrictionWorkspace<double> fresh = model.workspace();
-    FrictionWorkspace<double> workspace = fresh;
+    const SteadyFrictionModel<> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    const FrictionState<> rest = model.at_rest();
+    FrictionState<> next = rest;
+    const FrictionWorkspace<> fresh = model.workspace();
+    FrictionWorkspace<> workspace = fresh;
     double rounds = 0;
-    FrictionStep<double> step;
+    FrictionStep<> step;
     for (auto _ : state) {
         workspace = fresh;  // without factors
-        step = model.solve(rest, creepage(0.5), next, workspace);
+        step = model.steady(rest, creepage(0.5), next, workspace);
         rounds += step.rounds;
         benchmark::DoNotOptimize(step);
     }
@@ -273,15 +273,15 @@ BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // One point of 100 along the curve from 0.01 to 1.
 void BM_FrictionSteadyWarm(benchmark::State& state) {
     const Scene scene(state.range(0));
-    const SteadyFrictionModel<double> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionWorkspace<double> workspace = model.workspace();
+    const SteadyFrictionModel<> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
     int point = 0;
     double rounds = 0;
     for (auto _ : state) {
         const int phase = point++ % 200;
-        const FrictionStep<double> step =
-            model.solve(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next, workspace);
+        const FrictionStep<> step =
+            model.steady(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next, workspace);
         rounds += step.rounds;
         std::swap(now, next);
     }
@@ -310,7 +310,7 @@ void BM_CombinedLuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedLuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-SteadyCombinedModel<double> combined_steady_model(const Scene& scene) {
+SteadyFrictionModel<ConstantFriction<>, 2> combined_steady_model(const Scene& scene) {
     return {scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.lateral, scene.friction};
 }
 Creepage<double> creepage(double ratio, double degrees) {
@@ -321,15 +321,15 @@ Creepage<double> creepage(double ratio, double degrees) {
 // One point from scratch, without assembly, in the most expensive case: oblique creepage where stick ends.
 void BM_CombinedSteady(benchmark::State& state) {
     const Scene scene(state.range(0));
-    const SteadyCombinedModel<double> model = combined_steady_model(scene);
-    const CombinedFrictionState<double> rest = model.at_rest();
-    CombinedFrictionState<double> next = rest;
-    const CombinedFrictionWorkspace<double> fresh = model.workspace();
-    CombinedFrictionWorkspace<double> workspace = fresh;
-    CombinedFrictionStep<double> step;
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = combined_steady_model(scene);
+    const FrictionState<2> rest = model.at_rest();
+    FrictionState<2> next = rest;
+    const FrictionWorkspace<2> fresh = model.workspace();
+    FrictionWorkspace<2> workspace = fresh;
+    FrictionStep<2> step;
     for (auto _ : state) {
         workspace = fresh;  // without factors
-        step = model.solve(rest, creepage(1, 15), next, workspace);
+        step = model.steady(rest, creepage(1, 15), next, workspace);
         benchmark::DoNotOptimize(step);
     }
     state.counters["n"] = static_cast<double>(state.range(0));
@@ -340,13 +340,13 @@ BENCHMARK(BM_CombinedSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // The creepage ratio alternates there between two values 0.1 apart.
 void BM_CombinedSteadyWarm(benchmark::State& state) {
     const Scene scene(state.range(0));
-    const SteadyCombinedModel<double> model = combined_steady_model(scene);
-    CombinedFrictionState<double> now = model.at_rest(), next = now;
-    CombinedFrictionWorkspace<double> workspace = model.workspace();
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = combined_steady_model(scene);
+    FrictionState<2> now = model.at_rest(), next = now;
+    FrictionWorkspace<2> workspace = model.workspace();
     int point = 0;
     double rounds = 0;
     for (auto _ : state) {
-        rounds += model.solve(now, creepage(++point % 2 == 0 ? 1 : 0.9, 15), next, workspace).rounds;
+        rounds += model.steady(now, creepage(++point % 2 == 0 ? 1 : 0.9, 15), next, workspace).rounds;
         std::swap(now, next);
     }
     state.counters["n"] = static_cast<double>(state.range(0));
@@ -357,11 +357,12 @@ BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // A creepage that varies in size and direction.
 void combined_steps(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const CombinedFrictionModel<double> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel),
-                                              rolling_system(scene.mesh, scene.scheme, scene.lateral), unchecked,
-                                              scene.friction, integrator);
-    CombinedFrictionWorkspace<double> workspace = model.workspace();
-    CombinedFrictionState<double> now = model.at_rest(), next = now;
+    const FrictionModel model(scene.contact,
+                              ElementSystem(rolling_system(scene.mesh, scene.scheme, scene.kernel),
+                                            rolling_system(scene.mesh, scene.scheme, scene.lateral)),
+                              unchecked, scene.friction, integrator);
+    FrictionWorkspace<2> workspace = model.workspace();
+    FrictionState<2> now = model.at_rest(), next = now;
     double q = 0, rounds = 0;
     for (auto _ : state) {
         const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
@@ -388,11 +389,9 @@ struct CombinedWheel {
           contact({.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28}),
           pressure(495.169e6 * mean_hertz_pressure(mesh)) {}
 
-    ElementSystem<double> along() const {
-        return rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact));
-    }
-    ElementSystem<double> across() const {
-        return rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::lateral(contact));
+    ElementSystem<double, 2> system() const {
+        return {rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)),
+                rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::lateral(contact))};
     }
     template <class Model, class Advance>
     void run(benchmark::State& state, const Model& model, const Advance& advance) const {
@@ -418,8 +417,8 @@ struct CombinedWheel {
 };
 void BM_CombinedStepUnchanged(benchmark::State& state) {
     const CombinedWheel wheel(state.range(0));
-    const CombinedFrictionModel<double> model(wheel.contact, wheel.along(), wheel.across(), unchecked,
-                                              {0.3, wheel.pressure}, Integrator::implicit_euler);
+    const FrictionModel model(wheel.contact, wheel.system(), unchecked, {0.3, wheel.pressure},
+                              Integrator::implicit_euler);
     wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
         return model.advance(from, wheel.dq, wheel.creepage, to, workspace);
     });
@@ -428,11 +427,10 @@ BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void combined_falling_steps(benchmark::State& state, bool with_tangents) {
     using Law = ExponentialFall<double>;
     const CombinedWheel wheel(state.range(0));
-    const CombinedFallingModel<Law> model(wheel.contact, wheel.along(), wheel.across(), unchecked,
-                                          {{0.3, 0.18, 0.1}, {10e-6, 1e-3}, wheel.pressure, with_tangents},
-                                          Integrator::implicit_euler);
+    const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
+    const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);
     wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
-        return model.advance(from, wheel.dq, wheel.duration, wheel.creepage, to, workspace);
+        return model.advance(from, {wheel.dq, wheel.duration}, wheel.creepage, to, workspace);
     });
 }
 void BM_CombinedStepFalling(benchmark::State& state) { combined_falling_steps(state, false); }

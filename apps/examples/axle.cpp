@@ -21,7 +21,7 @@
 
 namespace {
 
-using Model = rollbem::FrictionModel<double>;
+using Model = rollbem::FrictionModel<>;
 
 // 1. The axle and what it carries. The rail forces drive the vehicle: m dV/dt = sum F - D. Wheel i turns by
 // J d(omega_i)/dt = T_i - R_i F_i -+ M, with the moment M = k twist + c d(twist)/dt in the axle.

@@ -24,7 +24,7 @@
 
 namespace {
 
-using Model = rollbem::FrictionModel<double>;
+using Model = rollbem::FrictionModel<>;
 
 // 1. The wheel, what it carries, and the rail. The rail force drives the vehicle: m dV/dt = F - D, J d(omega)/dt =
 // T - R F.
@@ -52,7 +52,7 @@ struct State {
 
 // 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method; `load` is that at the end
 // of the step. The status is not ok if the contact refuses the step or Newton's method does not converge.
-rollbem::FrictionStep<double> advance(const Model& model, double dq, const rollbem::NormalLoad<double>& load,
+rollbem::FrictionStep<> advance(const Model& model, double dq, const rollbem::NormalLoad<double>& load,
                                       const State& now, State& next, Model::Workspace& workspace) {
     next.speed = now.speed;
     next.rotation = now.rotation;
@@ -116,7 +116,7 @@ Account ride(Eigen::Index n, int steps_per_wave) {
             account.elastic = -model.elastic_energy(now.contact);
         }
         if (hertz.set(load_per_width(k * dq), load) != rollbem::StepStatus::ok) return {};
-        const rollbem::FrictionStep<double> step = advance(model, dq, load, now, next, workspace);
+        const rollbem::FrictionStep<> step = advance(model, dq, load, now, next, workspace);
         if (step.status != rollbem::StepStatus::ok) return {};
         if (k > 10 * steps_per_wave) {
             const double dt = 2 * dq / (now.speed + next.speed), angle = (now.rotation + next.rotation) / 2 * dt;

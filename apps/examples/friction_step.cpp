@@ -13,9 +13,9 @@ int main() {
     const Mesh<double> mesh = cosine_mesh(40);
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     const auto system = rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact));
-    const FrictionModel<double> model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
+    const FrictionModel<> model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
     double heat = 0;  // by slip [J]
     for (int k = 0; k < 200; ++k, std::swap(now, next)) {
         const auto step = model.advance(now, 0.2e-3, 2e-3, next, workspace);  // rolls on by 0.2 mm, creepage 2e-3

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double friction_coefficient = 0.3;  // mu
 
-using Model = rollbem::FrictionModel<double>;
+using Model = rollbem::FrictionModel<>;
 
 /// The contact as a force element. `promise` is the verdict on the eigenvalues of the system, or rollbem::unchecked.
 template <class Promise>

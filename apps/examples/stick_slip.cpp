@@ -32,13 +32,13 @@
 #include <Eigen/LU>
 
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/friction/falling.hpp>
+#include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 namespace {
 
 using Law = rollbem::ExponentialFall<double>;
-using Model = rollbem::FallingFrictionModel<Law>;
+using Model = rollbem::FrictionModel<Law>;
 
 // 1. Motor, shaft and wheel of a train so heavy that its speed V does not change. The shaft transmits the moment
 // M = k twist + c (w_m - w): J_m d(w_m)/dt = T - M, J dw/dt = M - R F. The torque T = T_d - K (w_m - V/R) falls with
@@ -47,7 +47,7 @@ constexpr double speed = 10, radius = 0.5, load = 100e3, half_width = 8e-3;  // 
 constexpr double wheel_inertia = 100, motor_inertia = 500;                   // J, J_m [kg m^2]
 constexpr double stiffness = 2.5e6, droop = 6000;                            // k [N m/rad], K [N m s/rad]
 constexpr Law friction_law{.mu_0 = 0.35, .mu_k = 0.2, .half_velocity = 0.4};
-constexpr rollbem::SlipMemory<double> memory{.distance = 10e-6, .least_velocity = 1e-3};
+constexpr rollbem::FrictionMemory<double> memory{.distance = 10e-6, .least_velocity = 1e-3};
 constexpr rollbem::ElasticBody<double> steel{2.1e11, 0.28};
 
 double slip_velocity(double rotation) { return radius * rotation - speed; }  // [m/s], of the wheel on the rail
@@ -61,7 +61,7 @@ Model contact_model(Eigen::Index n) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
     const auto system = rollbem::rolling_system(mesh, rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                                 rollbem::PlaneKernel<double>::longitudinal(contact));
-    return {contact, system, rollbem::judge_stability(system), {friction_law, memory, hertz.mean_pressure(mesh)}};
+    return {contact, system, rollbem::judge_stability(system), {friction_law, hertz.mean_pressure(mesh), memory}};
 }
 
 struct State {
@@ -83,7 +83,7 @@ Model::Step advance(const Model& model, double demand, double damping, double dq
     const double dt = dq / speed;
     for (int trial = 0; trial < 30; ++trial) {
         const auto motion = rollbem::RigidMotion<double>::linear(creepage(now.wheel), creepage(next.wheel));
-        const Model::Step step = model.advance(now.contact, dq, dt, motion, next.contact, workspace);
+        const Model::Step step = model.advance(now.contact, {dq, dt}, motion, next.contact, workspace);
         if (step.status != rollbem::StepStatus::ok) return step;
         next.force = step.force;
 
@@ -172,7 +172,7 @@ bool onset(Eigen::Index n) {
     const double slope = -step.tangent / speed;
     for (int k = 0; k < 200 && step.status == rollbem::StepStatus::ok; ++k) {  // steady rolling in steps of this length
         std::swap(now, next);
-        step = model.advance(now, dq, dq / speed, -slip / speed, next, workspace);
+        step = model.advance(now, {dq, dq / speed}, -slip / speed, next, workspace);
     }
     if (step.status != rollbem::StepStatus::ok) return false;
     const double limit = least_damping(slope);

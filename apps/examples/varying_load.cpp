@@ -14,9 +14,9 @@ int main() {
     NormalLoad<double> load = hertz.at(1e6);
     const auto system =
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact));
-    const FrictionModel<double> model(contact, system, judge_stability(system), {0.3, load.normal_pressure});
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
+    const FrictionModel<> model(contact, system, judge_stability(system), {0.3, load.normal_pressure});
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
     for (int k = 1; k <= 100; ++k) {
         hertz.set(1e6 * (1 + 0.5 * std::sin(0.1 * k)), load);
         const auto step = model.advance(now, 0.1 * contact.half_length(), 1e-3, load, next, workspace);

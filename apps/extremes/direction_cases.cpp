@@ -19,7 +19,7 @@ using rollbem::Contact;
 using rollbem::Mesh;
 using rollbem::PlaneKernel;
 using rollbem::StepStatus;
-using Step = rollbem::FrictionStep<double>;
+using Step = rollbem::FrictionStep<>;
 using Vector = rollbem::Creepage<double>;
 
 // --- both directions
@@ -38,13 +38,13 @@ struct Combined {
 
     /// -F/(mu N) in both directions at the creepage ratio delta; cosine and sine give the direction of the creepage.
     Vector force(double delta, double cosine, double sine) {
-        const rollbem::SteadyCombinedModel<double> model(contact, slopes(false), slopes(true), mesh.widths(),
+        const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(contact, slopes(false), slopes(true), mesh.widths(),
                                                          {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const auto rest = model.at_rest();
         auto state = rest;
         auto workspace = model.workspace();
         const double size = creepage(delta, nu);
-        const auto point = model.solve(rest, {size * cosine, size * sine}, state, workspace);
+        const auto point = model.steady(rest, {size * cosine, size * sine}, state, workspace);
         told = told_by(point.status);
         residual = point.complementarity_residual;
         return {-point.force_per_width.longitudinal / full_force, -point.force_per_width.lateral / full_force};
@@ -52,12 +52,12 @@ struct Combined {
 
     /// The same by the solver of one direction.
     double force_alone(bool lateral, double delta) const {
-        const rollbem::SteadyFrictionModel<double> model(contact, slopes(lateral), mesh.widths(),
+        const rollbem::SteadyFrictionModel<> model(contact, slopes(lateral), mesh.widths(),
                                                          {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const auto rest = model.at_rest();
         auto state = rest;
         auto workspace = model.workspace();
-        const Step point = model.solve(rest, creepage(delta, nu), state, workspace);
+        const Step point = model.steady(rest, creepage(delta, nu), state, workspace);
         return point.status == StepStatus::ok ? -point.force_per_width / full_force : nothing;
     }
 

@@ -104,12 +104,12 @@ void add_strips(std::vector<Case>& cases) {
         const Solution solution = on_strip(aspect, ratio);
         const Contact<double> own = contact(aspect);
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(320);
-        const rollbem::SteadyFrictionModel<double> model(own, mesh, equal, StripKernel<double>::longitudinal(own),
+        const rollbem::SteadyFrictionModel<> model(own, mesh, equal, StripKernel<double>::longitudinal(own),
                                                          {1, HertzPressure<double>{peak}(mesh)});
-        const rollbem::FrictionState<double> rest = model.at_rest();
-        rollbem::FrictionState<double> state = rest;
-        rollbem::FrictionWorkspace<double> workspace = model.workspace();
-        const auto elements = model.solve(rest, creepage(ratio), state, workspace);
+        const rollbem::FrictionState<> rest = model.at_rest();
+        rollbem::FrictionState<> state = rest;
+        rollbem::FrictionWorkspace<> workspace = model.workspace();
+        const auto elements = model.steady(rest, creepage(ratio), state, workspace);
         Outcome outcome = compare(solution, solution.force_per_width, elements.force_per_width, 1e-4);
         if (elements.status != rollbem::StepStatus::ok) outcome.told = "the reference has not converged";
         return outcome;

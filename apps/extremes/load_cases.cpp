@@ -23,9 +23,9 @@ using rollbem::Mesh;
 using rollbem::PlaneKernel;
 using rollbem::StepStatus;
 using Load = rollbem::NormalLoad<double>;
-using Model = rollbem::FrictionModel<double>;
+using Model = rollbem::FrictionModel<>;
 using Motion = rollbem::RigidMotion<double>;
-using Step = rollbem::FrictionStep<double>;
+using Step = rollbem::FrictionStep<>;
 
 constexpr double half_width = 1000;  // b/a_0
 

@@ -14,7 +14,7 @@
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/mesh.hpp>
-#include <rollbem/friction/combined_transient.hpp>
+#include <rollbem/friction/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
 #include "contact_variables.hpp"
@@ -192,9 +192,9 @@ public:
     }
 
 private:
-    using CombinedModel = rollbem::CombinedFrictionModel<Scalar>;
-    using State = CombinedModel::State;
-    using Step = CombinedModel::LoadedStep;
+    using FrictionModel = rollbem::FrictionModel<rollbem::ConstantFriction<Scalar>, 2, Scalar>;
+    using State = FrictionModel::State;
+    using Step = FrictionModel::Step;
 
     // A step.
     struct Past {
@@ -225,17 +225,17 @@ private:
     template <class Kernel>
     void build(const rollbem::Contact<Scalar>& contact, const rollbem::Mesh<Scalar>& mesh) {
         const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-        const auto longitudinal = rolling_system(mesh, scheme, Kernel::longitudinal(contact));
-        const auto lateral = rolling_system(mesh, scheme, Kernel::lateral(contact));
-        model_.emplace(contact, longitudinal, judge_stability(longitudinal), lateral, judge_stability(lateral),
-                       rollbem::CoulombFriction<Scalar>{friction_coefficient_, end_load_.normal_pressure});
+        const rollbem::ElementSystem system(rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
+                                            rolling_system(mesh, scheme, Kernel::lateral(contact)));
+        model_.emplace(contact, system, judge_stability(system),
+                       rollbem::Friction{friction_coefficient_, end_load_.normal_pressure});
         workspace_.emplace(model_->workspace());
     }
 
     void roll_steadily() {
         require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
         const rollbem::Creepage<Scalar> creepage{slip_[0].value / speed_.value, slip_[1].value / speed_.value};
-        const rollbem::CombinedFrictionStep<Scalar> steady =
+        const rollbem::FrictionStep<2, Scalar> steady =
             model_->steady(now_, creepage, end_load_, next_, *workspace_);
         require(steady.status == StepStatus::ok, "status of steady rolling at the first inputs", name(steady.status),
                 "be ok");
@@ -248,7 +248,7 @@ private:
         Step failed;
         failed.status = hertz_->set(per_width(step.load), end_load_);
         if (failed.status != StepStatus::ok) return failed;
-        return model_->advance(from, step.distance, CombinedModel::Motion::shift(step.shift), end_load_, to,
+        return model_->advance(from, step.distance, FrictionModel::Motion::shift(step.shift), end_load_, to,
                                *workspace_);
     }
 
@@ -298,8 +298,8 @@ private:
 
     std::optional<rollbem::HertzLoad<Scalar>> hertz_;
     rollbem::NormalLoad<Scalar> end_load_;  // of the present step
-    std::optional<CombinedModel> model_;
-    std::optional<rollbem::CombinedFrictionWorkspace<Scalar>> workspace_;
+    std::optional<FrictionModel> model_;
+    std::optional<rollbem::FrictionWorkspace<2, Scalar>> workspace_;
     State now_, from_, next_;  // from_: where the last step began
     Past past_;
     Step last_;

@@ -21,10 +21,6 @@ CreepCurve::Exact CreepCurve::exact(const study::Scene& scene, const CreepPoint&
     return {force * along / size, force * across / size};
 }
 
-std::string status_of(rollbem::StepStatus status, bool consistent) {
-    return status == rollbem::StepStatus::ok && !consistent ? name(rollbem::Status::inconsistent) : name(status);
-}
-
 const std::vector<std::string>& creep_columns() {
     static const std::vector<std::string> columns = study::joined({"method",
                                                                    "derivative",
@@ -95,8 +91,8 @@ study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const C
                           curve.layer,
                           falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::mu_k),
                           falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::half_velocity),
-                          falling_cell(&FallingLaw::memory, &rollbem::SlipMemory<double>::distance),
-                          falling_cell(&FallingLaw::memory, &rollbem::SlipMemory<double>::least_velocity),
+                          falling_cell(&FallingLaw::memory, &rollbem::FrictionMemory<double>::distance),
+                          falling_cell(&FallingLaw::memory, &rollbem::FrictionMemory<double>::least_velocity),
                           curve.sweep},
                          study::setting_cells(scene));
 }

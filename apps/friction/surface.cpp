@@ -51,46 +51,31 @@ rollbem::ElementSystem<double> Surface::system(Direction direction) const {
     }
 }
 
-std::pair<Eigen::MatrixXd, Eigen::ArrayXd> Surface::gradient(Direction direction) const {
+Eigen::MatrixXd Surface::gradient(Direction direction) const {
     return visit(
         *this,
-        [](const auto& mesh, const auto& scheme, const auto& kernel) {
-            return std::pair<Eigen::MatrixXd, Eigen::ArrayXd>(rollbem::assemble_G_prime(mesh, scheme, kernel),
-                                                              rollbem::unknown_widths(mesh, scheme));
+        [](const auto& mesh, const auto& scheme, const auto& kernel) -> Eigen::MatrixXd {
+            return rollbem::assemble_G_prime(mesh, scheme, kernel);
         },
         direction);
 }
 
-rollbem::SteadyFrictionModel<double> Surface::steady_model(const rollbem::CoulombFriction<double>& law) const {
-    return visit(
-        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<double>(contact(), parts..., law); },
-        Direction::longitudinal);
+template <int directions, class Law>
+rollbem::SteadyFrictionModel<Law, directions> Surface::steady_model(const rollbem::Friction<Law>& friction) const {
+    using Model = rollbem::SteadyFrictionModel<Law, directions>;
+    const auto make = [&](const auto&... parts) { return Model(contact(), parts..., friction); };
+    if constexpr (directions == 1) {
+        return visit(*this, make, Direction::longitudinal);
+    } else {
+        return visit(*this, make, Direction::longitudinal, Direction::lateral);
+    }
 }
-
-SteadyFalling Surface::falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const {
-    return visit(
-        *this,
-        [&](const auto&... parts) {
-            return SteadyFalling(SteadyFalling::Model(contact(), parts..., {law.law, law.memory, pressure}));
-        },
-        Direction::longitudinal);
-}
-
-rollbem::SteadyCombinedModel<double> Surface::combined_model(const rollbem::CoulombFriction<double>& law) const {
-    return visit(
-        *this, [&](const auto&... parts) { return rollbem::SteadyCombinedModel<double>(contact(), parts..., law); },
-        Direction::longitudinal, Direction::lateral);
-}
-
-SteadyCombinedFalling Surface::combined_falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const {
-    return visit(
-        *this,
-        [&](const auto&... parts) {
-            return SteadyCombinedFalling(
-                SteadyCombinedFalling::Model(contact(), parts..., {law.law, law.memory, pressure}));
-        },
-        Direction::longitudinal, Direction::lateral);
-}
+using Coulomb = rollbem::Friction<>;
+using Falling = rollbem::Friction<rollbem::ExponentialFall<>>;
+template rollbem::SteadyFrictionModel<> Surface::steady_model<1>(const Coulomb&) const;
+template rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> Surface::steady_model<2>(const Coulomb&) const;
+template rollbem::SteadyFrictionModel<rollbem::ExponentialFall<>> Surface::steady_model<1>(const Falling&) const;
+template rollbem::SteadyFrictionModel<rollbem::ExponentialFall<>, 2> Surface::steady_model<2>(const Falling&) const;
 
 double read_layer(const study::Options& options) {
     const double layer = options.number(

@@ -142,26 +142,26 @@ Forces step_forces(const Scene& scene, RollingSystem<double> system) {
 }
 
 double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::CoulombFriction<double> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel<double> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(),
-                                                     friction);
-    const rollbem::FrictionState<double> rest = model.at_rest();
-    rollbem::FrictionState<double> state = rest;
-    rollbem::FrictionWorkspace<double> workspace = model.workspace();
-    const rollbem::FrictionStep<double> point =
-        model.solve(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
+    const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction,
+                                             rollbem::unchecked);
+    const rollbem::FrictionState<> rest = model.at_rest();
+    rollbem::FrictionState<> state = rest;
+    rollbem::FrictionWorkspace<> workspace = model.workspace();
+    const rollbem::FrictionStep<> point =
+        model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
     return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
 }
 
 std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadyCombinedModel<double> model(scene.contact, slopes(scene, elements, mesh),
-                                                     slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
-                                                     {1, peak * rollbem::mean_hertz_pressure(mesh)});
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh),
+                                             slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
+                                             {1, peak * rollbem::mean_hertz_pressure(mesh)}, rollbem::unchecked);
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();
     const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
-    const auto point = model.solve(rest, {part, part}, state, workspace);
+    const auto point = model.steady(rest, {part, part}, state, workspace);
     if (point.status != rollbem::StepStatus::ok) return {nan, nan};
     const double full = peak * std::numbers::pi / 2;
     return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
@@ -182,8 +182,8 @@ std::vector<double> load_forces(Scene scene, const Elements& elements, const Mes
         return full * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
     };
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
-    const rollbem::CoulombFriction<double> law{1, load.normal_pressure};
-    const rollbem::FrictionModel<double> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
+    const rollbem::Friction<> law{1, load.normal_pressure};
+    const rollbem::FrictionModel<> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
                                                law);
     auto now = model.at_rest(), next = now;
     auto workspace = model.workspace();

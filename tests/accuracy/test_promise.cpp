@@ -274,12 +274,12 @@ TEST_CASE("Elements recommended for friction stay below their error bound", "[re
     for (const double tolerance : {0.5, 0.1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4}) {
         const RecommendedElements best = recommended_scheme(tolerance, Purpose::friction);
         const double error = best.evaluate([&](const Mesh<double>& mesh, const auto& scheme) {
-            const SteadyFrictionModel<double> model(wide, mesh, scheme, kernel, {1, peak * mean_hertz_pressure(mesh)});
-            FrictionState<double> now = model.at_rest(), next = now;
-            FrictionWorkspace<double> workspace = model.workspace();
+            const SteadyFrictionModel model(wide, mesh, scheme, kernel, {1, peak * mean_hertz_pressure(mesh)});
+            FrictionState<> now = model.at_rest(), next = now;
+            FrictionWorkspace<> workspace = model.workspace();
             double largest = 0;
             for (double ratio = 0.05; ratio < 1.1; ratio += 0.005) {
-                const FrictionStep<double> point = model.solve(now, 2 * 0.72 * peak * ratio, next, workspace);
+                const FrictionStep<> point = model.steady(now, 2 * 0.72 * peak * ratio, next, workspace);
                 CHECK(point.status == StepStatus::ok);
                 const double force_ratio = -point.force_per_width / (peak * std::numbers::pi / 2);
                 largest = std::max(largest, std::abs(force_ratio / carter_force_ratio(ratio) - 1));

@@ -150,7 +150,7 @@ TEST_CASE("A step to another half-length does not allocate", "[transient]") {
     }
 }
 
-FrictionModel<double> make_friction_model(Eigen::Index n, double alpha_L, double alpha_T, Integrator integrator) {
+FrictionModel<> make_friction_model(Eigen::Index n, double alpha_L, double alpha_T, Integrator integrator) {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const Mesh<double> mesh = cosine_mesh<double>(n);
     const Collocation scheme{.alpha_L = alpha_L, .alpha_T = alpha_T};
@@ -171,15 +171,15 @@ TEST_CASE("A step with friction does not allocate, whatever the size", "[frictio
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const Case& c : {Case{1, 0.5, 0.5, 200}, Case{40, 0.5, 0.5, 200}, Case{40, 0, 0.5, 200},
                               Case{100, 0.5, 0.5, 200}, Case{40, 0, 0.63, 200}, Case{200, 0.5, 0.5, 20}}) {
-            const FrictionModel<double> model = make_friction_model(c.n, c.alpha_L, c.alpha_T, integrator);
-            FrictionState<double> now = model.at_rest(), next = now;
-            FrictionWorkspace<double> workspace = model.workspace();
+            const FrictionModel<> model = make_friction_model(c.n, c.alpha_L, c.alpha_T, integrator);
+            FrictionState<> now = model.at_rest(), next = now;
+            FrictionWorkspace<> workspace = model.workspace();
             bool ok = true;
             int changes = 0, cheap = 0;
             const long before = allocations;
             // zones and dq change from the first step; at the end there are enough unchanged steps for cheap ones
             for (int k = 0; k < c.steps; ++k) {
-                const FrictionStep<double> step =
+                const FrictionStep<> step =
                     k >= 130 && k < 198 ? model.advance(now, 0.4, 0.2, next, workspace)
                     : k % 50 == 49      ? model.shift(now, 0.2, next, workspace)
                     : c.alpha_L == 0 && k % 50 == 30
@@ -188,7 +188,7 @@ TEST_CASE("A step with friction does not allocate, whatever the size", "[frictio
                 ok = ok && step.status == StepStatus::ok;
                 changes += step.rounds > 2 ? 1 : 0;
                 fallbacks += step.pivots > 0 ? 1 : 0;
-                cheap += now.unchanged_steps > 1 + c.n / 2 ? 1 : 0;
+                cheap += now.solver.unchanged_steps > 1 + c.n / 2 ? 1 : 0;
                 std::swap(now, next);
             }
             const long after = allocations;
@@ -199,10 +199,10 @@ TEST_CASE("A step with friction does not allocate, whatever the size", "[frictio
             CHECK(after == before);
         }
         // rejections and copies do not allocate either
-        const FrictionModel<double> model = make_friction_model(300, 0.5, 0.5, integrator);
-        const FrictionState<double> now = model.at_rest();
-        FrictionState<double> next = now;
-        FrictionWorkspace<double> workspace = model.workspace(),
+        const FrictionModel<> model = make_friction_model(300, 0.5, 0.5, integrator);
+        const FrictionState<> now = model.at_rest();
+        FrictionState<> next = now;
+        FrictionWorkspace<> workspace = model.workspace(),
                                   other = make_friction_model(2, 0.5, 0.5, integrator).workspace();
         const long before = allocations;
         const bool refused = model.advance(now, 0.1, 1e-9, next, other).status == StepStatus::wrong_state &&
@@ -229,19 +229,19 @@ TEST_CASE("A step under a varying load does not allocate", "[friction]") {
                 const HertzLoad<double> hertz =
                     breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
                 NormalLoad<double> load = hertz.at(1);
-                const FrictionModel<double> model(contact,
+                const FrictionModel<> model(contact,
                                                   rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                                                  PlaneKernel<double>::longitudinal(contact)),
                                                   unchecked, {0.3, load.normal_pressure}, integrator);
-                FrictionState<double> now = model.at_rest(), next = now;
-                FrictionWorkspace<double> workspace = model.workspace();
+                FrictionState<> now = model.at_rest(), next = now;
+                FrictionWorkspace<> workspace = model.workspace();
                 bool ok = true;
                 const long before = allocations;
                 for (int k = 0; k < 100; ++k) {
                     const double P = breathing ? 1 + 0.5 * std::sin(0.3 * k) : std::max(0.0, 0.8 + std::sin(0.3 * k));
                     ok = hertz.set(P, load) == StepStatus::ok && ok;
                     const double dq = a * (k % 20 < 15 ? 0.3 : 0.4);
-                    const LoadedFrictionStep<double> step =
+                    const FrictionStep<> step =
                         model.advance(now, dq, (k % 13 - 6) * 1e-3, load, next, workspace);
                     ok = ok && step.status == StepStatus::ok;
                     std::swap(now, next);
@@ -269,11 +269,11 @@ TEST_CASE("A step with friction that falls with slip does not allocate, however 
                     {.half_length = 4e-3, .half_width = 4, .shear_modulus = 82e9, .poisson_ratio = 0.28});
                 const Mesh<double> mesh = cosine_mesh<double>(n);
                 const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
-                const FallingFrictionModel<Law> model(
+                const FrictionModel<Law> model(
                     contact, rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel), unchecked,
-                    {{0.3, 0.18, 0.1}, {distance, 1e-3}, 495e6 * mean_hertz_pressure(mesh)}, integrator);
-                FallingFrictionState<double> now = model.at_rest(), next = now;
-                FallingFrictionWorkspace<double> workspace = model.workspace();
+                    {{0.3, 0.18, 0.1}, 495e6 * mean_hertz_pressure(mesh), {distance, 1e-3}}, integrator);
+                FrictionState<> now = model.at_rest(), next = now;
+                FrictionWorkspace<> workspace = model.workspace();
                 NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
                 bool ok = true;
                 int most_rounds = 0;
@@ -282,10 +282,10 @@ TEST_CASE("A step with friction that falls with slip does not allocate, however 
                     load.half_length = 4e-3 * (1 + 0.01 * std::sin(0.1 * k));
                     const double dq = k % 40 == 39 ? 0 : 4e-4, duration = 4e-4 / 45, creepage = k < 60 ? 2e-3 : 5e-3;
                     const auto motion = dq == 0 ? RigidMotion<double>::shift(1e-6) : RigidMotion<double>(creepage);
-                    const FrictionStep<double> step =
+                    const FrictionStep<> step =
                         k % 30 == 20           ? model.steady(now, creepage, 45, next, workspace)
-                        : k % 3 == 0 && dq > 0 ? model.advance(now, dq, duration, motion, load, next, workspace)
-                                               : model.advance(now, dq, duration, motion, next, workspace);
+                        : k % 3 == 0 && dq > 0 ? model.advance(now, {dq, duration}, motion, load, next, workspace)
+                                               : model.advance(now, {dq, duration}, motion, next, workspace);
                     ok = ok && step.status == StepStatus::ok;
                     most_rounds = std::max(most_rounds, step.rounds);
                     std::swap(now, next);
@@ -293,9 +293,9 @@ TEST_CASE("A step with friction that falls with slip does not allocate, however 
                 int cheap = 0;  // steps in which nothing changes any more
                 for (int k = 0; k < 120 && distance > 0; ++k) {
                     const double dq = 0.4 * 4e-3;
-                    const FrictionStep<double> step = model.advance(now, dq, dq / 45, 1e-3, load, next, workspace);
+                    const FrictionStep<> step = model.advance(now, {dq, dq / 45}, 1e-3, load, next, workspace);
                     ok = ok && step.status == StepStatus::ok;
-                    cheap += now.unchanged_steps > 1 + n / 2 ? 1 : 0;
+                    cheap += now.solver.unchanged_steps > 1 + n / 2 ? 1 : 0;
                     std::swap(now, next);
                 }
                 const long after = allocations;
@@ -313,14 +313,14 @@ TEST_CASE("A steady solution with friction does not allocate, even in its fallba
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     for (const Eigen::Index n : {20, 200}) {
         const Mesh<double> mesh = cosine_mesh<double>(n);
-        const SteadyFrictionModel<double> model(contact, mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5},
+        const SteadyFrictionModel<> model(contact, mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5},
                                                 PlaneKernel<double>::longitudinal(contact),
-                                                {1, mean_hertz_pressure(mesh)});
-        const FrictionState<double> rest = model.at_rest();
-        FrictionState<double> state = rest;
-        FrictionWorkspace<double> workspace = model.workspace();
+                                          {1, mean_hertz_pressure(mesh)}, unchecked);
+        const FrictionState<> rest = model.at_rest();
+        FrictionState<> state = rest;
+        FrictionWorkspace<> workspace = model.workspace();
         const long before = allocations;
-        const FrictionStep<double> point = model.solve(rest, 1.5 * 0.95, state, workspace);
+        const FrictionStep<> point = model.steady(rest, 1.5 * 0.95, state, workspace);
         const long after = allocations;
         CAPTURE(n);
         CHECK(point.status == StepStatus::ok);
@@ -340,13 +340,15 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
             const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
             const Mesh<double> mesh = cosine_mesh<double>(c.n);
             const Collocation scheme{.alpha_L = c.alpha_L, .alpha_T = c.alpha_T};
-            const CombinedFrictionModel<double> model(
-                contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-                rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact)), unchecked,
+            const FrictionModel<ConstantFriction<>, 2> model(
+                contact,
+                {rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
+                 rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
+                unchecked,
                 {0.3, mean_hertz_pressure(mesh)}, integrator);
-            CombinedFrictionState<double> now = model.at_rest(), next = now;
-            const CombinedFrictionWorkspace<double> made = model.workspace();
-            CombinedFrictionWorkspace<double> workspace = made;  // a copy serves as well
+            FrictionState<2> now = model.at_rest(), next = now;
+            const FrictionWorkspace<2> made = model.workspace();
+            FrictionWorkspace<2> workspace = made;  // a copy serves as well
             NormalLoad<double> load{now.normal_pressure, 1, now.normal_pressure};
             bool ok = true;
             const long before = allocations;
@@ -355,7 +357,7 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
                 const double a = k % 8 < 4 ? 1 + 0.01 * (k % 4) : 1.04 - 0.01 * (k % 4);
                 load.normal_pressure = a * (load.pressure_rate);
                 load.half_length = a;
-                CombinedFrictionStep<double> step;
+                FrictionStep<2> step;
                 if (k % 5 == 4) step = model.steady(now, creepage, load, next, workspace);
                 if (k % 5 == 3) step = model.advance(now, 0.1, creepage, next, workspace);
                 if (k % 5 < 3) step = model.advance(now, 0.1 + 0.1 * (k % 2), creepage, load, next, workspace);
@@ -375,21 +377,28 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
 
 TEST_CASE("The combined solver does not allocate, whichever of its attempts succeeds", "[friction]") {
     constexpr Eigen::Index n = 6;
-    detail::CombinedSolver<double> solver(n);
-    const std::vector<CombinedZone> zones(n, CombinedZone::stick);
+    detail::CombinedSolver<double> uncoupled(n), coupled(n, true);
+    const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
+    const std::vector<Zone> zones(n, Zone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
     std::mt19937 generator(11);
     std::normal_distribution<double> normal;
     int several = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
-        for (const std::size_t direction : {0, 1}) {
-            for (double& entry : solver.new_matrix(direction).reshaped()) entry = normal(generator);
+        detail::CombinedSolver<double>& solver = problem % 2 == 0 ? uncoupled : coupled;
+        for (const std::size_t slip : {0, 1}) {
+            for (const std::size_t by : {0, 1}) {
+                if (slip != by && !solver.coupled()) continue;
+                for (double& entry : solver.new_matrix(slip, by).reshaped()) entry = normal(generator);
+            }
         }
         for (double& entry : solver.constant().reshaped()) entry = normal(generator);
         VectorX<double> bound(n);
         for (double& entry : bound) entry = std::abs(normal(generator));
         const long before = allocations;
+        if (problem % 4 > 1) solver.turn_slip(behind);
         const auto outcome = solver.solve(bound, start, zones);
+        solver.turn_slip({});
         const long after = allocations;
         CAPTURE(problem, outcome.rounds);
         CHECK(after == before);
@@ -411,12 +420,14 @@ TEST_CASE("Friction that falls with slip in two directions does not allocate, wh
                     {.half_length = 4e-3, .half_width = 4, .shear_modulus = 82e9, .poisson_ratio = 0.28});
                 const Mesh<double> mesh = cosine_mesh<double>(n);
                 const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-                const CombinedFallingModel<Law> model(
-                    contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-                    rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact)), unchecked,
-                    {{0.3, 0.18, 0.1}, {distance, 1e-3}, 495e6 * mean_hertz_pressure(mesh)}, integrator);
-                CombinedFallingState<double> now = model.at_rest(), next = now;
-                CombinedFallingWorkspace<double> workspace = model.workspace();
+                const FrictionModel<Law, 2> model(
+                    contact,
+                    {rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
+                     rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
+                    unchecked,
+                    {{0.3, 0.18, 0.1}, 495e6 * mean_hertz_pressure(mesh), {distance, 1e-3}}, integrator);
+                FrictionState<2> now = model.at_rest(), next = now;
+                FrictionWorkspace<2> workspace = model.workspace();
                 NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
                 bool ok = true;
                 int most_rounds = 0;
@@ -426,13 +437,13 @@ TEST_CASE("Friction that falls with slip in two directions does not allocate, wh
                     const double dq = k % 40 == 39 ? 0 : 4e-4, duration = 4e-4 / 45, size = k < 30 ? 2e-3 : 5e-3;
                     const Creepage<double> creepage{0.8 * size, 0.6 * size};
                     const Motion motion = dq == 0 ? Motion::shift({1e-6, 1e-6}) : Motion(creepage);
-                    CombinedFrictionStep<double> step;
+                    FrictionStep<2> step;
                     if (k % 30 == 20) {
                         step = model.steady(now, creepage, 45, next, workspace);
                     } else if (k % 3 == 0 && dq > 0) {
-                        step = model.advance(now, dq, duration, motion, load, next, workspace);
+                        step = model.advance(now, {dq, duration}, motion, load, next, workspace);
                     } else {
-                        step = model.advance(now, dq, duration, motion, next, workspace);
+                        step = model.advance(now, {dq, duration}, motion, next, workspace);
                     }
                     ok = ok && step.status == StepStatus::ok;
                     most_rounds = std::max(most_rounds, step.rounds);

@@ -114,23 +114,23 @@ TEST_CASE("A scheme with two points solves steady, stability, frequency and time
 
 TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
     const Mesh<double> mesh = uniform_mesh(20);
-    const CoulombFriction<double> friction{0.3, 1e-2 * mean_hertz_pressure(mesh)};
-    const SteadyFrictionModel<double> model(contact, mesh, stable, kernel, friction);
-    const SteadyFrictionModel<double> expected(contact, mean_of_both(mesh, stable).G_prime(), mesh.widths(), friction);
-    const auto force = [](const SteadyFrictionModel<double>& of) {
-        FrictionWorkspace<double> workspace = of.workspace();
-        FrictionState<double> now = of.at_rest(), next = now;
+    const Friction<> friction{0.3, 1e-2 * mean_hertz_pressure(mesh)};
+    const SteadyFrictionModel<> model(contact, mesh, stable, kernel, friction);
+    const SteadyFrictionModel<> expected(contact, mean_of_both(mesh, stable).G_prime(), mesh.widths(), friction);
+    const auto force = [](const SteadyFrictionModel<>& of) {
+        FrictionWorkspace<> workspace = of.workspace();
+        FrictionState<> now = of.at_rest(), next = now;
         return of.solve(now, 2e-3, next, workspace).force;
     };
     CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
 
     const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
-    const FrictionModel<double> rolling(contact, own, judge_stability(own), friction);
-    const FrictionModel<double> expected_rolling(contact, mean, judge_stability(mean), friction);
-    FrictionWorkspace<double> workspace = rolling.workspace(), expected_workspace = expected_rolling.workspace();
+    const FrictionModel<> rolling(contact, own, judge_stability(own), friction);
+    const FrictionModel<> expected_rolling(contact, mean, judge_stability(mean), friction);
+    FrictionWorkspace<> workspace = rolling.workspace(), expected_workspace = expected_rolling.workspace();
     Eigen::Index stick_count = 0;
-    FrictionState<double> now = rolling.at_rest(), next = now;
-    FrictionState<double> expected_now = expected_rolling.at_rest(), expected_next = expected_now;
+    FrictionState<> now = rolling.at_rest(), next = now;
+    FrictionState<> expected_now = expected_rolling.at_rest(), expected_next = expected_now;
     for (int step = 0; step < 5; ++step) {
         const auto made = rolling.advance(now, 0.2, 1e-2, next, workspace);
         const auto wanted = expected_rolling.advance(expected_now, 0.2, 1e-2, expected_next, expected_workspace);

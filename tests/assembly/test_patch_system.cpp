@@ -5,7 +5,7 @@
 
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/patch.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
 
 #include "support/catch.hpp"
@@ -85,8 +85,8 @@ TEST_CASE("rectangle_kernel: corners give the integral of point forces") {
     const Influence<double> corner = HalfSpace<double>(0).corner(1, 1);
     CHECK_THAT(4 * corner.xx, WithinRel(8 * std::asinh(1.0) / std::numbers::pi, 1e-15));
     for (const auto& [x, y] : {std::pair{0.0, 1.0}, std::pair{1.0, 0.0}, std::pair{0.0, 0.0}}) {
-        CHECK(kernel.corner(x, y).xx == 0);
-        CHECK(kernel.corner(x, y).yy == 0);
+        CHECK(std::abs(kernel.corner(x, y).xx) < 1e-200);
+        CHECK(std::abs(kernel.corner(x, y).yy) < 1e-200);
     }
     CHECK_THAT(refusal([] { HalfSpace<double>(0.6); }), ContainsSubstring("poisson_ratio = 0.6"));
 }
@@ -225,6 +225,6 @@ TEST_CASE("patch_system: schemes that take no differences are refused") {
     CHECK(refused(Collocation{}).empty());
     CHECK_THAT(refused(Collocation{0.5, 0.5, Derivative::analytic, 1}),
                ContainsSubstring("averages of the scheme for G"));
-    CHECK_THAT(refused(Galerkin{}), ContainsSubstring("a patch takes differences"));
+    CHECK_THAT(refused(Galerkin{}), ContainsSubstring("averages of the scheme for G"));
     CHECK_THAT(refused(KnotheBoundary{}), ContainsSubstring("unknown_count"));
 }

@@ -185,13 +185,13 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
-        const SteadyFrictionModel<double> model(contact, mesh, halves,
+        const SteadyFrictionModel<> model(contact, mesh, halves,
                                                 LayeredKernel(PlaneKernel<double>::longitudinal(contact), L),
                                                 {1, mu_p0 * mean_hertz_pressure(mesh)});
-        const FrictionState<double> rest = model.at_rest();
-        FrictionState<double> state = rest;
-        FrictionWorkspace<double> workspace = model.workspace();
-        const FrictionStep<double> step = model.solve(rest, 2 * (1 - nu) * mu_p0 * delta, state, workspace);
+        const FrictionState<> rest = model.at_rest();
+        FrictionState<> state = rest;
+        FrictionWorkspace<> workspace = model.workspace();
+        const FrictionStep<> step = model.steady(rest, 2 * (1 - nu) * mu_p0 * delta, state, workspace);
         REQUIRE(step.status == StepStatus::ok);
         return -step.force_per_width / (mu_p0 * std::numbers::pi / 2);
     };
@@ -315,16 +315,16 @@ TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]
     const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
     for (const Mesh<double>& mesh : {uniform_mesh<double>(40), cosine_mesh<double>(40)}) {
         const LayeredKernel kernel(PlaneKernel<double>::longitudinal(contact), 0.5);
-        const CoulombFriction<double> friction{1, mu_p0 * mean_hertz_pressure(mesh)};
-        const SteadyFrictionModel<double> steady(contact, mesh, halves, kernel, friction);
-        const FrictionState<double> rest = steady.at_rest();
-        FrictionState<double> rolling = rest;
-        FrictionWorkspace<double> steady_workspace = steady.workspace();
-        const double expected = steady.solve(rest, xi, rolling, steady_workspace).force_per_width;
-        const FrictionModel<double> model(contact, rolling_system(mesh, halves, kernel), unchecked, friction);
-        FrictionWorkspace<double> workspace = model.workspace();
-        FrictionState<double> now = model.at_rest(), next = now;
-        FrictionStep<double> step;
+        const Friction<> friction{1, mu_p0 * mean_hertz_pressure(mesh)};
+        const SteadyFrictionModel<> steady(contact, mesh, halves, kernel, friction);
+        const FrictionState<> rest = steady.at_rest();
+        FrictionState<> rolling = rest;
+        FrictionWorkspace<> steady_workspace = steady.workspace();
+        const double expected = steady.steady(rest, xi, rolling, steady_workspace).force_per_width;
+        const FrictionModel<> model(contact, rolling_system(mesh, halves, kernel), unchecked, friction);
+        FrictionWorkspace<> workspace = model.workspace();
+        FrictionState<> now = model.at_rest(), next = now;
+        FrictionStep<> step;
         for (int k = 0; k < 400; ++k) {
             step = model.advance(now, 1, xi, next, workspace);
             REQUIRE(step.status == StepStatus::ok);

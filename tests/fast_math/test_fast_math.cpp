@@ -54,7 +54,7 @@ struct Fixture {
     Mesh<double> mesh = uniform_mesh(n);
     ArrayX<double> widths = mesh.widths();
     ElementSystem<double> good = rolling_system(mesh, scheme, kernel);
-    CoulombFriction<double> friction{0.3, ArrayX<double>::Ones(n)};
+    Friction<> friction{0.3, ArrayX<double>::Ones(n)};
 };
 
 TEST_CASE_METHOD(Fixture, "Fast math: steady rolling reports what is not finite", "[fast_math]") {
@@ -156,10 +156,10 @@ TEST_CASE_METHOD(Fixture, "Fast math: steps in full adhesion report what is not 
 }
 
 TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fast_math]") {
-    using Model = FrictionModel<double>;
+    using Model = FrictionModel<>;
     for (const double value : {nan, infinity, -infinity}) {
-        CoulombFriction<double> law = friction;
-        law.friction_coefficient = value;
+        Friction<> law = friction;
+        law.law.coefficient = value;
         CHECK_THAT(refusal([&] { Model(contact, good, unchecked, law); }),
                    ContainsSubstring("friction_coefficient = "));
         law = friction;
@@ -167,19 +167,19 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fa
         CHECK_THAT(refusal([&] { Model(contact, good, unchecked, law); }), ContainsSubstring("normal_pressure = "));
     }
     const Model model(contact, good, unchecked, friction);
-    FrictionWorkspace<double> workspace = model.workspace();
-    const SteadyFrictionModel<double> steady(contact, good.G_prime(), widths, friction);
+    FrictionWorkspace<> workspace = model.workspace();
+    const SteadyFrictionModel<> steady(contact, good.G_prime(), widths, friction);
     const Model::State now = model.at_rest(), still = steady.at_rest();
     Model::State next = now, rolling = still;
     CHECK(model.advance(now, 0.1, 0.5, next, workspace).status == StepStatus::ok);
-    CHECK(steady.solve(still, 0.5, rolling, workspace).status == StepStatus::ok);
+    CHECK(steady.steady(still, 0.5, rolling, workspace).status == StepStatus::ok);
     for (const double value : {nan, infinity, -infinity}) {
         CHECK(model.advance(now, value, 0.5, next, workspace).status == StepStatus::invalid_step);
         CHECK(model.advance(now, 0.1, value, next, workspace).status == StepStatus::not_finite);
         CHECK(model.shift(now, value, next, workspace).status == StepStatus::not_finite);
         CHECK(model.steady(now, value, next, workspace).status == StepStatus::not_finite);
-        CHECK(steady.solve(still, value, rolling, workspace).status == StepStatus::not_finite);
-        CHECK(!finite(steady.solve(still, value, rolling, workspace).force_per_width));
+        CHECK(steady.steady(still, value, rolling, workspace).status == StepStatus::not_finite);
+        CHECK(!finite(steady.steady(still, value, rolling, workspace).force_per_width));
         CHECK(solve_stick_border(contact, kernel, 0.3, HertzPressure<double>{}, value).status ==
               StepStatus::not_finite);
     }
@@ -192,40 +192,40 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fa
         CHECK(model.advance(now, 0.1, 0.5, pressed, next, workspace).status == StepStatus::invalid_load);
         CHECK(model.advance(now, 0.1, 0.5, long_one, next, workspace).status == StepStatus::invalid_load);
     }
-    const FrictionStep<double> far = model.advance(now, 1e3, 1e308, next, workspace);
+    const FrictionStep<> far = model.advance(now, 1e3, 1e308, next, workspace);
     CHECK((far.status != StepStatus::ok || finite(far.force_per_width)));
 }
 
 TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is not finite", "[fast_math]") {
-    using Model = CombinedFrictionModel<double>;
+    using Model = FrictionModel<ConstantFriction<>, 2>;
     using Vector = Creepage<double>;
     using Motion = RigidMotion<Vector>;
     const ElementSystem<double> lateral = rolling_system(mesh, scheme, StripKernel<double>::lateral(contact));
     for (const double value : {nan, infinity, -infinity}) {
-        CoulombFriction<double> law = friction;
-        law.friction_coefficient = value;
-        CHECK_THAT(refusal([&] { Model(contact, good, lateral, unchecked, law); }),
+        Friction<> law = friction;
+        law.law.coefficient = value;
+        CHECK_THAT(refusal([&] { Model(contact, {good, lateral}, unchecked, law); }),
                    ContainsSubstring("friction_coefficient = "));
         law = friction;
         law.normal_pressure[2] = value;
-        CHECK_THAT(refusal([&] { Model(contact, good, lateral, unchecked, law); }),
+        CHECK_THAT(refusal([&] { Model(contact, {good, lateral}, unchecked, law); }),
                    ContainsSubstring("normal_pressure = "));
         MatrixX<double> spoilt = lateral.G_prime();
         spoilt(3) = value;
-        CHECK_THAT(refusal([&] { SteadyCombinedModel<double>(contact, good.G_prime(), spoilt, widths, friction); }),
-                   ContainsSubstring("lateral G_prime(3, 0) = "));
+        CHECK_THAT(refusal([&] { SteadyFrictionModel<ConstantFriction<>, 2>(contact, good.G_prime(), spoilt, widths, friction); }),
+                   ContainsSubstring("G_prime_yy(3, 0) = "));
     }
-    const SteadyCombinedModel<double> steady(contact, good.G_prime(), lateral.G_prime(), widths, friction);
+    const SteadyFrictionModel<ConstantFriction<>, 2> steady(contact, good.G_prime(), lateral.G_prime(), widths, friction);
     const NormalLoad<double> load{friction.normal_pressure, contact.half_length(), {}};
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const Model model(contact, good, lateral, unchecked, friction, integrator);
-        CombinedFrictionWorkspace<double> workspace = model.workspace();
+        const Model model(contact, {good, lateral}, unchecked, friction, integrator);
+        FrictionWorkspace<2> workspace = model.workspace();
         const Model::State now = model.at_rest(), still = steady.at_rest();
         Model::State next = now, rolling = still;
         const Vector creepage{0.5, 0.3};
         CHECK(model.advance(now, 0.1, creepage, next, workspace).status == StepStatus::ok);
         CHECK(model.advance(now, 0.1, creepage, load, next, workspace).status == StepStatus::ok);
-        CHECK(steady.solve(still, creepage, rolling, workspace).status == StepStatus::ok);
+        CHECK(steady.steady(still, creepage, rolling, workspace).status == StepStatus::ok);
         for (const double value : {nan, infinity, -infinity}) {
             CHECK(model.advance(now, value, creepage, next, workspace).status == StepStatus::invalid_step);
             for (const Vector& spoilt : {Vector{value, 0.3}, Vector{0.5, value}}) {
@@ -234,13 +234,13 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is
                       StepStatus::not_finite);
                 CHECK(model.shift(now, spoilt, next, workspace).status == StepStatus::not_finite);
                 CHECK(model.steady(now, spoilt, next, workspace).status == StepStatus::not_finite);
-                CHECK(steady.solve(still, spoilt, rolling, workspace).status == StepStatus::not_finite);
-                CHECK(!finite(steady.solve(still, spoilt, rolling, workspace).force_per_width.lateral));
+                CHECK(steady.steady(still, spoilt, rolling, workspace).status == StepStatus::not_finite);
+                CHECK(!finite(steady.steady(still, spoilt, rolling, workspace).force_per_width.lateral));
             }
             for (Eigen::Index k = 0; k < 2 * n; ++k) {
                 Model::State spoilt = now;
                 spoilt.traction(k) = value;
-                const CombinedFrictionStep<double> step = model.advance(spoilt, 0.1, creepage, next, workspace);
+                const FrictionStep<2> step = model.advance(spoilt, 0.1, creepage, next, workspace);
                 CHECK(step.status == StepStatus::not_finite);
                 CHECK(!finite(step.force_per_width.longitudinal));
                 CHECK(!finite(model.elastic_energy(spoilt)));
@@ -260,10 +260,10 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is
             CHECK(model.advance(spoilt, 0.1, creepage, next, workspace).status == StepStatus::invalid_load);
         }
         // tangents that were not requested
-        const LoadedCombinedStep<double> step = model.advance(now, 0.1, creepage, load, next, workspace);
+        const FrictionStep<2> step = model.advance(now, 0.1, creepage, load, next, workspace);
         CHECK(!finite(step.tangent_by_load.longitudinal));
         CHECK(!finite(step.tangent_by_half_length.lateral));
-        const CombinedFrictionStep<double> far = model.advance(now, 1e3, Vector{1e308, 1e308}, next, workspace);
+        const FrictionStep<2> far = model.advance(now, 1e3, Vector{1e308, 1e308}, next, workspace);
         CHECK((far.status != StepStatus::ok ||
                (finite(far.force_per_width.longitudinal) && finite(far.force_per_width.lateral))));
     }

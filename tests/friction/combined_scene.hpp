@@ -17,9 +17,11 @@ constexpr double peak = 1e-3;  // mu p0, with a = G = 1
 constexpr double full_force = peak * std::numbers::pi / 2;
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 
-using State = CombinedFrictionState<double>;
-using Step = CombinedFrictionStep<double>;
-using Workspace = CombinedFrictionWorkspace<double>;
+using State = FrictionState<2>;
+using Step = FrictionStep<2>;
+using Workspace = FrictionWorkspace<2>;
+using Model = FrictionModel<ConstantFriction<>, 2>;
+using SteadyModel = SteadyFrictionModel<ConstantFriction<>, 2>;
 using Motion = RigidMotion<Creepage<double>>;
 
 struct Scene {
@@ -39,9 +41,10 @@ struct Scene {
     }
     ElementSystem<double> along() const { return rolling_system(mesh, scheme, longitudinal); }
     ElementSystem<double> across() const { return rolling_system(mesh, scheme, lateral); }
-    SteadyCombinedModel<double> steady() const { return {contact, mesh, scheme, longitudinal, lateral, friction}; }
-    CombinedFrictionModel<double> transient(Integrator integrator = Integrator::sdirk2) const {
-        return {contact, along(), across(), unchecked, friction, integrator};
+    ElementSystem<double, 2> system() const { return {along(), across()}; }
+    SteadyModel steady() const { return {contact, mesh, scheme, longitudinal, lateral, friction}; }
+    Model transient(Integrator integrator = Integrator::sdirk2) const {
+        return {contact, system(), unchecked, friction, integrator};
     }
 
     double nu;
@@ -49,17 +52,17 @@ struct Scene {
     PlaneKernel<double> longitudinal, lateral;
     Mesh<double> mesh;
     Collocation scheme;
-    CoulombFriction<double> friction;
+    Friction<> friction;
 };
 
 /// The solution from rest, in a new workspace.
-inline Step from_scratch(const SteadyCombinedModel<double>& model, const Creepage<double>& creepage, State& state) {
+inline Step from_scratch(const SteadyModel& model, const Creepage<double>& creepage, State& state) {
     const State rest = model.at_rest();
     state = rest;
     Workspace workspace = model.workspace();
-    return model.solve(rest, creepage, state, workspace);
+    return model.steady(rest, creepage, state, workspace);
 }
-inline Step from_scratch(const SteadyCombinedModel<double>& model, const Creepage<double>& creepage) {
+inline Step from_scratch(const SteadyModel& model, const Creepage<double>& creepage) {
     State state;
     return from_scratch(model, creepage, state);
 }

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/friction/falling.hpp>
+#include <rollbem/friction/friction.hpp>
 
 namespace falling_tests {
 
@@ -41,11 +41,11 @@ Scalar carried(const rollbem::ArrayX<Scalar>& points, const rollbem::ArrayX<Scal
 /// Of a steady solution (`before` null, `way` 1) or of an implicit step by `way` (in a, as imposed slip and slip) from
 /// `before`. `duration` [s] is that of the step, or of the passage of one half-length.
 template <class Scalar, class Law>
-Violation<Scalar> violation(const Law& law, const rollbem::SlipMemory<Scalar>& memory,
+Violation<Scalar> violation(const Law& law, const rollbem::FrictionMemory<Scalar>& memory,
                             const rollbem::ElementSystem<Scalar>& system, Scalar half_length, Scalar shear_modulus,
                             Scalar way, Scalar imposed, Scalar duration,
-                            const rollbem::FallingFrictionState<Scalar>* before,
-                            const rollbem::FallingFrictionState<Scalar>& after) {
+                            const rollbem::FrictionState<1, Scalar>* before,
+                            const rollbem::FrictionState<1, Scalar>& after) {
     using std::abs;
     const Eigen::Index n = after.traction.size();
     const Scalar rounding = 200 * static_cast<Scalar>(n + 10) * std::numeric_limits<Scalar>::epsilon();

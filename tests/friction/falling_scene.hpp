@@ -4,17 +4,17 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/friction/falling.hpp>
+#include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 namespace falling_tests {
 
 using namespace rollbem;
 using Law = ExponentialFall<double>;
-using Memory = SlipMemory<double>;
+using Memory = FrictionMemory<double>;
 using Motion = RigidMotion<double>;
-using State = FallingFrictionState<double>;
-using Step = FrictionStep<double>;
+using State = FrictionState<>;
+using Step = FrictionStep<>;
 
 constexpr double a = 4e-3, shear_modulus = 82e9, poisson_ratio = 0.28, peak_pressure = 495.169e6;  // [m], [Pa]
 constexpr double speed = 45;                                                                       // V [m/s]
@@ -35,10 +35,10 @@ struct Scene {
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 
     ArrayX<double> pressure() const { return peak_pressure * mean_hertz_pressure(mesh); }
-    FallingFriction<Law> friction() const { return {law, {distance, least_velocity}, pressure()}; }
-    SteadyFallingModel<Law> steady() const { return {contact, mesh, scheme, kernel, friction()}; }
+    Friction<Law> friction() const { return {law, pressure(), {distance, least_velocity}}; }
+    SteadyFrictionModel<Law> steady() const { return {contact, mesh, scheme, kernel, friction()}; }
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    FallingFrictionModel<Law> transient(Integrator integrator = Integrator::sdirk2) const {
+    FrictionModel<Law> transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction(), integrator};
     }
 };

@@ -51,13 +51,13 @@ struct LoadScene {
     ElementSystem<double> strip_system() const {
         return rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact));
     }
-    FrictionModel<double> model(Integrator integrator = Integrator::sdirk2) const {
+    FrictionModel<> model(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, law(), integrator};
     }
-    FrictionModel<double> strip_model(Integrator integrator = Integrator::sdirk2) const {
+    FrictionModel<> strip_model(Integrator integrator = Integrator::sdirk2) const {
         return {contact, strip_system(), unchecked, law(), integrator};
     }
-    CoulombFriction<double> law() const { return {mu, hertz.at(full_force).normal_pressure}; }
+    Friction<> law() const { return {mu, hertz.at(full_force).normal_pressure}; }
 };
 
 /// full_force (1 + A sin(2 pi q/L + phase)).

@@ -41,9 +41,9 @@ void write_state(std::ostream& file, const State& state) {
     for (const double p : state.normal_pressure) write(file, p);
     write(file, state.half_length);
     for (const auto zone : state.zones) file << static_cast<int>(zone) << '\n';
-    if constexpr (requires { state.unchanged_steps; }) {
-        file << state.unchanged_steps << '\n';
-        write(file, state.unchanged_distance);
+    if constexpr (requires { state.solver.unchanged_steps; }) {
+        file << state.solver.unchanged_steps << '\n';
+        write(file, state.solver.unchanged_distance);
     }
 }
 // Overwrites a state of the same number of elements.
@@ -58,9 +58,9 @@ void read_state(std::istream& file, State& state) {
         file >> value;
         zone = static_cast<std::remove_reference_t<decltype(zone)>>(value);
     }
-    if constexpr (requires { state.unchanged_steps; }) {
-        file >> state.unchanged_steps;
-        state.unchanged_distance = read(file);
+    if constexpr (requires { state.solver.unchanged_steps; }) {
+        file >> state.solver.unchanged_steps;
+        state.solver.unchanged_distance = read(file);
     }
 }
 
@@ -77,7 +77,7 @@ struct LoadedRide {
                    .poisson_ratio = nu}),
           along(rolling_system(mesh, half, PlaneKernel<double>::longitudinal(contact))),
           one(contact, along, unchecked, {1, load.normal_pressure}, integrator),
-          both(contact, along, rolling_system(mesh, half, PlaneKernel<double>::lateral(contact)), unchecked,
+          both(contact, {along, rolling_system(mesh, half, PlaneKernel<double>::lateral(contact))}, unchecked,
                {1, load.normal_pressure}, integrator) {}
 
     static HertzLine<double> line() {
@@ -91,12 +91,11 @@ struct LoadedRide {
         for (int k = first; k < last; ++k) {
             const double a = load.half_length, dq = (k % 7 == 0 ? 0.4 : 0.1) * a;
             const Creepage<double> xi{creepage(std::sin(0.3 * k)), creepage(0.8 * std::cos(0.2 * k))};
-            FrictionState<double> next = now;
-            CombinedFrictionState<double> both_next = both_now;
+            FrictionState<> next = now;
+            FrictionState<2> both_next = both_now;
             if (k % 4 == 2) {
-                static_cast<FrictionStep<double>&>(result) = one.advance(now, dq, xi.longitudinal, next, workspace);
-                static_cast<CombinedFrictionStep<double>&>(both_result) =
-                    both.advance(both_now, dq, xi, both_next, both_workspace);
+                result = one.advance(now, dq, xi.longitudinal, next, workspace);
+                both_result = both.advance(both_now, dq, xi, both_next, both_workspace);
             } else {
                 hertz.set(full_force * (1 + 0.5 * std::sin(0.1 * k)), load);
                 result = one.advance(now, dq, xi.longitudinal, load, next, workspace);
@@ -138,14 +137,14 @@ struct LoadedRide {
     NormalLoad<double> load;
     Contact<double> contact;
     ElementSystem<double> along;
-    FrictionModel<double> one;
-    CombinedFrictionModel<double> both;
-    FrictionState<double> now = one.at_rest();
-    CombinedFrictionState<double> both_now = both.at_rest();
-    FrictionWorkspace<double> workspace = one.workspace();
-    CombinedFrictionWorkspace<double> both_workspace = both.workspace();
-    LoadedFrictionStep<double> result;
-    LoadedCombinedStep<double> both_result;
+    FrictionModel<> one;
+    FrictionModel<ConstantFriction<>, 2> both;
+    FrictionState<> now = one.at_rest();
+    FrictionState<2> both_now = both.at_rest();
+    FrictionWorkspace<> workspace = one.workspace();
+    FrictionWorkspace<2> both_workspace = both.workspace();
+    FrictionStep<> result;
+    FrictionStep<2> both_result;
 };
 
 // The states of one scene, with friction by both integrators and in full adhesion. An even ride continues at constant
@@ -168,7 +167,7 @@ struct Ride {
                                                : k % 5 == 3 ? RigidMotion<double>::shift(peak * 0.3)
                                                             : RigidMotion<double>(creepage(1.2 * std::sin(0.3 * k)));
             for (int i = 0; i < 2; ++i) {
-                FrictionState<double> next = states[i];
+                FrictionState<> next = states[i];
                 results[i] = models[i].advance(states[i], dq, motion, next, workspaces[i]);
                 std::swap(states[i], next);
             }
@@ -178,19 +177,19 @@ struct Ride {
     }
 
     void save(std::ostream& file) const {
-        for (const FrictionState<double>& state : states) write_state(file, state);
+        for (const FrictionState<>& state : states) write_state(file, state);
         file << sticking.system << '\n';
         write(file, sticking.half_length);
         for (const double p : sticking.traction) write(file, p);
     }
     void load_from(std::istream& file) {
-        for (FrictionState<double>& state : states) read_state(file, state);
+        for (FrictionState<>& state : states) read_state(file, state);
         file >> sticking.system;
         sticking.half_length = read(file);
         for (double& p : sticking.traction) p = read(file);
     }
     void save_results(std::ostream& file) const {
-        for (const FrictionStep<double>& step : results) {
+        for (const FrictionStep<>& step : results) {
             write(file, step.force);
             write(file, step.tangent);
             write(file, step.slip_work_per_width);
@@ -204,17 +203,17 @@ struct Ride {
     }
 
     void require_solved() const {
-        for (const FrictionStep<double>& step : results) {
+        for (const FrictionStep<>& step : results) {
             if (step.status != StepStatus::ok) throw std::runtime_error(name(step.status));
         }
     }
 
     bool even;
-    FrictionModel<double> models[2];
+    FrictionModel<> models[2];
     TransientModel<double> adhesion;
-    FrictionState<double> states[2];
-    FrictionWorkspace<double> workspaces[2];
-    FrictionStep<double> results[2];
+    FrictionState<> states[2];
+    FrictionWorkspace<> workspaces[2];
+    FrictionStep<> results[2];
     TransientState<double> sticking;
     TransientStep<double> result;
 };

@@ -17,7 +17,7 @@ constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 
 /// Creepage [-] by its ratio to that of full sliding in Carter's problem.
 inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
-inline double force_ratio(const FrictionStep<double>& step) { return -step.force_per_width / full_force; }
+inline double force_ratio(const FrictionStep<>& step) { return -step.force_per_width / full_force; }
 
 struct Scene {
     explicit Scene(Mesh<double> mesh_, Collocation scheme_ = half, double mu = 1, double aspect = 1e4)
@@ -28,8 +28,8 @@ struct Scene {
           friction{mu, peak * mean_hertz_pressure(mesh)} {}
 
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    SteadyFrictionModel<double> steady() const { return {contact, mesh, scheme, kernel, friction}; }
-    FrictionModel<double> transient(Integrator integrator = Integrator::sdirk2) const {
+    SteadyFrictionModel<> steady() const { return {contact, mesh, scheme, kernel, friction}; }
+    FrictionModel<> transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction, integrator};
     }
 
@@ -37,15 +37,15 @@ struct Scene {
     PlaneKernel<double> kernel;
     Mesh<double> mesh;
     Collocation scheme;
-    CoulombFriction<double> friction;
+    Friction<> friction;
 };
 
 /// The solution from rest, in a new workspace.
-inline FrictionStep<double> from_scratch(const SteadyFrictionModel<double>& model, double xi) {
-    const FrictionState<double> rest = model.at_rest();
-    FrictionState<double> state = rest;
-    FrictionWorkspace<double> workspace = model.workspace();
-    return model.solve(rest, xi, state, workspace);
+inline FrictionStep<> from_scratch(const SteadyFrictionModel<>& model, double xi) {
+    const FrictionState<> rest = model.at_rest();
+    FrictionState<> state = rest;
+    FrictionWorkspace<> workspace = model.workspace();
+    return model.steady(rest, xi, state, workspace);
 }
 
 }  // namespace friction_tests

@@ -1,4 +1,4 @@
-// rollbem/friction/combined_transient.hpp: steps under a varying load
+// rollbem/friction/transient.hpp: steps under a varying load
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,14 +40,14 @@ TEST_CASE("Motion in one direction under a varying load agrees with the model of
     for (const bool breathes : {true, false}) {
         const Scene scene(breathes ? cosine_mesh<double>(30) : uniform_mesh<double>(30));
         for (const Integrator integrator : integrators) {
-            const CombinedFrictionModel<double> model = scene.transient(integrator);
+            const Model model = scene.transient(integrator);
             for (const bool lateral : {false, true}) {
-                const FrictionModel<double> one(scene.contact, lateral ? scene.across() : scene.along(), unchecked,
+                const FrictionModel<> one(scene.contact, lateral ? scene.across() : scene.along(), unchecked,
                                                 scene.friction, integrator);
                 State now = model.at_rest(), next = now;
                 Workspace workspace = model.workspace();
-                FrictionState<double> own = one.at_rest(), own_next = own;
-                FrictionWorkspace<double> own_workspace = one.workspace();
+                FrictionState<> own = one.at_rest(), own_next = own;
+                FrictionWorkspace<> own_workspace = one.workspace();
                 for (int k = 0; k < 60; ++k) {
                     const double a = half_length(0.3 * k), size = 1e-3 * std::sin(0.2 * k);
                     const NormalLoad<double> load = breathes ? breathing(scene, a) : fixed(scene, 0.7 * a);
@@ -78,12 +78,12 @@ TEST_CASE("Motion in one direction under a varying load agrees with the model of
 TEST_CASE("With Poisson's ratio zero, rotating the creepage under a varying load rotates the force", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), 0);
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
-        const FrictionModel<double> one(scene.contact, scene.along(), unchecked, scene.friction, integrator);
+        const Model model = scene.transient(integrator);
+        const FrictionModel<> one(scene.contact, scene.along(), unchecked, scene.friction, integrator);
         State now = model.at_rest(), next = now;
         Workspace workspace = model.workspace();
-        FrictionState<double> own = one.at_rest(), own_next = own;
-        FrictionWorkspace<double> own_workspace = one.workspace();
+        FrictionState<> own = one.at_rest(), own_next = own;
+        FrictionWorkspace<> own_workspace = one.workspace();
         for (int k = 0; k < 50; ++k) {
             const NormalLoad<double> load = breathing(scene, half_length(0.3 * k));
             const Creepage<double> creepage = scene.creepage(0.6, 25);
@@ -105,7 +105,7 @@ TEST_CASE("The tangents by load, half-length and creepages are derivatives of bo
     for (const bool breathes : {true, false}) {
         const Scene scene(breathes ? cosine_mesh<double>(20) : uniform_mesh<double>(24));
         for (const Integrator integrator : integrators) {
-            const CombinedFrictionModel<double> model = scene.transient(integrator);
+            const Model model = scene.transient(integrator);
             State now = model.at_rest(), next = now, unused = now;
             Workspace workspace = model.workspace();
             for (int k = 0; k < 40; ++k) {
@@ -153,7 +153,7 @@ TEST_CASE("The tangents by load, half-length and creepages are derivatives of bo
 TEST_CASE("A constant load gives the same steps in two directions as no load", "[friction]") {
     const Scene scene(cosine_mesh<double>(16));
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
+        const Model model = scene.transient(integrator);
         State now = model.at_rest(), next = now, loaded = now, loaded_next = now;
         Workspace workspace = model.workspace(), other = workspace;
         const NormalLoad<double> load{scene.friction.normal_pressure, 1, {}};
@@ -175,7 +175,7 @@ TEST_CASE("A checkpoint and a new workspace continue bit for bit under a varying
     for (const bool breathes : {true, false}) {
         const Scene scene(breathes ? cosine_mesh<double>(18) : uniform_mesh<double>(18));
         for (const Integrator integrator : integrators) {
-            const CombinedFrictionModel<double> model = scene.transient(integrator);
+            const Model model = scene.transient(integrator);
             State now = model.at_rest(), next = now, copy = now;
             Workspace used = model.workspace();
             for (int k = 0; k < 50; ++k) {
@@ -216,7 +216,7 @@ TEST_CASE("A checkpoint and a new workspace continue bit for bit under a varying
 TEST_CASE("Newton's method for creepage and load together converges quadratically", "[friction]") {
     // The load per width P is an unknown: a ~ sqrt(P), pressures ~ a. Both forces at the end of a step are prescribed.
     const Scene scene(cosine_mesh<double>(24));
-    const CombinedFrictionModel<double> model = scene.transient();
+    const Model model = scene.transient();
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     model.steady(model.at_rest(), scene.creepage(0.6, 30), now, workspace);
@@ -257,7 +257,7 @@ TEST_CASE("Newton's method for creepage and load together converges quadraticall
 
 TEST_CASE("A slowly varying load leads to steady rolling under each load", "[friction]") {
     const Scene scene(cosine_mesh<double>(16), 0.28, half, 10);
-    const CombinedFrictionModel<double> model = scene.transient();
+    const Model model = scene.transient();
     Workspace workspace = model.workspace();
     const Creepage<double> creepage = scene.creepage(0.5, 40);
     double before = 1;
@@ -288,7 +288,7 @@ TEST_CASE("The heat by slip and by the elastic energy agree under a varying load
     double before = 1;
     for (const Eigen::Index n : {20, 40, 80}) {
         const Scene scene(cosine_mesh<double>(n));
-        const CombinedFrictionModel<double> model = scene.transient();
+        const Model model = scene.transient();
         Workspace workspace = model.workspace();
         const Creepage<double> creepage = scene.creepage(0.5, 40);
         State now = model.at_rest(), next = now;
@@ -321,7 +321,7 @@ TEST_CASE("The heat by slip and by the elastic energy agree under a varying load
 TEST_CASE("Lift-off and touch-down in two directions are ordinary steps", "[friction]") {
     const Scene scene(uniform_mesh<double>(30));
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
+        const Model model = scene.transient(integrator);
         Workspace workspace = model.workspace();
         State now = model.at_rest(), next = now;
         for (int k = 0; k < 120; ++k) {
@@ -351,16 +351,16 @@ TEST_CASE("Lift-off and touch-down in two directions are ordinary steps", "[fric
 
 TEST_CASE("Invalid loads are reported by the status in two directions", "[friction]") {
     const Scene scene(cosine_mesh<double>(8));
-    const CombinedFrictionModel<double> model = scene.transient();
+    const Model model = scene.transient();
     const auto strip = [&](bool lateral) {
         return rolling_system(
             scene.mesh, scene.scheme,
             lateral ? StripKernel<double>::lateral(scene.contact) : StripKernel<double>::longitudinal(scene.contact));
     };
-    const CombinedFrictionModel<double> stiff(scene.contact, strip(false), strip(true), unchecked, scene.friction);
+    const Model stiff(scene.contact, {strip(false), strip(true)}, unchecked, scene.friction);
     Workspace workspace = model.workspace();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto status = [&](const CombinedFrictionModel<double>& which, const NormalLoad<double>& load, double dq) {
+    const auto status = [&](const Model& which, const NormalLoad<double>& load, double dq) {
         const State rest = which.at_rest();
         State next = rest;
         const Motion motion = dq == 0 ? Motion::shift({1e-4, 0}) : Motion(scene.creepage(0.5, 30));

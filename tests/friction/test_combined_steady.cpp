@@ -1,4 +1,4 @@
-// rollbem/friction/combined_steady.hpp
+// rollbem/friction/steady.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ namespace {
 using namespace combined_tests;
 
 TEST_CASE("Steady forces under both creepages agree with two other programs", "[friction]") {
-    const SteadyCombinedModel<double> model = Scene(cosine_mesh<double>(160)).steady();
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = Scene(cosine_mesh<double>(160)).steady();
     struct Point {
         double ratio, degrees, longitudinal, lateral;
     };
@@ -50,7 +50,7 @@ TEST_CASE("Steady forces under both creepages agree with two other programs", "[
         for (Eigen::Index i = 0; i < 160; ++i) {
             const double x = state.traction(i, 0), y = state.traction(i, 1), bound = scene.friction.normal_pressure[i];
             REQUIRE(std::hypot(x, y) <= bound * (1 + 1e-13));
-            if (state.zones[static_cast<std::size_t>(i)] == CombinedZone::stick) {
+            if (state.zones[static_cast<std::size_t>(i)] == Zone::stick) {
                 REQUIRE(std::hypot(u[i], v[i]) < 1e-11 * peak);
             } else {
                 REQUIRE(std::hypot(x, y) == Approx(bound).epsilon(1e-13));
@@ -63,14 +63,14 @@ TEST_CASE("Steady forces under both creepages agree with two other programs", "[
 
 TEST_CASE("With Poisson's ratio zero, the solution is that of one direction, along the creepage", "[friction]") {
     const Scene scene(cosine_mesh<double>(60), 0);
-    const SteadyCombinedModel<double> model = scene.steady();
-    const SteadyFrictionModel<double> one(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.friction);
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
+    const SteadyFrictionModel<> one(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.friction);
     State state;
     for (const double ratio : {0.1, 0.35, 0.5, 0.8, 0.97, 1.0, 1.1}) {
-        const FrictionState<double> rest = one.at_rest();
-        FrictionState<double> along = rest;
-        FrictionWorkspace<double> workspace = one.workspace();
-        const FrictionStep<double> expected = one.solve(rest, 2 * peak * ratio, along, workspace);
+        const FrictionState<> rest = one.at_rest();
+        FrictionState<> along = rest;
+        FrictionWorkspace<> workspace = one.workspace();
+        const FrictionStep<> expected = one.steady(rest, 2 * peak * ratio, along, workspace);
         for (const double degrees : {0.0, 17.0, 45.0, 90.0, 133.0, 180.0, 251.0, 330.0}) {
             const Step step = from_scratch(model, scene.creepage(ratio, degrees), state);
             CAPTURE(ratio, degrees);
@@ -99,12 +99,12 @@ TEST_CASE("With Poisson's ratio zero, the solution is that of one direction, alo
 TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction]") {
     const Contact<double> contact = Contact<double>::dimensionless(2, 0.28);
     const Mesh<double> mesh = cosine_mesh(20);
-    const CoulombFriction<double> grip{1e6, ArrayX<double>::Ones(20)};
-    const SteadyCombinedModel<double> model(contact, mesh, Collocation{}, StripKernel<double>::longitudinal(contact),
+    const Friction<> grip{1e6, ArrayX<double>::Ones(20)};
+    const SteadyFrictionModel<ConstantFriction<>, 2> model(contact, mesh, Collocation{}, StripKernel<double>::longitudinal(contact),
                                             StripKernel<double>::lateral(contact), grip);
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = model.at_rest();
-    const auto step = model.solve(now, {.longitudinal = 1e-3, .lateral = 2e-3}, next, workspace);
+    const auto step = model.steady(now, {.longitudinal = 1e-3, .lateral = 2e-3}, next, workspace);
     REQUIRE(step.status == StepStatus::ok);
     const auto across = solve_steady_lateral(contact, mesh, Collocation{}, 2e-3);
     CHECK(std::abs(step.force_per_width.lateral / across.force_per_width - 1) < 1e-12);
@@ -115,18 +115,18 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
 
 TEST_CASE("Steady rolling with creepage in one direction agrees with the model of that direction", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyCombinedModel<double> model = scene.steady();
-    const SteadyFrictionModel<double> along(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
+    const SteadyFrictionModel<> along(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
                                             scene.friction);
-    const SteadyFrictionModel<double> across(scene.contact, scene.mesh, scene.scheme, scene.lateral, scene.friction);
+    const SteadyFrictionModel<> across(scene.contact, scene.mesh, scene.scheme, scene.lateral, scene.friction);
     for (const double ratio : {-0.7, -0.2, 0.05, 0.5, 0.9, 1.0, 1.3}) {
         for (const bool lateral : {false, true}) {
-            const SteadyFrictionModel<double>& one = lateral ? across : along;
+            const SteadyFrictionModel<>& one = lateral ? across : along;
             const double size = 2 * (1 - scene.nu) * peak * ratio;
-            const FrictionState<double> rest = one.at_rest();
-            FrictionState<double> expected_state = rest;
-            FrictionWorkspace<double> workspace = one.workspace();
-            const FrictionStep<double> expected = one.solve(rest, size, expected_state, workspace);
+            const FrictionState<> rest = one.at_rest();
+            FrictionState<> expected_state = rest;
+            FrictionWorkspace<> workspace = one.workspace();
+            const FrictionStep<> expected = one.steady(rest, size, expected_state, workspace);
             const Step step = from_scratch(model, lateral ? Creepage<double>{0, size} : Creepage<double>{size, 0});
             CAPTURE(ratio, lateral);
             const TangentialForce<double>& force = step.force_per_width;
@@ -143,8 +143,8 @@ TEST_CASE("Steady rolling with creepage in one direction agrees with the model o
 
 TEST_CASE("Exchanging kernels and creepages exchanges the forces", "[friction]") {
     const Scene scene(cosine_mesh<double>(24));
-    const SteadyCombinedModel<double> model = scene.steady();
-    const SteadyCombinedModel<double> swapped(scene.contact, scene.mesh, scene.scheme, scene.lateral,
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
+    const SteadyFrictionModel<ConstantFriction<>, 2> swapped(scene.contact, scene.mesh, scene.scheme, scene.lateral,
                                               scene.longitudinal, scene.friction);
     for (const double ratio : {0.2, 0.6, 0.95, 1.05, 4.0}) {
         for (const double degrees : {10.0, 45.0, 77.0, 120.0}) {
@@ -167,7 +167,7 @@ TEST_CASE("Exchanging kernels and creepages exchanges the forces", "[friction]")
 
 TEST_CASE("The whole contact slips at large creepage, and the force tends to oppose it", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyCombinedModel<double> model = scene.steady();
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     for (const double degrees : {20.0, 45.0, 70.0}) {
         double before = 1;
         for (const double ratio : {1.5, 5.0, 50.0, 5e3, 5e5}) {
@@ -187,7 +187,7 @@ TEST_CASE("The whole contact slips at large creepage, and the force tends to opp
 
 TEST_CASE("The steady tangent is the derivative of the force by both creepages", "[friction]") {
     const Scene scene(cosine_mesh<double>(30));
-    const SteadyCombinedModel<double> model = scene.steady();
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     Workspace workspace = model.workspace();
     for (const double ratio : {0.15, 0.5, 0.85, 1.1, 2.0}) {
         for (const double degrees : {5.0, 30.0, 60.0, 88.0}) {
@@ -196,7 +196,7 @@ TEST_CASE("The steady tangent is the derivative of the force by both creepages",
             const Step step = from_scratch(model, at, state);
             const double e = 1e-6 * peak;
             const auto force = [&](double dx, double dy) {
-                return model.solve(state, {at.longitudinal + dx, at.lateral + dy}, unused, workspace).force_per_width;
+                return model.steady(state, {at.longitudinal + dx, at.lateral + dy}, unused, workspace).force_per_width;
             };
             const CreepageTangent<double>& tangent = step.tangent_per_width;
             CAPTURE(ratio, degrees);
@@ -220,7 +220,7 @@ TEST_CASE("Schemes for which the search is difficult are solved", "[friction]") 
             for (const Eigen::Index n : {3, 20, 40}) {
                 const Scene scene(cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n), 0.28,
                                   {.alpha_L = 0, .alpha_T = alpha_T});
-                const SteadyCombinedModel<double> model = scene.steady();
+                const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
                 for (int degrees = 0; degrees <= 90; degrees += 15) {
                     for (int tenths = 1; tenths <= 11; ++tenths) {
                         const Step step = from_scratch(model, scene.creepage(0.1 * tenths, degrees));
@@ -255,7 +255,7 @@ TEST_CASE("Slip work equals the power lost by the rigid bodies to second order",
 TEST_CASE("Few elements, no friction and elements without pressure are solved", "[friction]") {
     for (const Eigen::Index n : {1, 2, 3}) {
         const Scene scene(uniform_mesh<double>(n));
-        const SteadyCombinedModel<double> model = scene.steady();
+        const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
         for (const double ratio : {0.0, 0.1, 0.4, 3.0}) {
             const Step step = from_scratch(model, scene.creepage(ratio, 33));
             CAPTURE(n, ratio);
@@ -264,7 +264,7 @@ TEST_CASE("Few elements, no friction and elements without pressure are solved", 
         }
     }
     const Scene scene(cosine_mesh<double>(12));
-    const SteadyCombinedModel<double> smooth(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
+    const SteadyFrictionModel<ConstantFriction<>, 2> smooth(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
                                              {0, scene.friction.normal_pressure});
     State state;
     const Step free = from_scratch(smooth, scene.creepage(0.5, 45), state);
@@ -274,9 +274,9 @@ TEST_CASE("Few elements, no friction and elements without pressure are solved", 
     CHECK(free.slip_work_per_width == 0);
     CHECK(free.tangent_per_width.by_lateral.lateral == 0);
     // a hole in the contact
-    CoulombFriction<double> holed = scene.friction;
+    Friction<> holed = scene.friction;
     holed.normal_pressure.segment(4, 3).setZero();
-    const SteadyCombinedModel<double> torn(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
+    const SteadyFrictionModel<ConstantFriction<>, 2> torn(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
                                            holed);
     const Step step = from_scratch(torn, scene.creepage(0.4, 45), state);
     CHECK(step.status == StepStatus::ok);
@@ -286,28 +286,28 @@ TEST_CASE("Few elements, no friction and elements without pressure are solved", 
 
 TEST_CASE("Invalid input to steady rolling in two directions is rejected or reported by the status", "[friction]") {
     const Scene scene(cosine_mesh<double>(8));
-    const SteadyCombinedModel<double> model = scene.steady();
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     const MatrixX<double> G_prime = assemble_G_prime(scene.mesh, scene.scheme, scene.longitudinal);
     const ArrayX<double> widths = scene.mesh.widths();
     const auto build = [&](const MatrixX<double>& x, const MatrixX<double>& y, const ArrayX<double>& w) {
-        return refusal([&] { SteadyCombinedModel<double>(scene.contact, x, y, w, scene.friction); });
+        return refusal([&] { SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, x, y, w, scene.friction); });
     };
     CHECK(build(G_prime, G_prime, widths) == "");
     CHECK(build(G_prime, G_prime.topRows(7), widths) ==
-          "SteadyCombinedModel: number of rows of lateral G_prime = 7 must equal the number of widths");
+          "SteadyFrictionModel: number of rows of G_prime_yy = 7 must equal the number of elements");
     CHECK(build(G_prime.leftCols(7), G_prime, widths) ==
-          "SteadyCombinedModel: number of columns of longitudinal G_prime = 7 must equal the number of widths");
+          "SteadyFrictionModel: number of columns of G_prime_xx = 7 must equal the number of elements");
     MatrixX<double> broken = G_prime;
     broken(2, 3) = std::numeric_limits<double>::quiet_NaN();
     CHECK(build(G_prime, broken, widths) ==
-          "SteadyCombinedModel: lateral G_prime(2, 3) = nan must be finite (row and column counted from 0)");
+          "SteadyFrictionModel: G_prime_yy(2, 3) = nan must be finite (row and column counted from 0)");
     CHECK(build(G_prime, G_prime, -widths) != "");
     CHECK(refusal([&] {
-              SteadyCombinedModel<double>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
+              SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
                                           {-1, scene.friction.normal_pressure});
-          }) == "SteadyCombinedModel: friction_coefficient = -1 must be finite and not negative");
+          }) == "SteadyFrictionModel: friction_coefficient = -1 must be finite and not negative");
     CHECK(refusal([&] {
-              SteadyCombinedModel<double>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
+              SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
                                           PlaneKernel<double>(10, 1, -0.28), scene.friction);
           }) != "");
 
@@ -315,10 +315,10 @@ TEST_CASE("Invalid input to steady rolling in two directions is rejected or repo
     State next = rest;
     Workspace workspace = model.workspace(), small(7);
     const Creepage<double> creepage = scene.creepage(0.3, 20);
-    CHECK(model.solve(rest, creepage, next, workspace).status == StepStatus::ok);
+    CHECK(model.steady(rest, creepage, next, workspace).status == StepStatus::ok);
     const State before = next;
     const auto refused = [&](const State& from, const Creepage<double>& at, Workspace& scratch) {
-        const Step step = model.solve(from, at, next, scratch);
+        const Step step = model.steady(from, at, next, scratch);
         CHECK(std::isnan(step.force_per_width.longitudinal));
         CHECK(std::isnan(step.tangent.by_lateral.lateral));
         CHECK(next.traction == before.traction);
@@ -340,7 +340,7 @@ TEST_CASE("Invalid input to steady rolling in two directions is rejected or repo
     CHECK(refused(other, creepage, workspace) == StepStatus::invalid_load);
     CHECK(refused(rest, {std::numeric_limits<double>::quiet_NaN(), 0}, workspace) == StepStatus::not_finite);
     CHECK(refused(rest, {0, std::numeric_limits<double>::infinity()}, workspace) == StepStatus::not_finite);
-    const Step huge = model.solve(rest, {1e300, -1e300}, next, workspace);
+    const Step huge = model.steady(rest, {1e300, -1e300}, next, workspace);
     CHECK(huge.status == StepStatus::ok);
     CHECK(ratios(huge).longitudinal == Approx(std::sqrt(0.5)));
     CHECK(ratios(huge).lateral == Approx(-std::sqrt(0.5)));

@@ -1,4 +1,4 @@
-// rollbem/friction/combined_transient.hpp: steps under the load of the state
+// rollbem/friction/transient.hpp: steps under the load of the state
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +8,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+#include <rollbem/compiled/stability.hpp>
 
 #include "friction/combined_scene.hpp"
 #include "support/catch.hpp"
@@ -22,7 +24,7 @@ constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sd
 TEST_CASE("Rolling at constant creepages tends to the steady solution on the same mesh", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), 0.28, half, 10);
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
+        const Model model = scene.transient(integrator);
         Workspace workspace = model.workspace();
         for (const double degrees : {15.0, 60.0}) {
             for (const double ratio : {0.3, 0.8, 1.2}) {
@@ -47,14 +49,14 @@ TEST_CASE("Rolling at constant creepages tends to the steady solution on the sam
 TEST_CASE("Motion in one direction agrees with the model of that direction", "[friction]") {
     const Scene scene(cosine_mesh<double>(30), 0.28, half, 20);
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
+        const Model model = scene.transient(integrator);
         for (const bool lateral : {false, true}) {
-            const FrictionModel<double> one(scene.contact, lateral ? scene.across() : scene.along(), unchecked,
+            const FrictionModel<> one(scene.contact, lateral ? scene.across() : scene.along(), unchecked,
                                             scene.friction, integrator);
             State now = model.at_rest(), next = now;
             Workspace workspace = model.workspace();
-            FrictionState<double> own = one.at_rest(), own_next = own;
-            FrictionWorkspace<double> own_workspace = one.workspace();
+            FrictionState<> own = one.at_rest(), own_next = own;
+            FrictionWorkspace<> own_workspace = one.workspace();
             const auto vector = [&](double value) {
                 return lateral ? Creepage<double>{0, value} : Creepage<double>{value, 0};
             };
@@ -69,7 +71,7 @@ TEST_CASE("Motion in one direction agrees with the model of that direction", "[f
                                         : linear ? RigidMotion<double>::linear(start, end)
                                                  : RigidMotion<double>(end);
                 const Step step = model.advance(now, dq, motion, next, workspace);
-                const FrictionStep<double> expected = one.advance(own, dq, own_motion, own_next, own_workspace);
+                const FrictionStep<> expected = one.advance(own, dq, own_motion, own_next, own_workspace);
                 const TangentialForce<double>& force = step.force_per_width;
                 const CreepageTangent<double>& tangent = step.tangent_per_width;
                 CAPTURE(lateral, k);
@@ -93,7 +95,7 @@ TEST_CASE("Motion in one direction agrees with the model of that direction", "[f
 TEST_CASE("With Poisson's ratio zero, rotating the creepage rotates the force", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), 0);
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
+        const Model model = scene.transient(integrator);
         State now = model.at_rest(), next = now, turned = now, turned_next = now;
         Workspace workspace = model.workspace(), turned_workspace = workspace;
         const double cosine = std::cos(1.1), sine = std::sin(1.1);
@@ -118,7 +120,7 @@ TEST_CASE("With Poisson's ratio zero, rotating the creepage rotates the force", 
 TEST_CASE("The tangents of a step are derivatives by the final creepages or by the shifts", "[friction]") {
     const Scene scene(cosine_mesh<double>(20));
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> model = scene.transient(integrator);
+        const Model model = scene.transient(integrator);
         Workspace workspace = model.workspace();
         State now = model.at_rest(), next = now, unused = now;
         int mixed = 0;
@@ -160,7 +162,7 @@ TEST_CASE("The tangents of a step are derivatives by the final creepages or by t
 
 // Error of the tractions at q = 2 under a creepage that grows and turns: the sum over the elements, over mu p0.
 double error_at_end(const Scene& scene, Integrator integrator, int steps, const State& reference) {
-    const CombinedFrictionModel<double> model = scene.transient(integrator);
+    const Model model = scene.transient(integrator);
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 2.0 / steps;
@@ -174,7 +176,7 @@ double error_at_end(const Scene& scene, Integrator integrator, int steps, const 
 
 TEST_CASE("Steps in two directions converge at second order with sdirk2, first with implicit Euler", "[friction]") {
     const Scene scene(cosine_mesh<double>(10), 0.28, half, 10);
-    const CombinedFrictionModel<double> model = scene.transient();
+    const Model model = scene.transient();
     Workspace workspace = model.workspace();
     State reference = model.at_rest(), next = reference;
     const int many = 20000;
@@ -224,7 +226,7 @@ TEST_CASE("A used workspace gives the same results as a new one in two direction
     for (const Eigen::Index n : {3, 8, 21}) {
         for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
             const Scene scene(cosine_mesh<double>(n), 0.28, scheme, 10), other(uniform_mesh<double>(n), 0.5, half, 4);
-            const std::vector<CombinedFrictionModel<double>> models{
+            const std::vector<Model> models{
                 scene.transient(), scene.transient(Integrator::implicit_euler), other.transient()};
             std::vector<State> now;
             for (const auto& model : models) now.push_back(model.at_rest());
@@ -232,7 +234,7 @@ TEST_CASE("A used workspace gives the same results as a new one in two direction
             Workspace used = models[0].workspace();
             for (int k = 0; k < 150; ++k) {
                 const std::size_t who = static_cast<std::size_t>(integer(3));
-                const CombinedFrictionModel<double>& model = models[who];
+                const Model& model = models[who];
                 constexpr double lengths[] = {0.05, 0.1, 0.1 * (1 + 1e-9), 0.1 * (1 - 0.7071067811865475), 1,
                                               1e-9, 1e6};
                 const double dq = lengths[integer(7)];
@@ -269,30 +271,38 @@ TEST_CASE("Invalid input to a step in two directions is rejected or reported by 
     const auto build = [&](const ElementSystem<double>& x, const ElementSystem<double>& y,
                            Integrator integrator = Integrator::sdirk2) {
         return refusal(
-            [&] { CombinedFrictionModel<double>(scene.contact, x, y, unchecked, scene.friction, integrator); });
+            [&] { Model(scene.contact, {x, y}, unchecked, scene.friction, integrator); });
     };
     CHECK(build(along, across) == "");
     CHECK(build(along, across, Integrator::matrix_exponential) ==
-          "CombinedFrictionModel: integrator = matrix_exponential must be implicit_euler or sdirk2");
+          "FrictionModel: integrator = matrix_exponential must be implicit_euler or sdirk2");
     CHECK(
         build(along, Scene(cosine_mesh<double>(7), 0.28, half, 10).across()) ==
-        "CombinedFrictionModel: number of unknowns of the lateral system = 7 must equal that of the longitudinal one");
+        "ElementSystem: number of lateral elements = 7 must equal the number of longitudinal ones");
     CHECK(build(along, Scene(uniform_mesh<double>(8), 0.28, half, 10).across())
-              .find("CombinedFrictionModel: width of a lateral element over that of the longitudinal one = ") == 0);
+              .find("ElementSystem: width of a lateral element over that of the longitudinal one = ") == 0);
     CHECK(build(along, Scene(scene.mesh, 0.28, half, 11).across())
-              .find("CombinedFrictionModel: b/a of the kernel over that of the contact") == 0);
-    const StabilityVerdict settled{.n = 8, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
+              .find("ElementSystem: b/a of the lateral kernel = 11 must be") == 0);
+    const StabilityVerdict settled{.n = 16, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
     StabilityVerdict grows = settled;
     grows.unstable_count = 1;
-    const auto judged = [&](const StabilityVerdict& x, const StabilityVerdict& y) {
-        return refusal([&] { CombinedFrictionModel<double>(scene.contact, along, x, across, y, scene.friction); });
+    const auto judged = [&](const StabilityVerdict& verdict) {
+        return refusal([&] { Model(scene.contact, {along, across}, verdict, scene.friction); });
     };
-    CHECK(judged(settled, settled) == "");
-    CHECK(judged(settled, grows) ==
-          "CombinedFrictionModel: unstable_count = 1 must be 0: a mode of the scheme grows without bound");
-    CHECK(judged(grows, settled) == judged(settled, grows));
+    CHECK(judged(settled) == "");
+    CHECK(judged(grows) == "FrictionModel: unstable_count = 1 must be 0: a mode of the scheme grows without bound");
+    // one direction of two that grows
+    const ElementSystem<double> central = Scene(scene.mesh, 0.28, {.alpha_L = 0, .alpha_T = 0}, 10).across();
+    for (const ElementSystem<double, 2>& pair : {ElementSystem(along, central), ElementSystem(central, along)}) {
+        const StabilityVerdict verdict = judge_stability(pair);
+        CHECK(verdict.n == 16);
+        CHECK(verdict.uncertain_count == judge_stability(central).uncertain_count);
+        CHECK_FALSE(verdict.stable());
+        CHECK(refusal([&] { Model(scene.contact, pair, settled, scene.friction); })
+                  .find("FrictionModel: share of steady traction that assists the creepage = ") == 0);
+    }
 
-    const CombinedFrictionModel<double> model = scene.transient();
+    const Model model = scene.transient();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Creepage<double> creepage = scene.creepage(0.5, 30);
     State now = model.at_rest(), next = now;
@@ -318,7 +328,7 @@ TEST_CASE("Invalid input to a step in two directions is rejected or reported by 
     CHECK(status(other, 0.1, creepage) == StepStatus::wrong_state);
     // pressures of another model
     other =
-        CombinedFrictionModel<double>(scene.contact, along, across, unchecked, {1, 2 * scene.friction.normal_pressure})
+        Model(scene.contact, {along, across}, unchecked, {1, 2 * scene.friction.normal_pressure})
             .at_rest();
     CHECK(status(other, 0.1, creepage) == StepStatus::wrong_state);
     // a result that overflows: `to` is `from` again
@@ -327,7 +337,7 @@ TEST_CASE("Invalid input to a step in two directions is rejected or reported by 
     CHECK(lost.status != StepStatus::ok);
     CHECK(same_bits(next, now));
     for (const Integrator integrator : integrators) {
-        const CombinedFrictionModel<double> own = scene.transient(integrator);
+        const Model own = scene.transient(integrator);
         for (Eigen::Index k = 0; k < 2 * own.size(); ++k) {
             State spoilt = own.at_rest();
             spoilt.traction(k % own.size(), k / own.size()) = nan;

@@ -28,8 +28,8 @@ TEST_CASE("The elastic energy of full sliding converges to the exact one", "[fri
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n), half, 1, 50);
-        const FrictionModel<double> model = scene.transient();
-        FrictionState<double> state = model.at_rest();
+        const FrictionModel<> model = scene.transient();
+        FrictionState<> state = model.at_rest();
         CHECK(model.elastic_energy(state) == 0);
         state.traction = -peak * mean_hertz_pressure(scene.mesh).matrix();
         const double energy = model.elastic_energy_per_width(state);
@@ -45,8 +45,8 @@ TEST_CASE("The elastic energy of full sliding converges to the exact one", "[fri
 TEST_CASE("The elastic energy follows the half-length, and scales in SI units", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(160);
     const Scene scene(mesh, half, 1, 50);
-    const FrictionModel<double> model = scene.transient();
-    FrictionState<double> state = model.at_rest();
+    const FrictionModel<> model = scene.transient();
+    FrictionState<> state = model.at_rest();
     state.traction = -peak * mean_hertz_pressure(mesh).matrix();
     for (const double half_length : {0.7, 1.0, 1.3}) {
         state.half_length = half_length;
@@ -57,8 +57,8 @@ TEST_CASE("The elastic energy follows the half-length, and scales in SI units", 
     // SI units
     const double a = 6e-3, G = 8e10;
     const Contact<double> contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
-    const FrictionModel<double> in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
-    FrictionState<double> loaded = in_si.at_rest();
+    const FrictionModel<> in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
+    FrictionState<> loaded = in_si.at_rest();
     loaded.traction = G * state.traction;
     loaded.half_length = a * state.half_length;
     CHECK(in_si.elastic_energy_per_width(loaded) ==
@@ -67,7 +67,7 @@ TEST_CASE("The elastic energy follows the half-length, and scales in SI units", 
 
     // a strip has a single half-length
     const auto strip = rolling_system(mesh, half, StripKernel<double>::longitudinal(scene.contact));
-    const FrictionModel<double> rigid(scene.contact, strip, unchecked, scene.friction);
+    const FrictionModel<> rigid(scene.contact, strip, unchecked, scene.friction);
     CHECK(std::isnan(rigid.elastic_energy(state)));
     state.half_length = 1;
     CHECK(rigid.elastic_energy(state) > 0);
@@ -83,16 +83,16 @@ struct Balance {
 template <class Scheme>
 Balance roll(const Mesh<double>& mesh, const Scheme& scheme, Integrator integrator, int steps) {
     const Scene scene(mesh, half, 1, 50);
-    const FrictionModel<double> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked,
+    const FrictionModel<> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked,
                                       scene.friction, integrator);
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
     const double dq = 4.0 / steps;
     const auto xi = [&](int k) { return creepage(1.5 * std::sin(dq * k)); };
     Balance balance;
     double force = 0;
     for (int k = 0; k < steps; ++k) {
-        const FrictionStep<double> step =
+        const FrictionStep<> step =
             model.advance(now, dq, RigidMotion<double>::linear(xi(k), xi(k + 1)), next, workspace);
         REQUIRE(step.status == StepStatus::ok);
         balance.spent -= dq * (xi(k) * force + xi(k + 1) * step.force_per_width) / 2;
@@ -152,9 +152,9 @@ Balance roll_under_a_wave(Eigen::Index n, double dq, bool breathing) {
     NormalLoad<double> load = hertz.at(1);
 
     const double mu = std::numbers::pi / 2, xi = 0.72;
-    const FrictionModel<double> model(breathing ? contact : meshed, system, unchecked, {mu, load.normal_pressure});
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionWorkspace<double> workspace = model.workspace();
+    const FrictionModel<> model(breathing ? contact : meshed, system, unchecked, {mu, load.normal_pressure});
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
     double force = model.steady(now, xi, next, workspace).force_per_width;
     std::swap(now, next);
     Balance balance;
@@ -212,11 +212,11 @@ TEST_CASE("Galerkin about the centres has no force in full adhesion and the righ
         CHECK(adhesion.status == Status::inconsistent);
         CHECK(std::abs(adhesion.c11) < 1e-12);
 
-        const FrictionModel<double> model(scene.contact, system, unchecked, scene.friction);
-        const FrictionState<double> rest = model.at_rest();
-        FrictionState<double> state = rest;
-        FrictionWorkspace<double> workspace = model.workspace();
-        const FrictionStep<double> point = model.steady(rest, creepage(0.5), state, workspace);
+        const FrictionModel<> model(scene.contact, system, unchecked, scene.friction);
+        const FrictionState<> rest = model.at_rest();
+        FrictionState<> state = rest;
+        FrictionWorkspace<> workspace = model.workspace();
+        const FrictionStep<> point = model.steady(rest, creepage(0.5), state, workspace);
         CHECK(point.status == StepStatus::ok);
         CHECK(point.slip_work_per_width == Approx(-point.force_per_width * creepage(0.5)).epsilon(1e-11));
         sizes.push_back(static_cast<double>(n));

@@ -1,4 +1,4 @@
-// rollbem/friction/slip_law.hpp, falling_steady.hpp, falling_transient.hpp: against reference forces, limits, and the
+// rollbem/friction/law.hpp, falling_steady.hpp, falling_transient.hpp: against reference forces, limits, and the
 // definition of the law.
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/falling.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
@@ -47,13 +47,13 @@ constexpr double steady_forces[3][5] = {{0.34140, 0.59053, 0.80649, 0.68687, 0.6
 TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[friction]") {
     for (int k = 0; k < 3; ++k) {
         const Scene scene(uniform_mesh<double>(160), distances[k]);
-        const SteadyFallingModel<Law> steady = scene.steady();
-        const FallingFrictionModel<Law> transient = scene.transient();
+        const SteadyFrictionModel<Law> steady = scene.steady();
+        const FrictionModel<Law> transient = scene.transient();
         auto workspace = steady.workspace();
         const State rest = steady.at_rest(), other_rest = transient.at_rest();
         State state = rest;
         for (int j = 0; j < 5; ++j) {
-            const Step step = steady.solve(rest, creepages[j], speed, state, workspace);
+            const Step step = steady.steady(rest, creepages[j], speed, state, workspace);
             CAPTURE(distances[k], creepages[j]);
             CHECK(step.status == StepStatus::ok);
             CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
@@ -62,7 +62,7 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
             CHECK(other.force_per_width == Approx(step.force_per_width).epsilon(1e-11));
             constexpr double h = 1e-7;
             const auto force = [&](double part) {
-                return steady.solve(rest, creepages[j] * (1 + part), speed, state, workspace).force_per_width;
+                return steady.steady(rest, creepages[j] * (1 + part), speed, state, workspace).force_per_width;
             };
             const double difference = (force(h) - force(-h)) / (2 * h * creepages[j]);
             CHECK(step.tangent_per_width == Approx(difference).epsilon(1e-6));
@@ -76,14 +76,14 @@ TEST_CASE("A constant law is Coulomb's", "[friction]") {
     const Scene scene(cosine_mesh<double>(24));
     for (const double distance : {0.0, 3e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const FrictionModel<double> expected(scene.contact, scene.system(), unchecked, {0.25, scene.pressure()},
+            const FrictionModel<> expected(scene.contact, scene.system(), unchecked, {0.25, scene.pressure()},
                                                  integrator);
-            const FallingFrictionModel<Constant> model(scene.contact, scene.system(), unchecked,
-                                                       {constant, {distance, 1e-3}, scene.pressure()}, integrator);
+            const FrictionModel<Constant> model(scene.contact, scene.system(), unchecked,
+                                                       {constant, scene.pressure(), {distance, 1e-3}}, integrator);
             auto workspace = model.workspace();
             auto expected_workspace = expected.workspace();
             State now = model.at_rest(), next = now;
-            FrictionState<double> expected_now = expected.at_rest(), expected_next = expected_now;
+            FrictionState<> expected_now = expected.at_rest(), expected_next = expected_now;
             NormalLoad<double> load{now.normal_pressure, a, {}};
             for (int k = 1; k <= 40; ++k) {
                 const double dq = k % 5 == 0 ? 0 : 0.1 * a, duration = 0.1 * a / speed;
@@ -92,10 +92,10 @@ TEST_CASE("A constant law is Coulomb's", "[friction]") {
                 Step reference;
                 if (k % 3 == 0) {
                     load.normal_pressure = scene.pressure() * (1 + 0.01 * k);
-                    step = model.advance(now, dq, duration, motion, load, next, workspace);
+                    step = model.advance(now, {dq, duration}, motion, load, next, workspace);
                     reference = expected.advance(expected_now, dq, motion, load, expected_next, expected_workspace);
                 } else {
-                    step = model.advance(now, dq, duration, motion, next, workspace);
+                    step = model.advance(now, {dq, duration}, motion, next, workspace);
                     reference = expected.advance(expected_now, dq, motion, expected_next, expected_workspace);
                 }
                 std::swap(now, next);
@@ -136,10 +136,10 @@ TEST_CASE("Each implicit step of random motions obeys law and memory", "[frictio
         Scene scene(scene_number % 2 == 0 ? cosine_mesh<double>(n) : uniform_mesh<double>(n),
                     scene_number % 3 == 0 ? 0 : std::pow(10, uniform(-6.5, -4.5)));
         if (scene_number % 4 == 0) scene.scheme = {.alpha_L = 0.3, .alpha_T = 0.5};
-        const FallingFriction<Law> friction{
-            {0.3, uniform(0.05, 0.3), uniform(0.05, 1)}, {scene.distance, uniform(0, 2e-3)}, scene.pressure()};
+        const Friction<Law> friction{
+            {0.3, uniform(0.05, 0.3), uniform(0.05, 1)}, scene.pressure(), {scene.distance, uniform(0, 2e-3)}};
         const ElementSystem<double> system = scene.system();
-        const FallingFrictionModel<Law> model(scene.contact, system, unchecked, friction, Integrator::implicit_euler);
+        const FrictionModel<Law> model(scene.contact, system, unchecked, friction, Integrator::implicit_euler);
         auto workspace = model.workspace();
         State now = model.at_rest(), next = now;
         const ArrayX<double>& points = *system.points();
@@ -149,7 +149,7 @@ TEST_CASE("Each implicit step of random motions obeys law and memory", "[frictio
             const double duration = std::max(dq, 0.1) * a / V;
             creepage = uniform(0, 1) < 0.3 ? uniform(-6e-3, 6e-3) : creepage;
             const Motion motion = dq == 0 ? Motion::shift(a * creepage / 10) : Motion(creepage);
-            const Step step = model.advance(now, dq * a, duration, motion, next, workspace);
+            const Step step = model.advance(now, {dq * a, duration}, motion, next, workspace);
             CAPTURE(scene_number, n, k, step.complementarity_residual);
             REQUIRE(step.status == StepStatus::ok);
             ++steps;
@@ -187,7 +187,7 @@ TEST_CASE("The tangent of a step in time agrees with central differences", "[fri
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             for (const bool linear : {false, true}) {
                 const Scene scene(cosine_mesh<double>(30), distance);
-                const FallingFrictionModel<Law> model = scene.transient(integrator);
+                const FrictionModel<Law> model = scene.transient(integrator);
                 auto workspace = model.workspace();
                 State now = model.at_rest(), next = now, probe = now;
                 double worst = 0;
@@ -199,7 +199,7 @@ TEST_CASE("The tangent of a step in time agrees with central differences", "[fri
                         const Motion motion = shift    ? Motion::shift(1e-3 * size * a)
                                               : linear ? Motion::linear(before, size)
                                                        : Motion(size);
-                        return model.advance(now, shift ? 0 : 0.1 * a, 0.1 * a / speed, motion, to, workspace);
+                        return model.advance(now, {shift ? 0 : 0.1 * a, 0.1 * a / speed}, motion, to, workspace);
                     };
                     const Step step = advance(creepage, next);
                     REQUIRE(step.status == StepStatus::ok);
@@ -228,14 +228,14 @@ TEST_CASE("With memory, rolling in time tends to steady rolling as mesh and step
         std::vector<double> differences;
         for (const Eigen::Index n : {40, 80, 160}) {
             const Scene scene(uniform_mesh<double>(n), 10e-6);
-            const FallingFrictionModel<Law> model = scene.transient(integrator);
+            const FrictionModel<Law> model = scene.transient(integrator);
             auto workspace = model.workspace();
             State now = model.at_rest(), next = now;
             Step step = model.steady(now, 2e-3, speed, next, workspace);
             const double steady = force_ratio(step), dq = 4.0 / static_cast<double>(n);
             for (double q = 0; q < 20; q += dq) {
                 std::swap(now, next);
-                step = model.advance(now, dq * a, dq * a / speed, 2e-3, next, workspace);
+                step = model.advance(now, {dq * a, dq * a / speed}, 2e-3, next, workspace);
                 REQUIRE(step.status == StepStatus::ok);
             }
             differences.push_back(std::abs(force_ratio(step) - steady));
@@ -251,7 +251,7 @@ TEST_CASE("With a memory, sdirk2 is of second order", "[friction]") {
     // against steps an eighth as long, over a way in which the creepage rises and falls once
     const Scene scene(uniform_mesh<double>(20), 20e-6);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FallingFrictionModel<Law> model = scene.transient(integrator);
+        const FrictionModel<Law> model = scene.transient(integrator);
         auto workspace = model.workspace();
         const auto run = [&](int steps) {
             State now = model.at_rest(), next = now;
@@ -260,7 +260,7 @@ TEST_CASE("With a memory, sdirk2 is of second order", "[friction]") {
             VectorX<double> forces(8);
             for (int k = 0; k < steps; ++k) {
                 const Motion motion = Motion::linear(creepage(k * dq), creepage((k + 1) * dq));
-                const Step step = model.advance(now, dq * a, dq * a / speed, motion, next, workspace);
+                const Step step = model.advance(now, {dq * a, dq * a / speed}, motion, next, workspace);
                 REQUIRE(step.status == StepStatus::ok);
                 if ((k + 1) % (steps / 8) == 0) forces[(k + 1) / (steps / 8) - 1] = force_ratio(step);
                 std::swap(now, next);
@@ -292,13 +292,13 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
     for (const Case& c :
          {Case{false, 0.025, 5.05, 0.1}, Case{false, 0.00625, 4.2, 0.25}, Case{true, 0.0125, 4.25, 0.1}}) {
         const Scene scene(c.cosine ? cosine_mesh<double>(80) : uniform_mesh<double>(80), 2e-6);
-        const FallingFrictionModel<Law> model = scene.transient(Integrator::implicit_euler);
+        const FrictionModel<Law> model = scene.transient(Integrator::implicit_euler);
         auto workspace = model.workspace();
         State now = model.at_rest(), next = now;
         double last = 0, highest = 0, lowest = 1;
         std::vector<double> falls;
         for (int k = 1; k * c.dq < 24; ++k) {
-            const Step step = model.advance(now, c.dq * a, c.dq * a / speed, 2e-3, next, workspace);
+            const Step step = model.advance(now, {c.dq * a, c.dq * a / speed}, 2e-3, next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             std::swap(now, next);
             const double force = force_ratio(step);
@@ -322,8 +322,8 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
 TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[friction]") {
     const Law steep{.mu_0 = 0.3, .mu_k = 0, .half_velocity = 0.002};
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyFallingModel<Law> model(scene.contact, scene.mesh, scene.scheme, scene.kernel,
-                                        {steep, {}, scene.pressure()});
+    const SteadyFrictionModel<Law> model(scene.contact, scene.mesh, scene.scheme, scene.kernel,
+                                        {steep, scene.pressure()});
     auto workspace = model.workspace();
     constexpr int count = 31;
     const auto curve = [&](bool down) {
@@ -331,7 +331,7 @@ TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[fr
         State now = model.at_rest(), next = now;
         for (int k = 0; k < count; ++k) {
             const int at = down ? count - 1 - k : k;
-            const Step step = model.solve(now, 5e-5 * (at + 1), speed, next, workspace);
+            const Step step = model.steady(now, 5e-5 * (at + 1), speed, next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             forces[static_cast<std::size_t>(at)] = force_ratio(step);
             std::swap(now, next);
@@ -353,8 +353,8 @@ TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
     Scene scene(uniform_mesh<double>(40), 10e-6);
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(scene.contact);
     const Law weak{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
-    const FallingFrictionModel<Law> model(scene.contact, rolling_system(scene.mesh, scene.scheme, kernel), unchecked,
-                                          {weak, {10e-6, 0}, scene.pressure() / 1000}, Integrator::sdirk2);
+    const FrictionModel<Law> model(scene.contact, rolling_system(scene.mesh, scene.scheme, kernel), unchecked,
+                                          {weak, scene.pressure() / 1000, {10e-6, 0}}, Integrator::sdirk2);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.02 * a, creepage = 2e-3;
@@ -363,7 +363,7 @@ TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
     for (int k = 1; k <= 150; ++k) {
         half_length = a * (1 + 0.2 * std::sin(0.04 * k));
         load.half_length = half_length;
-        const Step step = model.advance(now, dq, dq / speed, creepage, load, next, workspace);
+        const Step step = model.advance(now, {dq, dq / speed}, creepage, load, next, workspace);
         REQUIRE(step.status == StepStatus::ok);
         std::swap(now, next);
         CHECK(now.half_length == half_length);
@@ -388,17 +388,17 @@ TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
 
 TEST_CASE("Elements without pressure lose their memory", "[friction]") {
     const Scene scene(uniform_mesh<double>(20), 10e-6);
-    const FallingFrictionModel<Law> model = scene.transient();
+    const FrictionModel<Law> model = scene.transient();
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     for (int k = 0; k < 40; ++k) {
-        REQUIRE(model.advance(now, 0.1 * a, 0.1 * a / speed, 5e-3, next, workspace).status == StepStatus::ok);
+        REQUIRE(model.advance(now, {0.1 * a, 0.1 * a / speed}, 5e-3, next, workspace).status == StepStatus::ok);
         std::swap(now, next);
     }
     CHECK(now.friction_coefficient.minCoeff() < 0.27);
     NormalLoad<double> load{scene.pressure(), a, {}};
     load.normal_pressure.head(10).setZero();
-    REQUIRE(model.advance(now, 0.1 * a, 0.1 * a / speed, 5e-3, load, next, workspace).status == StepStatus::ok);
+    REQUIRE(model.advance(now, {0.1 * a, 0.1 * a / speed}, 5e-3, load, next, workspace).status == StepStatus::ok);
     CHECK((next.friction_coefficient.head(10) == 0.3).all());
     CHECK(next.friction_coefficient.tail(10).minCoeff() < 0.29);
 }
@@ -412,7 +412,7 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
     for (const double distance : {0.0, 5e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const Scene scene(cosine_mesh<double>(20), distance);
-            const FallingFrictionModel<Law> model = scene.transient(integrator);
+            const FrictionModel<Law> model = scene.transient(integrator);
             auto used = model.workspace();
             State now = model.at_rest(), next = now, other = now;
             for (int k = 0; k < 150; ++k) {
@@ -420,9 +420,9 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
                              creepage = uniform(-4e-3, 4e-3);
                 const bool steady = k % 10 == 9;
                 const Motion motion = dq == 0 ? Motion::shift(creepage * a / 10) : Motion(creepage);
-                const auto solve = [&](State& to, FallingFrictionWorkspace<double>& workspace) {
+                const auto solve = [&](State& to, FrictionWorkspace<>& workspace) {
                     return steady ? model.steady(now, creepage, speed, to, workspace)
-                                  : model.advance(now, dq, 0.05 * a / speed, motion, to, workspace);
+                                  : model.advance(now, {dq, 0.05 * a / speed}, motion, to, workspace);
                 };
                 auto fresh = model.workspace();
                 const Step step = solve(next, used), again = solve(other, fresh);
@@ -433,7 +433,7 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
                 CHECK((step.rounds == again.rounds && next.zones == other.zones));
                 CHECK((next.traction.array() == other.traction.array()).all());
                 CHECK((next.friction_coefficient == other.friction_coefficient).all());
-                CHECK((next.stage_coefficient == other.stage_coefficient).all());
+                CHECK((next.solver.stage_coefficient == other.solver.stage_coefficient).all());
                 if (generator() % 4 != 0) std::swap(now, next);
             }
         }
@@ -442,16 +442,16 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
 
 TEST_CASE("Without tangents a step is the same", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), 5e-6);
-    FallingFriction<Law> friction = scene.friction();
+    Friction<Law> friction = scene.friction();
     friction.with_tangents = false;
-    const FallingFrictionModel<Law> with = scene.transient(),
+    const FrictionModel<Law> with = scene.transient(),
                                     without(scene.contact, scene.system(), unchecked, friction);
     auto workspace = with.workspace(), other_workspace = workspace;
     State now = with.at_rest(), next = now, other = now;
     for (int k = 1; k <= 30; ++k) {
         const double creepage = 3e-3 * std::sin(0.2 * k);
-        const Step step = with.advance(now, 0.1 * a, 0.1 * a / speed, creepage, next, workspace),
-                   same = without.advance(now, 0.1 * a, 0.1 * a / speed, creepage, other, other_workspace);
+        const Step step = with.advance(now, {0.1 * a, 0.1 * a / speed}, creepage, next, workspace),
+                   same = without.advance(now, {0.1 * a, 0.1 * a / speed}, creepage, other, other_workspace);
         CHECK(step.force == same.force);
         CHECK((next.friction_coefficient == other.friction_coefficient).all());
         CHECK(std::isfinite(step.tangent));
@@ -463,10 +463,10 @@ TEST_CASE("Without tangents a step is the same", "[friction]") {
 TEST_CASE("A falling law out of range is refused", "[friction]") {
     Scene scene(cosine_mesh<double>(10), 1e-6);
     const auto refused = [&](const Law& bad, const Memory& memory, const char* words) {
-        const FallingFriction<Law> friction{bad, memory, scene.pressure()};
-        CHECK_THROWS_WITH(SteadyFallingModel<Law>(scene.contact, scene.mesh, scene.scheme, scene.kernel, friction),
+        const Friction<Law> friction{bad, scene.pressure(), memory};
+        CHECK_THROWS_WITH(SteadyFrictionModel<Law>(scene.contact, scene.mesh, scene.scheme, scene.kernel, friction),
                           ContainsSubstring(words));
-        CHECK_THROWS_AS(FallingFrictionModel<Law>(scene.contact, scene.system(), unchecked, friction),
+        CHECK_THROWS_AS(FrictionModel<Law>(scene.contact, scene.system(), unchecked, friction),
                         std::invalid_argument);
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -480,61 +480,61 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
     refused({infinite, 0.2, 1}, {}, "friction coefficient at rest = inf");
     const ElementSystem<double> system = scene.system();
     const ElementSystem<double> pointless(system.G(), system.G_prime(), system.weights());
-    CHECK_THROWS_WITH(FallingFrictionModel<Law>(scene.contact, pointless, unchecked, scene.friction()),
+    CHECK_THROWS_WITH(FrictionModel<Law>(scene.contact, pointless, unchecked, scene.friction()),
                       ContainsSubstring("distance of the memory = 1e-06 must be 0"));
     scene.distance = 0;
-    CHECK_NOTHROW(FallingFrictionModel<Law>(scene.contact, pointless, unchecked, scene.friction()));
+    CHECK_NOTHROW(FrictionModel<Law>(scene.contact, pointless, unchecked, scene.friction()));
 
-    const FallingFrictionModel<Law> model = scene.transient();
+    const FrictionModel<Law> model = scene.transient();
     auto workspace = model.workspace();
     const State rest = model.at_rest();
     State to = rest, wrong = rest;
     const double dq = 0.1 * a, duration = dq / speed;
     for (const double bad : {0.0, -1.0, nan, infinite}) {
-        CHECK(model.advance(rest, dq, bad, 1e-3, to, workspace).status == StepStatus::invalid_step);
+        CHECK(model.advance(rest, {dq, bad}, 1e-3, to, workspace).status == StepStatus::invalid_step);
         CHECK(model.steady(rest, 1e-3, bad, to, workspace).status == StepStatus::invalid_step);
-        CHECK(scene.steady().solve(scene.steady().at_rest(), 1e-3, bad, to, workspace).status ==
+        CHECK(scene.steady().steady(scene.steady().at_rest(), 1e-3, bad, to, workspace).status ==
               StepStatus::invalid_step);
     }
-    const SteadyFallingModel<Law> steady = scene.steady();
+    const SteadyFrictionModel<Law> steady = scene.steady();
     State steady_wrong = steady.at_rest(), steady_to = steady_wrong;
     for (const double bad : {nan, infinite}) {
         CHECK(model.steady(rest, bad, speed, to, workspace).status == StepStatus::not_finite);
-        CHECK(steady.solve(steady.at_rest(), bad, speed, steady_to, workspace).status == StepStatus::not_finite);
+        CHECK(steady.steady(steady.at_rest(), bad, speed, steady_to, workspace).status == StepStatus::not_finite);
     }
     for (const double bad : {-0.1, nan, infinite}) {
         wrong.friction_coefficient[3] = bad;
         steady_wrong.friction_coefficient[3] = bad;
-        CHECK(steady.solve(steady_wrong, 1e-3, speed, steady_to, workspace).status == StepStatus::wrong_state);
-        CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
+        CHECK(steady.steady(steady_wrong, 1e-3, speed, steady_to, workspace).status == StepStatus::wrong_state);
+        CHECK(model.advance(wrong, {dq, duration}, 1e-3, to, workspace).status == StepStatus::wrong_state);
         CHECK(model.steady(wrong, 1e-3, speed, to, workspace).status == StepStatus::wrong_state);
     }
     wrong = rest;
     for (const double bad : {-0.1, nan, infinite}) {
-        wrong.stage_coefficient[3] = bad;
-        CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
+        wrong.solver.stage_coefficient[3] = bad;
+        CHECK(model.advance(wrong, {dq, duration}, 1e-3, to, workspace).status == StepStatus::wrong_state);
     }
     wrong = rest;
-    wrong.stage_coefficient.resize(9);
-    CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
+    wrong.solver.stage_coefficient.resize(9);
+    CHECK(model.advance(wrong, {dq, duration}, 1e-3, to, workspace).status == StepStatus::wrong_state);
     wrong = rest;
     wrong.friction_coefficient.resize(9);
-    CHECK(model.advance(wrong, dq, duration, 1e-3, to, workspace).status == StepStatus::wrong_state);
-    CHECK(model.advance(rest, dq, duration, 1e-3, wrong, workspace).status == StepStatus::wrong_state);
-    CHECK(model.advance(rest, dq, duration, nan, to, workspace).status == StepStatus::not_finite);
+    CHECK(model.advance(wrong, {dq, duration}, 1e-3, to, workspace).status == StepStatus::wrong_state);
+    CHECK(model.advance(rest, {dq, duration}, 1e-3, wrong, workspace).status == StepStatus::wrong_state);
+    CHECK(model.advance(rest, {dq, duration}, nan, to, workspace).status == StepStatus::not_finite);
     CHECK((to.traction.array() == 0).all());
 }
 
 TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
     const auto broken = [](double v) { return v > 0.05 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(20));
-    const FallingFrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked,
-                                                       {broken, {}, scene.pressure()});
+    const FrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked,
+                                                       {broken, scene.pressure()});
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
-    CHECK(model.advance(now, 0.1 * a, 0.1 * a / speed, 0.0, next, workspace).status == StepStatus::ok);
-    CHECK(model.advance(now, 0.1 * a, 0.1 * a / speed, 2e-2, next, workspace).status == StepStatus::not_finite);
+    CHECK(model.advance(now, {0.1 * a, 0.1 * a / speed}, 0.0, next, workspace).status == StepStatus::ok);
+    CHECK(model.advance(now, {0.1 * a, 0.1 * a / speed}, 2e-2, next, workspace).status == StepStatus::not_finite);
     CHECK((next.traction.array() == now.traction.array()).all());
     CHECK((next.friction_coefficient == 0.2).all());
 }
@@ -543,13 +543,13 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
     // it sticks at the coefficient of slip, and slips at that of rest
     const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene scene(uniform_mesh<double>(1));
-    const FallingFrictionModel<decltype(torn)> model(scene.contact, scene.system(), unchecked,
-                                                     {torn, {}, scene.pressure()}, Integrator::implicit_euler);
+    const FrictionModel<decltype(torn)> model(scene.contact, scene.system(), unchecked,
+                                                     {torn, scene.pressure()}, Integrator::implicit_euler);
     auto workspace = model.workspace();
     State rest = model.at_rest(), next = rest;
     int failed = 0;
     for (int k = 1; k <= 60; ++k) {
-        const Step step = model.advance(rest, 0.1 * a, 0.1 * a / speed, 1e-3 * k, next, workspace);
+        const Step step = model.advance(rest, {0.1 * a, 0.1 * a / speed}, 1e-3 * k, next, workspace);
         if (step.status == StepStatus::ok) continue;
         REQUIRE(step.status == StepStatus::no_solution);
         CHECK(step.complementarity_residual > 0.05);
@@ -565,8 +565,8 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 TEST_CASE("A law that is no number in between is not overlooked", "[friction]") {
     const auto gap = [](double v) { return v > 0.02 && v < 0.04 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(40));
-    const FallingFrictionModel<decltype(gap)> model(scene.contact, scene.system(), unchecked,
-                                                    {gap, {}, scene.pressure()}, Integrator::implicit_euler);
+    const FrictionModel<decltype(gap)> model(scene.contact, scene.system(), unchecked,
+                                                    {gap, scene.pressure()}, Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.05 * a, duration = dq / speed;
@@ -574,7 +574,7 @@ TEST_CASE("A law that is no number in between is not overlooked", "[friction]") 
     for (int point = 1; point <= 10; ++point) {
         now = model.at_rest();
         for (int k = 0; k < 15; ++k) {
-            if (model.advance(now, dq, duration, 5e-3 * point, next, workspace).status != StepStatus::ok) {
+            if (model.advance(now, {dq, duration}, 5e-3 * point, next, workspace).status != StepStatus::ok) {
                 ++failed;
                 break;
             }
@@ -591,8 +591,8 @@ TEST_CASE("A law that is no number in between is not overlooked", "[friction]") 
 TEST_CASE("A law may rise from nothing", "[friction]") {
     const auto rising = [](double v) { return std::min(0.3, v); };
     const Scene scene(cosine_mesh<double>(40));
-    const FallingFrictionModel<decltype(rising)> model(scene.contact, scene.system(), unchecked,
-                                                       {rising, {}, scene.pressure()}, Integrator::implicit_euler);
+    const FrictionModel<decltype(rising)> model(scene.contact, scene.system(), unchecked,
+                                                       {rising, scene.pressure()}, Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     REQUIRE(model.steady(now, 5e-3, speed, next, workspace).status == StepStatus::ok);
@@ -600,7 +600,7 @@ TEST_CASE("A law may rise from nothing", "[friction]") {
         const double v = speed * std::abs(workspace.slip()[i]);
         CHECK(next.friction_coefficient[i] == Approx(rising(v)).margin(1e-12));
     }
-    CHECK(model.advance(now, 0.05 * a, 0.05 * a / speed, 5e-3, next, workspace).status == StepStatus::ok);
+    CHECK(model.advance(now, {0.05 * a, 0.05 * a / speed}, 5e-3, next, workspace).status == StepStatus::ok);
 }
 
 }  // namespace

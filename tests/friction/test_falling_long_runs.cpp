@@ -1,4 +1,4 @@
-// rollbem/friction/falling_transient.hpp: steps in which nothing changes, which are cheaper.
+// rollbem/friction/transient.hpp: steps in which nothing changes, which are cheaper.
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -20,8 +20,8 @@ bool same(const Step& x, const Step& y) {
 bool same(const State& x, const State& y) {
     return (x.traction.array() == y.traction.array()).all() && x.zones == y.zones &&
            (x.friction_coefficient == y.friction_coefficient).all() &&
-           (x.stage_coefficient == y.stage_coefficient).all() && x.unchanged_steps == y.unchanged_steps &&
-           same(x.unchanged_distance, y.unchanged_distance);
+           (x.solver.stage_coefficient == y.solver.stage_coefficient).all() && x.solver.unchanged_steps == y.solver.unchanged_steps &&
+           same(x.solver.unchanged_distance, y.solver.unchanged_distance);
 }
 
 TEST_CASE("Long runs do not depend on the workspace, even if two laws share it", "[friction]") {
@@ -35,14 +35,14 @@ TEST_CASE("Long runs do not depend on the workspace, even if two laws share it",
     for (const Case& c : {Case{0, Integrator::implicit_euler, 1}, Case{10e-6, Integrator::implicit_euler, 1},
                           Case{10e-6, Integrator::sdirk2, 2}}) {
         const Scene scene(cosine_mesh<double>(n), c.distance);
-        FallingFriction<Law> steep = scene.friction();
+        Friction<Law> steep = scene.friction();
         steep.law.half_velocity *= 0.9;
-        const FallingFrictionModel<Law> models[] = {scene.transient(c.integrator),
+        const FrictionModel<Law> models[] = {scene.transient(c.integrator),
                                                     {scene.contact, scene.system(), unchecked, steep, c.integrator}};
         State now[] = {models[0].at_rest(), models[1].at_rest()}, next = now[0], alone = next;
         auto used = models[0].workspace();
         for (int k = 0; k < 1600; ++k) {
-            models[k % 2].advance(now[k % 2], dq, dq / speed, 1e-3, next, used);
+            models[k % 2].advance(now[k % 2], {dq, dq / speed}, 1e-3, next, used);
             std::swap(now[k % 2], next);
         }
         int cheap = 0, settled = 0;
@@ -50,14 +50,14 @@ TEST_CASE("Long runs do not depend on the workspace, even if two laws share it",
             const int who = k < 200 ? 0 : k % 2;  // one for long, then in turns
             const double creepage = k == 150 ? 4e-4 : 1e-3;
             auto fresh = models[who].workspace();
-            const Step found = models[who].advance(now[who], dq, dq / speed, creepage, next, used);
-            const Step expected = models[who].advance(now[who], dq, dq / speed, creepage, alone, fresh);
-            CAPTURE(c.distance, name(c.integrator), k, who, now[who].unchanged_steps);
+            const Step found = models[who].advance(now[who], {dq, dq / speed}, creepage, next, used);
+            const Step expected = models[who].advance(now[who], {dq, dq / speed}, creepage, alone, fresh);
+            CAPTURE(c.distance, name(c.integrator), k, who, now[who].solver.unchanged_steps);
             REQUIRE(found.status == StepStatus::ok);
             REQUIRE(std::isfinite(found.tangent));
             REQUIRE(same(found, expected));
             REQUIRE(same(next, alone));
-            cheap += now[who].unchanged_steps > n / 2 ? 1 : 0;
+            cheap += now[who].solver.unchanged_steps > n / 2 ? 1 : 0;
             settled += found.rounds <= c.most_rounds ? 1 : 0;
             std::swap(now[who], next);
         }
@@ -71,20 +71,20 @@ TEST_CASE("The tangent of a step that changes nothing agrees with central differ
     constexpr double dq = 0.2 * a;
     for (const double distance : {0.0, 10e-6}) {
         const Scene scene(cosine_mesh<double>(30), distance);
-        const FallingFrictionModel<Law> model = scene.transient(Integrator::implicit_euler);
+        const FrictionModel<Law> model = scene.transient(Integrator::implicit_euler);
         auto workspace = model.workspace();
         State now = model.at_rest(), next = now;
         Step step;
         for (int k = 0; k < 1000; ++k) {
-            step = model.advance(now, dq, dq / speed, 1e-3, next, workspace);
+            step = model.advance(now, {dq, dq / speed}, 1e-3, next, workspace);
             std::swap(now, next);
         }
-        REQUIRE(now.unchanged_steps > 15);
+        REQUIRE(now.solver.unchanged_steps > 15);
         REQUIRE(step.rounds == 1);
         REQUIRE(step.stick_count < 25);
         const auto difference = [&](double h) {
-            const double high = model.advance(now, dq, dq / speed, 1e-3 * (1 + h), next, workspace).force_per_width;
-            const double low = model.advance(now, dq, dq / speed, 1e-3 * (1 - h), next, workspace).force_per_width;
+            const double high = model.advance(now, {dq, dq / speed}, 1e-3 * (1 + h), next, workspace).force_per_width;
+            const double low = model.advance(now, {dq, dq / speed}, 1e-3 * (1 - h), next, workspace).force_per_width;
             return (high - low) / (2e-3 * h);
         };
         // of second order in h

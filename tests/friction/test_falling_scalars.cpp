@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/falling.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 #include "friction/falling_conditions.hpp"
 #include "friction/falling_scene.hpp"
@@ -32,19 +32,19 @@ std::vector<double> ride(double distance, Integrator integrator) {
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<Scalar>::longitudinal(contact));
     const ExponentialFall<Scalar> falling{static_cast<Scalar>(law.mu_0), static_cast<Scalar>(law.mu_k),
                                           static_cast<Scalar>(law.half_velocity)};
-    const SlipMemory<Scalar> memory{static_cast<Scalar>(distance), static_cast<Scalar>(falling_tests::least_velocity)};
-    const FallingFrictionModel<ExponentialFall<Scalar>, Scalar> model(
+    const FrictionMemory<Scalar> memory{static_cast<Scalar>(distance), static_cast<Scalar>(falling_tests::least_velocity)};
+    const FrictionModel<ExponentialFall<Scalar>, 1, Scalar> model(
         contact, system, unchecked,
-        {falling, memory, static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh)}, integrator);
+        {falling, static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh), memory}, integrator);
     auto workspace = model.workspace();
-    FallingFrictionState<Scalar> now = model.at_rest(), next = now;
+    FrictionState<1, Scalar> now = model.at_rest(), next = now;
     std::vector<double> forces;
     for (int k = 0; k <= 60; ++k) {
         const auto creepage = static_cast<Scalar>(0.002 * std::sin(0.2 * k + 0.4)), dq = static_cast<Scalar>(0.1);
         const bool steady = k == 0;
         const Scalar duration = (steady ? 1 : dq) * a / V;
-        const FrictionStep<Scalar> step = steady ? model.steady(now, creepage, V, next, workspace)
-                                                 : model.advance(now, dq * a, duration, creepage, next, workspace);
+        const FrictionStep<1, Scalar> step = steady ? model.steady(now, creepage, V, next, workspace)
+                                                 : model.advance(now, {dq * a, duration}, creepage, next, workspace);
         CAPTURE(distance, name(integrator), k, step.complementarity_residual);
         REQUIRE(step.status == StepStatus::ok);
         if (steady || integrator == Integrator::implicit_euler) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <rollbem/compiled/falling.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
@@ -21,14 +21,14 @@ TEST_CASE("A run without memory that stands still solves the equations of steady
         for (const Eigen::Index n : {20, 40}) {
             for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
                 const Scene scene(cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n));
-                const FallingFrictionModel<Law> model = scene.transient(integrator);
+                const FrictionModel<Law> model = scene.transient(integrator);
                 auto workspace = model.workspace();
                 const State rest = model.at_rest();
                 State now = rest, next = rest, steady = rest;
                 double change = 1;
                 Step step;
                 for (int k = 0; k < 100; ++k) {
-                    step = model.advance(now, 4 * a, 4 * a / speed, creepage, next, workspace);
+                    step = model.advance(now, {4 * a, 4 * a / speed}, creepage, next, workspace);
                     REQUIRE(step.status == StepStatus::ok);
                     change = (next.traction - now.traction).cwiseAbs().maxCoeff() / peak_pressure;
                     std::swap(now, next);
@@ -50,7 +50,7 @@ TEST_CASE("A run without memory that stands still solves the equations of steady
 
 // Least and largest force over the last 10 a of a run over 20 a in steps of 0.02 a from steady rolling, disturbed in
 // its first step by a part of the creepage.
-std::pair<double, double> swing(const FallingFrictionModel<Law>& model, double disturbance) {
+std::pair<double, double> swing(const FrictionModel<Law>& model, double disturbance) {
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     model.steady(now, creepage, speed, next, workspace);
@@ -58,7 +58,7 @@ std::pair<double, double> swing(const FallingFrictionModel<Law>& model, double d
     double least = 1, largest = 0;
     for (int k = 0; k < 1000; ++k) {
         const double imposed = creepage * (k == 0 ? 1 + disturbance : 1);
-        const Step step = model.advance(now, 0.02 * a, 0.02 * a / speed, imposed, next, workspace);
+        const Step step = model.advance(now, {0.02 * a, 0.02 * a / speed}, imposed, next, workspace);
         REQUIRE(step.status == StepStatus::ok);
         std::swap(now, next);
         if (k < 500) continue;
@@ -75,7 +75,7 @@ TEST_CASE("Without memory steady rolling is unstable in short steps; with memory
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             CAPTURE(name(integrator));
             scene.distance = 0;
-            const FallingFrictionModel<Law> forgetful = scene.transient(integrator);
+            const FrictionModel<Law> forgetful = scene.transient(integrator);
             const auto [least, largest] = swing(forgetful, 1e-6);
             CAPTURE(least, largest);
             CHECK(least > 0.5);

@@ -19,9 +19,9 @@
 namespace {
 
 using namespace friction_tests;
-using State = FrictionState<double>;
-using Step = FrictionStep<double>;
-using Workspace = FrictionWorkspace<double>;
+using State = FrictionState<>;
+using Step = FrictionStep<>;
+using Workspace = FrictionWorkspace<>;
 using Motion = RigidMotion<double>;
 using Catch::Matchers::ContainsSubstring;
 
@@ -34,7 +34,7 @@ bool same(const VectorX<double>& x, const VectorX<double>& y) {
 }
 bool same(const State& x, const State& y) {
     return same(x.traction, y.traction) && x.zones == y.zones && x.system == y.system &&
-           x.unchanged_steps == y.unchanged_steps && same(x.unchanged_distance, y.unchanged_distance);
+           x.solver.unchanged_steps == y.solver.unchanged_steps && same(x.solver.unchanged_distance, y.solver.unchanged_distance);
 }
 bool same(const Step& x, const Step& y) {
     return same(x.force, y.force) && same(x.force_per_width, y.force_per_width) && same(x.tangent, y.tangent) &&
@@ -66,7 +66,7 @@ struct Task {
         return {random.integer(5), lengths[random.integer(8)], creepage(random.uniform(-size, size)),
                 creepage(random.uniform(-size, size))};
     }
-    Step run(const FrictionModel<double>& model, const State& from, State& to, Workspace& workspace) const {
+    Step run(const FrictionModel<>& model, const State& from, State& to, Workspace& workspace) const {
         if (kind == 4) return model.steady(from, end, to, workspace);
         if (kind == 3) return model.shift(from, end, to, workspace);
         return model.advance(from, dq,
@@ -85,14 +85,14 @@ TEST_CASE("A used workspace gives the same results as a new one", "[friction]") 
     for (const Eigen::Index n : {3, 4, 7, 12, 20, 29, 40}) {
         for (const Collocation& scheme : schemes) {
             const Scene scene(cosine_mesh<double>(n), scheme, 1, 10);
-            const FrictionModel<double> model = scene.transient();
+            const FrictionModel<> model = scene.transient();
             // the same system with implicit Euler, another friction coefficient, and another contact and mesh
             const Scene slippery(scene.mesh, scheme, 0.2, 10), other(uniform_mesh<double>(n), half, 1, 4);
-            const std::vector<FrictionModel<double>> models{model, scene.transient(Integrator::implicit_euler),
+            const std::vector<FrictionModel<>> models{model, scene.transient(Integrator::implicit_euler),
                                                             slippery.transient(), other.transient()};
-            const SteadyFrictionModel<double> steady = scene.steady();
+            const SteadyFrictionModel<> steady = scene.steady();
             std::vector<State> now, next;
-            for (const FrictionModel<double>& each : models) now.push_back(each.at_rest());
+            for (const FrictionModel<>& each : models) now.push_back(each.at_rest());
             next = now;
             State curve = steady.at_rest(), curve_next = curve;
             Workspace used = model.workspace();
@@ -117,7 +117,7 @@ TEST_CASE("A used workspace gives the same results as a new one", "[friction]") 
                     State curve_alone = curve;
                     const double xi = creepage(random.uniform(-1.3, 1.3));
                     REQUIRE(
-                        same(steady.solve(curve, xi, curve_next, used), steady.solve(curve, xi, curve_alone, clean)));
+                        same(steady.steady(curve, xi, curve_next, used), steady.steady(curve, xi, curve_alone, clean)));
                     REQUIRE(same(curve_next, curve_alone));
                     REQUIRE(same(used.slip(), clean.slip()));
                     std::swap(curve, curve_next);
@@ -133,7 +133,7 @@ TEST_CASE("A used workspace gives the same results as a new one", "[friction]") 
 TEST_CASE("Rejected steps, checkpoints and contacts in turn do not change results", "[friction]") {
     for (const Collocation& scheme : schemes) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const FrictionModel<double> model = Scene(cosine_mesh<double>(18), scheme, 1, 10).transient(integrator);
+            const FrictionModel<> model = Scene(cosine_mesh<double>(18), scheme, 1, 10).transient(integrator);
             const auto ride = [&](bool disturbed) {
                 Random random(2), noise(3);
                 std::vector<State> now(3, model.at_rest()), next = now;
@@ -169,7 +169,7 @@ TEST_CASE("Long runs without a change of zones do not depend on the workspace", 
     constexpr Eigen::Index n = 18;
     const Scene scene(cosine_mesh<double>(n), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
+        const FrictionModel<> model = scene.transient(integrator);
         Random random(4);
         State now = model.at_rest(), next = now, alone = now, thrown_away = now;
         Workspace used = model.workspace();
@@ -185,16 +185,16 @@ TEST_CASE("Long runs without a change of zones do not depend on the workspace", 
             if (random.integer(6) == 0) Task::any(random).run(model, now, thrown_away, used);
             Workspace fresh = model.workspace();
             const Step found = step(next, used), expected = step(alone, fresh);
-            CAPTURE(name(integrator), k, now.unchanged_steps);
+            CAPTURE(name(integrator), k, now.solver.unchanged_steps);
             REQUIRE(found.status == StepStatus::ok);
             REQUIRE(same(found, expected));
             REQUIRE(same(next, alone));
             REQUIRE(same(used.slip(), fresh.slip()));
             REQUIRE(same(used.slip_work(), fresh.slip_work()));
-            const bool is_cheap = now.unchanged_steps > n / 2;
+            const bool is_cheap = now.solver.unchanged_steps > n / 2;
             cheap += is_cheap ? 1 : 0;
-            cut_short += is_cheap && next.unchanged_steps < now.unchanged_steps && next.zones != now.zones ? 1 : 0;
-            checked += is_cheap && next.unchanged_steps < now.unchanged_steps && next.zones == now.zones ? 1 : 0;
+            cut_short += is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones != now.zones ? 1 : 0;
+            checked += is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones == now.zones ? 1 : 0;
             std::swap(now, next);
         }
         CAPTURE(name(integrator), cheap, cut_short, checked);
@@ -209,7 +209,7 @@ TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") 
     constexpr int high = std::numeric_limits<int>::max(), low = std::numeric_limits<int>::min();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
+        const FrictionModel<> model = scene.transient(integrator);
         Workspace workspace = model.workspace();
         State now = model.at_rest(), next = now, expected = now;
         for (int k = 0; k < 60; ++k) {
@@ -217,20 +217,20 @@ TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") 
             std::swap(now, next);
         }
         const State rolled = now;
-        REQUIRE(rolled.unchanged_steps > 10);
-        now.unchanged_steps = 0;
+        REQUIRE(rolled.solver.unchanged_steps > 10);
+        now.solver.unchanged_steps = 0;
         const Step step = model.advance(now, 0.1, creepage(0.5), expected, workspace);
         REQUIRE(step.status == StepStatus::ok);
-        CHECK(expected.unchanged_steps == 1);
+        CHECK(expected.solver.unchanged_steps == 1);
         for (const int steps : {high, low, -1, 75}) {
-            now.unchanged_steps = steps;
+            now.solver.unchanged_steps = steps;
             CAPTURE(name(integrator), steps);
             CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
             CHECK(same(next, expected));
         }
-        for (const double distance : {nan, 0.0, -rolled.unchanged_distance, 2 * rolled.unchanged_distance}) {
+        for (const double distance : {nan, 0.0, -rolled.solver.unchanged_distance, 2 * rolled.solver.unchanged_distance}) {
             now = rolled;
-            now.unchanged_distance = distance;
+            now.solver.unchanged_distance = distance;
             CAPTURE(name(integrator), distance);
             CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
             CHECK(same(next, expected));
@@ -239,9 +239,9 @@ TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") 
         for (const int steps : {1, 11, 12, 74}) {
             for (const double xi : {0.5, 1.2, -0.4}) {
                 now = rolled;
-                now.unchanged_steps = 0;
+                now.solver.unchanged_steps = 0;
                 const Step found = model.advance(now, 0.1, creepage(xi), expected, workspace);
-                now.unchanged_steps = steps;
+                now.solver.unchanged_steps = steps;
                 const Step claimed = model.advance(now, 0.1, creepage(xi), next, workspace);
                 CAPTURE(name(integrator), steps, xi);
                 CHECK(claimed.status == StepStatus::ok);
@@ -250,31 +250,31 @@ TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") 
             }
         }
         // a step of the other integrator has another matrix
-        const FrictionModel<double> other =
+        const FrictionModel<> other =
             scene.transient(integrator == Integrator::sdirk2 ? Integrator::implicit_euler : Integrator::sdirk2);
         CHECK(other.advance(rolled, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
-        CHECK(next.unchanged_steps <= 1);
+        CHECK(next.solver.unchanged_steps <= 1);
     }
 }
 
 TEST_CASE("Invalid zones in a state do not change the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(30), half, 1, 100);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
-        FrictionWorkspace<double> workspace = model.workspace();
-        FrictionState<double> now = model.at_rest(), next = now;
+        const FrictionModel<> model = scene.transient(integrator);
+        FrictionWorkspace<> workspace = model.workspace();
+        FrictionState<> now = model.at_rest(), next = now;
         for (int k = 0; k < 40; ++k) {
             model.advance(now, 0.1, creepage(1.5), next, workspace);
             std::swap(now, next);
         }
-        const FrictionStep<double> expected = model.advance(now, 0.1, creepage(1.5), next, workspace);
+        const FrictionStep<> expected = model.advance(now, 0.1, creepage(1.5), next, workspace);
         REQUIRE(expected.status == StepStatus::ok);
         const std::vector<Zone> zones = next.zones;
         for (std::size_t i = 0; i < now.zones.size(); ++i) {
             for (const int other : {-127, -2, 2, 127}) {
-                FrictionState<double> spoilt = now;
+                FrictionState<> spoilt = now;
                 spoilt.zones[i] = static_cast<Zone>(other);
-                const FrictionStep<double> step = model.advance(spoilt, 0.1, creepage(1.5), next, workspace);
+                const FrictionStep<> step = model.advance(spoilt, 0.1, creepage(1.5), next, workspace);
                 CAPTURE(i, other);
                 CHECK(step.status == StepStatus::ok);
                 CHECK(step.force_per_width == Approx(expected.force_per_width).epsilon(1e-9));
@@ -286,8 +286,8 @@ TEST_CASE("Invalid zones in a state do not change the solution", "[friction]") {
 
 TEST_CASE("A state of another system is rejected, and nothing is written", "[friction]") {
     const Scene scene(cosine_mesh<double>(8), half, 1, 10);
-    const FrictionModel<double> model = scene.transient();
-    const SteadyFrictionModel<double> steady = scene.steady();
+    const FrictionModel<> model = scene.transient();
+    const SteadyFrictionModel<> steady = scene.steady();
     Workspace workspace = model.workspace();
     State next = model.at_rest();
     REQUIRE(model.advance(model.at_rest(), 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
@@ -302,13 +302,13 @@ TEST_CASE("A state of another system is rejected, and nothing is written", "[fri
         CHECK(model.advance(from, 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
         CHECK(model.shift(from, 1e-3, next, workspace).status == StepStatus::wrong_state);
         CHECK(model.steady(from, 1e-3, next, workspace).status == StepStatus::wrong_state);
-        CHECK(steady.solve(other->steady().at_rest(), 1e-3, next, workspace).status == StepStatus::wrong_state);
+        CHECK(steady.steady(other->steady().at_rest(), 1e-3, next, workspace).status == StepStatus::wrong_state);
         CHECK(untouched());
     }
     // the same system in other units
     const Contact<double> stiffer(
         {.half_length = 1, .half_width = 10, .shear_modulus = 2, .poisson_ratio = scene.contact.poisson_ratio()});
-    const FrictionModel<double> in_other_units(stiffer, scene.system(), unchecked, scene.friction);
+    const FrictionModel<> in_other_units(stiffer, scene.system(), unchecked, scene.friction);
     CHECK(model.advance(in_other_units.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::wrong_state);
     // default-constructed, cut short
     State cut = model.at_rest();
@@ -321,11 +321,11 @@ TEST_CASE("A state of another system is rejected, and nothing is written", "[fri
     const State rest = model.at_rest();
     Workspace small(7), borrowed = Scene(uniform_mesh<double>(8)).transient().workspace();
     CHECK(model.advance(rest, 0.1, 1e-3, next, small).status == StepStatus::wrong_state);
-    CHECK(steady.solve(steady.at_rest(), 1e-3, next, small).status == StepStatus::wrong_state);
+    CHECK(steady.steady(steady.at_rest(), 1e-3, next, small).status == StepStatus::wrong_state);
     CHECK(untouched());
     CHECK(model.advance(rest, 0.1, 1e-3, next, borrowed).status == StepStatus::ok);
     // another coefficient of friction is the same system
-    const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 10).transient();
+    const FrictionModel<> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 10).transient();
     CHECK(slippery.advance(kept, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
 
     // the same in full adhesion
@@ -359,13 +359,13 @@ TEST_CASE("Fingerprints distinguish systems but not friction laws", "[friction]"
 
 TEST_CASE("Friction in time requires of its system what full adhesion requires", "[friction]") {
     // friction bounds the tractions of elements: a system with other unknowns does not compile
-    using Law = const CoulombFriction<double>&;
+    using Law = const Friction<>&;
     static_assert(
-        std::is_constructible_v<FrictionModel<double>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
+        std::is_constructible_v<FrictionModel<>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
     static_assert(
-        !std::is_constructible_v<FrictionModel<double>, Contact<double>, RollingSystem<double>, Unchecked, Law>);
+        !std::is_constructible_v<FrictionModel<>, Contact<double>, RollingSystem<double>, Unchecked, Law>);
     static_assert(
-        !std::is_constructible_v<FrictionModel<double>, Contact<double>, RollingSystem<double>, StabilityVerdict, Law>);
+        !std::is_constructible_v<FrictionModel<>, Contact<double>, RollingSystem<double>, StabilityVerdict, Law>);
     static_assert(std::is_constructible_v<TransientModel<double>, Contact<double>, RollingSystem<double>, Unchecked>);
 
     const Scene scene(cosine_mesh<double>(12), half, 1, 10);
@@ -373,12 +373,12 @@ TEST_CASE("Friction in time requires of its system what full adhesion requires",
     const StabilityVerdict good{.n = 12, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
     const auto refused = [&](const Contact<double>& contact, const ElementSystem<double>& which,
                              const StabilityVerdict& verdict, const std::string& text) {
-        CHECK_THROWS_WITH(FrictionModel<double>(contact, which, verdict, scene.friction),
+        CHECK_THROWS_WITH(FrictionModel<>(contact, which, verdict, scene.friction),
                           ContainsSubstring("FrictionModel: " + text));
         CHECK_THROWS_WITH(TransientModel<double>(contact, which, verdict),
                           ContainsSubstring("TransientModel: " + text));
     };
-    CHECK_NOTHROW(FrictionModel<double>(scene.contact, system, good, scene.friction));
+    CHECK_NOTHROW(FrictionModel<>(scene.contact, system, good, scene.friction));
     StabilityVerdict bad = good;
     bad.n = 11;
     refused(scene.contact, system, bad, "n of the verdict = 11 must equal the number of unknowns");
@@ -401,17 +401,17 @@ TEST_CASE("Friction in time requires of its system what full adhesion requires",
     for (const double change : {1e-11, -1e-11, 0.5}) {
         const auto other = Contact<double>::dimensionless(10 * (1 + change), nu);
         refused(other, system, good, "b/a of the kernel over that of the contact");
-        CHECK_THROWS_WITH(FrictionModel<double>(other, system, unchecked, scene.friction), ContainsSubstring("b/a"));
-        CHECK_THROWS_WITH(SteadyFrictionModel<double>(other, scene.mesh, scene.scheme, scene.kernel, scene.friction),
+        CHECK_THROWS_WITH(FrictionModel<>(other, system, unchecked, scene.friction), ContainsSubstring("b/a"));
+        CHECK_THROWS_WITH(SteadyFrictionModel<>(other, scene.mesh, scene.scheme, scene.kernel, scene.friction),
                           ContainsSubstring("b/a"));
     }
     CHECK_NOTHROW(
-        FrictionModel<double>(Contact<double>::dimensionless(10 * (1 + 5e-13), nu), system, unchecked, scene.friction));
+        FrictionModel<>(Contact<double>::dimensionless(10 * (1 + 5e-13), nu), system, unchecked, scene.friction));
     const auto infinite = Contact<double>::dimensionless(std::numeric_limits<double>::infinity(), nu);
     refused(infinite, system, good, "half_width = inf must be finite");
     // user-supplied matrices have no b/a; interchanged ones are detected
     const ElementSystem<double> ready(system.G(), system.G_prime(), system.weights());
-    CHECK_NOTHROW(FrictionModel<double>(Contact<double>::dimensionless(20, nu), ready, good, scene.friction));
+    CHECK_NOTHROW(FrictionModel<>(Contact<double>::dimensionless(20, nu), ready, good, scene.friction));
     CHECK_THROWS_WITH(ElementSystem<double>(system.G_prime(), system.G(), system.weights()),
                       ContainsSubstring("have they changed places?"));
     CHECK_THROWS_WITH(ElementSystem<double>(system.G(), system.G_prime(), -system.weights()),

@@ -18,9 +18,9 @@
 namespace {
 
 using namespace friction_tests;
-using State = FrictionState<double>;
-using Step = LoadedFrictionStep<double>;
-using Workspace = FrictionWorkspace<double>;
+using State = FrictionState<>;
+using Step = FrictionStep<>;
+using Workspace = FrictionWorkspace<>;
 using Motion = RigidMotion<double>;
 using Load = NormalLoad<double>;
 
@@ -39,7 +39,7 @@ bool same(const State& x, const State& y) {
     return same(x.traction, y.traction) && x.zones == y.zones && same(x.normal_pressure, y.normal_pressure) &&
            same(x.half_length, y.half_length) && x.system == y.system;
 }
-bool same(const FrictionStep<double>& x, const FrictionStep<double>& y) {
+bool same(const FrictionStep<>& x, const FrictionStep<>& y) {
     return same(x.force, y.force) && same(x.force_per_width, y.force_per_width) && same(x.tangent, y.tangent) &&
            same(x.slip_work_per_width, y.slip_work_per_width) && x.rounds == y.rounds && x.status == y.status;
 }
@@ -55,7 +55,7 @@ TEST_CASE("A constant load gives bit for bit the same steps as no load", "[frict
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const bool strip : {false, true}) {
             const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(21));
-            const FrictionModel<double> model = strip ? scene.strip_model(integrator) : scene.model(integrator);
+            const FrictionModel<> model = strip ? scene.strip_model(integrator) : scene.model(integrator);
             const Load load = scene.hertz.at(full_force);
             State plain = model.at_rest(), plain_next = plain, loaded = plain, loaded_next = plain;
             Workspace plain_workspace = model.workspace(), loaded_workspace = plain_workspace;
@@ -65,7 +65,7 @@ TEST_CASE("A constant load gives bit for bit the same steps as no load", "[frict
                 const Motion motion = dq == 0      ? Motion::shift(0.3 * xi)
                                       : k % 2 == 0 ? Motion(xi)
                                                    : Motion::linear(xi, 0.5 * xi);
-                const FrictionStep<double> one = model.advance(plain, dq, motion, plain_next, plain_workspace);
+                const FrictionStep<> one = model.advance(plain, dq, motion, plain_next, plain_workspace);
                 const Step other = model.advance(loaded, dq, motion, load, loaded_next, loaded_workspace);
                 CAPTURE(k, strip, name(integrator));
                 REQUIRE(one.status == StepStatus::ok);
@@ -84,17 +84,17 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
     // model made for the last half-length
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(24), 100);
-        const FrictionModel<double> model = scene.model(integrator);
+        const FrictionModel<> model = scene.model(integrator);
         const SineLoad sine{.L = 4};
         State now = model.at_rest(), next = now;
         Workspace workspace = model.workspace();
         std::vector<double> expected;
         const auto ride = [&](const LoadScene& of, std::vector<double>& forces) {
-            const FrictionModel<double> rolling = of.model(integrator);
+            const FrictionModel<> rolling = of.model(integrator);
             Workspace own = rolling.workspace();
             State from = rolling.at_rest(), to = from;
             Load load = of.hertz.at(sine(0));
-            FrictionStep<double> step = rolling.steady(from, load_creepage(0.4), load, to, own);
+            FrictionStep<> step = rolling.steady(from, load_creepage(0.4), load, to, own);
             for (int k = 1; k <= 43; ++k) {
                 forces.insert(forces.end(), {step.force, step.tangent, step.slip_work_per_width, rolling.force(to)});
                 std::swap(from, to);
@@ -119,16 +119,16 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
             CHECK(worst < 1e-10);
             CHECK((other_end.traction - end.traction).cwiseAbs().maxCoeff() < 1e-12 * peak);
         }
-        const FrictionModel<double> there = LoadScene::breathing(scene.mesh, 100, end.half_length).model(integrator);
+        const FrictionModel<> there = LoadScene::breathing(scene.mesh, 100, end.half_length).model(integrator);
         State elsewhere = end, elsewhere_next = end;
         elsewhere.system = there.fingerprint();
         now = end;
         Workspace other = there.workspace();
         for (int k = 0; k < 20; ++k) {
             const double xi = load_creepage(0.7 * std::sin(0.5 * k));
-            const FrictionStep<double> one =
+            const FrictionStep<> one =
                 model.advance(now, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), next, workspace);
-            const FrictionStep<double> two =
+            const FrictionStep<> two =
                 there.advance(elsewhere, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), elsewhere_next, other);
             REQUIRE(one.status == StepStatus::ok);
             CHECK(one.force_per_width == Approx(two.force_per_width).epsilon(1e-10).margin(1e-10 * full_force));
@@ -148,7 +148,7 @@ TEST_CASE("Contact may be lost and regained", "[friction][load]") {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             for (const Eigen::Index n : {1, 3, 30}) {
                 const LoadScene scene = LoadScene::fixed(uniform_mesh<double>(n));
-                const FrictionModel<double> model = strip ? scene.strip_model(integrator) : scene.model(integrator);
+                const FrictionModel<> model = strip ? scene.strip_model(integrator) : scene.model(integrator);
                 State now = model.at_rest(), next = now;
                 Workspace workspace = model.workspace();
                 Load load = scene.hertz.at(full_force);
@@ -180,7 +180,7 @@ TEST_CASE("Contact may be lost and regained", "[friction][load]") {
     }
     // a breathing mesh of three elements
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(3));
-    const FrictionModel<double> model = scene.model();
+    const FrictionModel<> model = scene.model();
     State now = model.at_rest(), next = now;
     Workspace workspace = model.workspace();
     Load load = scene.hertz.at(full_force);
@@ -193,11 +193,11 @@ TEST_CASE("Contact may be lost and regained", "[friction][load]") {
 
 TEST_CASE("A half-length that the mesh cannot follow is reported as needs_fixed_mesh", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12));
-    const FrictionModel<double> model = scene.model(), strip = scene.strip_model();
+    const FrictionModel<> model = scene.model(), strip = scene.strip_model();
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     Load load = scene.hertz.at(full_force);
-    const auto status = [&](const FrictionModel<double>& of, const State& from, double dq, double half_length) {
+    const auto status = [&](const FrictionModel<>& of, const State& from, double dq, double half_length) {
         load.half_length = half_length;
         State start = from;
         start.system = of.fingerprint();
@@ -233,18 +233,18 @@ TEST_CASE("A half-length that the mesh cannot follow is reported as needs_fixed_
     CHECK(strip.advance(longer, 0.1, 1e-4, next, workspace).status == StepStatus::needs_fixed_mesh);
     CHECK(strip.shift(longer, 1e-4, next, workspace).status == StepStatus::needs_fixed_mesh);
     CHECK(strip.steady(longer, 1e-4, next, workspace).status == StepStatus::needs_fixed_mesh);
-    const SteadyFrictionModel<double> steady(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.law());
+    const SteadyFrictionModel<> steady(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.law());
     longer.system = steady.fingerprint();
     State point = steady.at_rest();
-    CHECK(steady.solve(longer, 1e-4, point, workspace).status == StepStatus::needs_fixed_mesh);
+    CHECK(steady.steady(longer, 1e-4, point, workspace).status == StepStatus::needs_fixed_mesh);
 
     // systems with a single half-length: user-supplied matrices, and Galerkin's method
     const ElementSystem<double> system = scene.system();
-    const FrictionModel<double> ready(
+    const FrictionModel<> ready(
         scene.contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked, scene.law());
     CHECK(status(ready, now, 0.1, 1.01) == StepStatus::needs_fixed_mesh);
     CHECK(status(ready, now, 0.1, 1) == StepStatus::ok);
-    const FrictionModel<double> galerkin(
+    const FrictionModel<> galerkin(
         scene.contact, rolling_system(scene.mesh, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}, scene.kernel), unchecked,
         scene.law());
     CHECK(status(galerkin, now, 0.1, 1.01) == StepStatus::needs_fixed_mesh);
@@ -253,7 +253,7 @@ TEST_CASE("A half-length that the mesh cannot follow is reported as needs_fixed_
 
 TEST_CASE("Invalid loads are rejected", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
-    const FrictionModel<double> model = scene.model();
+    const FrictionModel<> model = scene.model();
     Workspace workspace = model.workspace();
     const State now = model.at_rest();
     State next = now;
@@ -314,10 +314,10 @@ TEST_CASE("Invalid loads are rejected", "[friction][load]") {
 TEST_CASE("A state belongs to the model with the pressure of its first load", "[friction][load]") {
     // a model of another pressure would continue under that of the state: the status reports it
     LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
-    const FrictionModel<double> model = scene.model();
-    CoulombFriction<double> law = scene.law();
+    const FrictionModel<> model = scene.model();
+    Friction<> law = scene.law();
     law.normal_pressure *= 1.1;
-    const FrictionModel<double> pressed(scene.contact, scene.system(), unchecked, law);
+    const FrictionModel<> pressed(scene.contact, scene.system(), unchecked, law);
     State next = model.at_rest();
     Workspace workspace = model.workspace();
     CHECK(pressed.advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
@@ -345,7 +345,7 @@ TEST_CASE("A step under a varying load depends only on the state and the argumen
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const LoadScene scene = breathing ? LoadScene::breathing(cosine_mesh<double>(20))
                                               : LoadScene::fixed(uniform_mesh<double>(20), 1.5);
-            const FrictionModel<double> model = scene.model(integrator);
+            const FrictionModel<> model = scene.model(integrator);
             const Workspace fresh = model.workspace();
             Workspace used = fresh;
             State now = model.at_rest(), next = now, again = now;

@@ -19,11 +19,11 @@ using namespace friction_tests;
 
 // -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
-    const FrictionModel<double> model = scene.model(integrator);
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
+    const FrictionModel<> model = scene.model(integrator);
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
     NormalLoad<double> load = scene.hertz.at(sine(0));
-    FrictionStep<double> step = model.steady(now, load_creepage(0.5), load, next, workspace);
+    FrictionStep<> step = model.steady(now, load_creepage(0.5), load, next, workspace);
     std::vector<double> forces{force_ratio(step)};
     bool ok = step.status == StepStatus::ok;
     for (int k = 1; k <= steps; ++k) {
@@ -150,16 +150,16 @@ TEST_CASE("Oblique loading without rolling gives stick everywhere", "[friction][
     };
     LoadScene scene = LoadScene::fixed(uniform_mesh<double>(40), 1, b);
     scene.scheme = {.alpha_L = 0, .alpha_T = 0};
-    const FrictionModel<double> model = scene.model();
-    FrictionWorkspace<double> workspace = model.workspace();
+    const FrictionModel<> model = scene.model();
+    FrictionWorkspace<> workspace = model.workspace();
     const NormalLoad<double> last = scene.hertz.at(full_force);
     const VectorX<double> exact = k * last.normal_pressure.matrix();
     std::vector<double> errors;
     for (const int steps : {5, 20, 80}) {
-        FrictionState<double> now = model.at_rest(), next = now;
+        FrictionState<> now = model.at_rest(), next = now;
         now.normal_pressure.setZero();
         NormalLoad<double> load = scene.hertz.at(0);
-        LoadedFrictionStep<double> step;
+        FrictionStep<> step;
         double before = 0;
         for (int i = 1; i <= steps; ++i) {
             const double P = full_force * i / steps, a = scene.hertz.half_length(P);

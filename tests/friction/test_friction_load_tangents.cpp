@@ -14,8 +14,8 @@
 namespace {
 
 using namespace friction_tests;
-using State = FrictionState<double>;
-using Step = LoadedFrictionStep<double>;
+using State = FrictionState<>;
+using Step = FrictionStep<>;
 using Motion = RigidMotion<double>;
 
 TEST_CASE("The tangents of a step under a varying load agree with central differences", "[friction][load]") {
@@ -27,8 +27,8 @@ TEST_CASE("The tangents of a step under a varying load agree with central differ
             for (const bool linear : {false, true}) {
                 const LoadScene scene = c.breathing ? LoadScene::breathing(cosine_mesh<double>(24), 100)
                                                     : LoadScene::fixed(uniform_mesh<double>(24), 1.25, 100);
-                const FrictionModel<double> model = c.strip ? scene.strip_model(integrator) : scene.model(integrator);
-                FrictionWorkspace<double> workspace = model.workspace();
+                const FrictionModel<> model = c.strip ? scene.strip_model(integrator) : scene.model(integrator);
+                FrictionWorkspace<> workspace = model.workspace();
                 State now = model.at_rest(), next = now, probe = now;
                 NormalLoad<double> load = scene.hertz.at(full_force), other = load;
                 REQUIRE(model.steady(now, load_creepage(0.5), load, next, workspace).status == StepStatus::ok);
@@ -92,8 +92,8 @@ TEST_CASE("An implicit integrator with the load as an unknown converges quadrati
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const LoadScene scene = breathing ? LoadScene::breathing(cosine_mesh<double>(30))
                                               : LoadScene::fixed(uniform_mesh<double>(30), 1.5);
-            const FrictionModel<double> model = scene.model(integrator);
-            FrictionWorkspace<double> workspace = model.workspace();
+            const FrictionModel<> model = scene.model(integrator);
+            FrictionWorkspace<> workspace = model.workspace();
             State now = model.at_rest(), next = now;
             NormalLoad<double> load = scene.hertz.at(full_force);
             double xi = load_creepage(0.3), N = full_force;

@@ -33,7 +33,7 @@ TEST_CASE("The steady force converges to Carter's", "[friction]") {
         for (int k = 0; k < 4; ++k) {
             const Eigen::Index n = 20 << k;
             const Scene scene(expected.cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n), expected.scheme);
-            const FrictionStep<double> point = from_scratch(scene.steady(), creepage(0.5));
+            const FrictionStep<> point = from_scratch(scene.steady(), creepage(0.5));
             sizes.push_back(static_cast<double>(n));
             errors.push_back(force_ratio(point) / carter_force_ratio(0.5) - 1);
             CAPTURE(expected.cosine, expected.scheme.alpha_L, n, errors.back(), point.rounds);
@@ -87,11 +87,11 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n));
-        const SteadyFrictionModel<double> model = scene.steady();
-        const FrictionState<double> rest = model.at_rest();
-        FrictionState<double> state = rest;
-        FrictionWorkspace<double> workspace = model.workspace();
-        const FrictionStep<double> point = model.solve(rest, creepage(0.4), state, workspace);
+        const SteadyFrictionModel<> model = scene.steady();
+        const FrictionState<> rest = model.at_rest();
+        FrictionState<> state = rest;
+        FrictionWorkspace<> workspace = model.workspace();
+        const FrictionStep<> point = model.steady(rest, creepage(0.4), state, workspace);
         const double widest = scene.mesh.widths().maxCoeff();
         double largest = 0;
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -119,7 +119,7 @@ TEST_CASE("The fallback finds the solution where the zones cycle", "[friction]")
     for (const double alpha_T : {0.5, 0.63}) {
         for (const Eigen::Index n : {20, 40, 80}) {
             const Scene scene(cosine_mesh<double>(n), {.alpha_L = 0, .alpha_T = alpha_T});
-            const FrictionStep<double> point = from_scratch(scene.steady(), creepage(0.95));
+            const FrictionStep<> point = from_scratch(scene.steady(), creepage(0.95));
             CAPTURE(alpha_T, n, point.rounds, point.pivots, point.complementarity_residual, force_ratio(point));
             CHECK(point.status == StepStatus::ok);
             CHECK(point.complementarity_residual < 1e-12);
@@ -133,10 +133,10 @@ TEST_CASE("The fallback finds the solution where the zones cycle", "[friction]")
 
 TEST_CASE("Reversing the creepage reverses the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyFrictionModel<double> model = scene.steady();
+    const SteadyFrictionModel<> model = scene.steady();
     for (const double ratio : {0.1, 0.5, 0.9, 1.2}) {
-        const FrictionStep<double> plus = from_scratch(model, creepage(ratio));
-        const FrictionStep<double> minus = from_scratch(model, creepage(-ratio));
+        const FrictionStep<> plus = from_scratch(model, creepage(ratio));
+        const FrictionStep<> minus = from_scratch(model, creepage(-ratio));
         CHECK(plus.force_per_width == Approx(-minus.force_per_width).epsilon(1e-14));
         CHECK(plus.tangent_per_width == Approx(minus.tangent_per_width).epsilon(1e-12).margin(1e-12));
         CHECK(plus.slip_work_per_width == Approx(minus.slip_work_per_width).epsilon(1e-13));
@@ -145,13 +145,13 @@ TEST_CASE("Reversing the creepage reverses the solution", "[friction]") {
 
 TEST_CASE("A creep curve is concave, has the right tangents and does not depend on warm starts", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyFrictionModel<double> model = scene.steady();
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionWorkspace<double> workspace = model.workspace();
+    const SteadyFrictionModel<> model = scene.steady();
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
     double force_before = 0, slope_before = std::numeric_limits<double>::infinity();
     for (int k = 1; k <= 120; ++k) {
         const double xi = creepage(0.01 * k);
-        const FrictionStep<double> point = model.solve(now, xi, next, workspace);
+        const FrictionStep<> point = model.steady(now, xi, next, workspace);
         std::swap(now, next);
         CAPTURE(k);
         CHECK(point.force_per_width == Approx(from_scratch(model, xi).force_per_width).epsilon(1e-12));
@@ -162,7 +162,7 @@ TEST_CASE("A creep curve is concave, has the right tangents and does not depend 
         slope_before = -slope;
         // the curve of a mesh is piecewise straight: a difference quotient that crosses no kink is exact
         const double delta = 1e-7 * peak;
-        const FrictionStep<double> above = from_scratch(model, xi + delta), below = from_scratch(model, xi - delta);
+        const FrictionStep<> above = from_scratch(model, xi + delta), below = from_scratch(model, xi - delta);
         if (above.stick_count == below.stick_count) {
             const double quotient = (above.force_per_width - below.force_per_width) / (2 * delta);
             CHECK(point.tangent_per_width == Approx(quotient).epsilon(1e-6).margin(1e-7));

@@ -30,7 +30,7 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
         const Scene scene(cosine_mesh<double>(30), scheme), grippy(cosine_mesh<double>(30), scheme, 1e9);
         const double linear = -solve_steady(scene.mesh, scheme, scene.kernel).c11;
         const double small = from_scratch(scene.steady(), 1e-9).force_per_width / 1e-9;
-        const FrictionStep<double> gripped = from_scratch(grippy.steady(), 0.3);
+        const FrictionStep<> gripped = from_scratch(grippy.steady(), 0.3);
         CHECK(std::abs(small / linear - 1) < 1e-12);
         CHECK(std::abs(gripped.force_per_width / 0.3 / linear - 1) < 1e-12);
         CHECK(std::abs(gripped.tangent_per_width / linear - 1) < 1e-12);
@@ -40,10 +40,10 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
         // the same steps as in full adhesion, whatever the integrator and the motion
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const TransientModel<double> full_adhesion(scene.contact, scene.system(), unchecked, integrator);
-            const FrictionModel<double> model = grippy.transient(integrator), slippery = scene.transient(integrator);
-            FrictionState<double> now = model.at_rest(), next = now, small_now = slippery.at_rest(),
+            const FrictionModel<> model = grippy.transient(integrator), slippery = scene.transient(integrator);
+            FrictionState<> now = model.at_rest(), next = now, small_now = slippery.at_rest(),
                                   small_next = small_now;
-            FrictionWorkspace<double> workspace = model.workspace(), small_workspace = slippery.workspace();
+            FrictionWorkspace<> workspace = model.workspace(), small_workspace = slippery.workspace();
             TransientState<double> linear_now = full_adhesion.at_rest(), linear_next = linear_now;
             using Motion = RigidMotion<double>;
             for (int step = 1; step <= 20; ++step) {
@@ -54,7 +54,7 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
                                            : Motion::shift(scale * xi);
                 };
                 const TransientStep<double> expected = full_adhesion.advance(linear_now, dq, motion(1), linear_next);
-                const FrictionStep<double> rolled = model.advance(now, dq, motion(1), next, workspace);
+                const FrictionStep<> rolled = model.advance(now, dq, motion(1), next, workspace);
                 slippery.advance(small_now, dq, motion(1e-8), small_next, small_workspace);
                 std::swap(now, next);
                 std::swap(small_now, small_next);
@@ -78,9 +78,9 @@ TEST_CASE("The tangent of a step lies between the one-sided difference quotients
     using Motion = RigidMotion<double>;
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
-        FrictionState<double> now = model.at_rest(), next = now, probe = now;
-        FrictionWorkspace<double> workspace = model.workspace();
+        const FrictionModel<> model = scene.transient(integrator);
+        FrictionState<> now = model.at_rest(), next = now, probe = now;
+        FrictionWorkspace<> workspace = model.workspace();
         int slid = 0, stuck = 0, mixed = 0;
         for (int k = 0; k < 300; ++k) {
             const bool faint = k % 15 < 2;
@@ -93,7 +93,7 @@ TEST_CASE("The tangent of a step lies between the one-sided difference quotients
                                                    : Motion::shift(dq * end + change);
                 return model.advance(now, dq, motion, change == 0 ? next : probe, workspace);
             };
-            const FrictionStep<double> step = force(0);
+            const FrictionStep<> step = force(0);
             const double change = 1e-7 * peak;
             const double above = (force(change).force_per_width - step.force_per_width) / change;
             const double below = (step.force_per_width - force(-change).force_per_width) / change;
@@ -114,12 +114,12 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
         std::vector<double> sizes, errors;
         for (const Eigen::Index n : {20, 40, 80}) {
             const Scene scene(cosine_mesh<double>(n), {.alpha_L = 0, .alpha_T = 0}, 1, 100);
-            const FrictionModel<double> model = scene.transient();
-            const FrictionState<double> rest = model.at_rest();
-            FrictionState<double> shifted = rest;
-            FrictionWorkspace<double> workspace = model.workspace();
+            const FrictionModel<> model = scene.transient();
+            const FrictionState<> rest = model.at_rest();
+            FrictionState<> shifted = rest;
+            FrictionWorkspace<> workspace = model.workspace();
             const double shift = peak * cattaneo_shift(force, nu, 100.0);
-            const FrictionStep<double> step = model.shift(rest, shift, shifted, workspace);
+            const FrictionStep<> step = model.shift(rest, shift, shifted, workspace);
             sizes.push_back(static_cast<double>(n));
             errors.push_back(force_ratio(step) / force - 1);
             CAPTURE(force, n, errors.back());
@@ -135,7 +135,7 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
                       1.5 / static_cast<double>(n));
             }
             const double delta = 1e-7 * shift;
-            const FrictionStep<double> more = model.shift(rest, shift + delta, shifted, workspace);
+            const FrictionStep<> more = model.shift(rest, shift + delta, shifted, workspace);
             CHECK(step.tangent_per_width ==
                   Approx((more.force_per_width - step.force_per_width) / delta).epsilon(1e-5));
         }
@@ -146,14 +146,14 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
 
 TEST_CASE("Rolling at constant creepage tends to the steady solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(40), half, 1, 10);
-    const FrictionModel<double> model = scene.transient();
-    const FrictionStep<double> steady = from_scratch(scene.steady(), creepage(0.6));
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionWorkspace<double> workspace = model.workspace();
+    const FrictionModel<> model = scene.transient();
+    const FrictionStep<> steady = from_scratch(scene.steady(), creepage(0.6));
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
     // from rest, and from a shift larger than that of steady rolling
     for (const double shift : {0.0, 4.0}) {
         now = model.at_rest();
-        FrictionStep<double> step = model.shift(now, shift * peak, next, workspace);
+        FrictionStep<> step = model.shift(now, shift * peak, next, workspace);
         std::swap(now, next);
         for (int k = 0; k < 2000; ++k) {
             step = model.advance(now, 0.1, creepage(0.6), next, workspace);
@@ -164,16 +164,16 @@ TEST_CASE("Rolling at constant creepage tends to the steady solution", "[frictio
         CHECK(step.stick_count == steady.stick_count);
         CHECK(step.slip_work_per_width / 0.1 == Approx(steady.slip_work_per_width).epsilon(1e-9));
     }
-    FrictionState<double> ready = model.at_rest();
-    const FrictionStep<double> found = model.steady(next, creepage(0.6), ready, workspace);
+    FrictionState<> ready = model.at_rest();
+    const FrictionStep<> found = model.steady(next, creepage(0.6), ready, workspace);
     CHECK(found.status == StepStatus::ok);
     CHECK(found.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
     CHECK(model.force(ready) == Approx(found.force).epsilon(1e-14));
     CHECK((ready.traction - now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak);
-    const FrictionStep<double> stays = model.advance(ready, 0.3, creepage(0.6), next, workspace);
+    const FrictionStep<> stays = model.advance(ready, 0.3, creepage(0.6), next, workspace);
     CHECK(stays.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
     // a workspace used by steady() serves for a rigid shift, and one used by a shift for steady()
-    FrictionWorkspace<double> fresh = model.workspace();
+    FrictionWorkspace<> fresh = model.workspace();
     const double shifted = model.shift(now, 0.3 * peak, ready, fresh).force_per_width;
     REQUIRE(model.steady(now, creepage(0.6), ready, workspace).status == StepStatus::ok);
     CHECK(model.shift(now, 0.3 * peak, ready, workspace).force_per_width == shifted);
@@ -186,10 +186,10 @@ struct History {
     double force_ratio, work;
 };
 History roll_to_two(const Scene& scene, Integrator integrator, int steps) {
-    const FrictionModel<double> model = scene.transient(integrator);
-    FrictionState<double> now = model.at_rest(), next = now;
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionStep<double> step;
+    const FrictionModel<> model = scene.transient(integrator);
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionStep<> step;
     const double dq = 2.0 / steps;
     const auto xi = [&](int k) { return creepage(0.9 * std::sin(dq * k)); };
     double work = 0;
@@ -251,12 +251,12 @@ TEST_CASE("Every step satisfies Coulomb's law, whatever the history", "[friction
         const MatrixX<double>&G = system.G(), &G_prime = system.G_prime();
         const Eigen::PartialPivLU<MatrixX<double>> slope_lu(G_prime);
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const FrictionModel<double> model = scene.transient(integrator);
-            FrictionState<double> now = model.at_rest(), next = now;
-            FrictionWorkspace<double> workspace = model.workspace();
+            const FrictionModel<> model = scene.transient(integrator);
+            FrictionState<> now = model.at_rest(), next = now;
+            FrictionWorkspace<> workspace = model.workspace();
             for (int k = 0; k < 300; ++k) {
                 const double xi = creepage(uniform(generator)), dq = k % 7 == 0 ? 0.4 : k % 11 == 0 ? 0.01 : 0.1;
-                const FrictionStep<double> step = model.advance(now, dq, xi, next, workspace);
+                const FrictionStep<> step = model.advance(now, dq, xi, next, workspace);
                 CAPTURE(name(integrator), k, step.rounds, step.pivots, step.complementarity_residual);
                 REQUIRE(step.status == StepStatus::ok);
                 REQUIRE(step.slip_work_per_width >= 0);
@@ -304,17 +304,17 @@ TEST_CASE("The residual of a step is that of the worse of its two stages", "[fri
     for (int trial = 0; trial < 400; ++trial) {
         const MatrixX<double> G = 1e8 * (MatrixX<double>::Ones(3, 1) * random(1).transpose() + 1e-16 * random(3));
         const auto step = [&](Integrator integrator, double dq, double xi) {
-            const FrictionModel<double> model(contact,
+            const FrictionModel<> model(contact,
                                               {G, MatrixX<double>::Zero(3, 3), ArrayX<double>::Constant(3, 2.0 / 3)},
                                               unchecked, {1.0, ArrayX<double>::Constant(3, peak)}, integrator);
-            const FrictionState<double> rest = model.at_rest();
-            FrictionState<double> to = rest;
-            FrictionWorkspace<double> workspace = model.workspace();
+            const FrictionState<> rest = model.at_rest();
+            FrictionState<> to = rest;
+            FrictionWorkspace<> workspace = model.workspace();
             return model.advance(rest, dq, xi, to, workspace);
         };
         const double xi = normal(generator);
-        const FrictionStep<double> first = step(Integrator::implicit_euler, gamma * 0.1, xi);
-        const FrictionStep<double> whole = step(Integrator::sdirk2, 0.1, xi);
+        const FrictionStep<> first = step(Integrator::implicit_euler, gamma * 0.1, xi);
+        const FrictionStep<> whole = step(Integrator::sdirk2, 0.1, xi);
         CAPTURE(trial, first.complementarity_residual, whole.complementarity_residual);
         CHECK(whole.complementarity_residual >= first.complementarity_residual);
         if (first.status == StepStatus::no_solution) {
@@ -335,9 +335,9 @@ TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[fr
     constexpr int steps = 10000;
     const Scene scene(cosine_mesh<double>(n), half, 1, 10);
     const ElementSystem<double> system = scene.system();
-    const FrictionModel<double> model = scene.transient(Integrator::implicit_euler);
-    FrictionWorkspace<double> workspace = model.workspace();
-    FrictionState<double> now = model.at_rest(), next = now;
+    const FrictionModel<> model = scene.transient(Integrator::implicit_euler);
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
     for (int k = 0; k < 1000; ++k) {
         REQUIRE(model.advance(now, dq, creepage(0.5), next, workspace).status == StepStatus::ok);
         std::swap(now, next);
@@ -358,15 +358,15 @@ TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[fr
     const Eigen::PartialPivLU<MatrixX<long double>> lu(MatrixX<long double>(M(stick, stick)));
     const Vector product = M * sliding;
 
-    FrictionState<double> checked = now, checked_next = now;
-    FrictionWorkspace<double> checked_workspace = model.workspace();
+    FrictionState<> checked = now, checked_next = now;
+    FrictionWorkspace<> checked_workspace = model.workspace();
     const std::vector<Zone> zones = now.zones;
     double error = 0, checked_error = 0;
     int checks = 0;
     for (int k = 0; k < steps; ++k) {
         const double xi = creepage(0.5 * (1 + 1e-3 * std::sin(0.01 * k)));
-        const FrictionStep<double> step = model.advance(now, dq, xi, next, workspace);
-        checked.unchanged_steps = 0;
+        const FrictionStep<> step = model.advance(now, dq, xi, next, workspace);
+        checked.solver.unchanged_steps = 0;
         model.advance(checked, dq, xi, checked_next, checked_workspace);
         std::swap(now, next);
         std::swap(checked, checked_next);
@@ -376,7 +376,7 @@ TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[fr
         const Vector constant = Vector::Constant(n, static_cast<long double>(xi * dq)) - G * exact + product;
         const Vector solution = lu.solve(Vector(constant(stick)));
         for (std::size_t j = 0; j < stick.size(); ++j) exact[stick[j]] = -solution[static_cast<Eigen::Index>(j)];
-        const auto off = [&](const FrictionState<double>& state) {
+        const auto off = [&](const FrictionState<>& state) {
             return static_cast<double>((state.traction.cast<long double>() - exact).cwiseAbs().maxCoeff()) / peak;
         };
         error = std::max(error, off(now));
@@ -395,15 +395,15 @@ TEST_CASE("A problem in SI units is the dimensionless one, scaled", "[friction]"
     const Mesh<double> mesh = cosine_mesh<double>(20);
     const ArrayX<double> shape = mean_hertz_pressure(mesh);
     const ElementSystem<double> system = rolling_system(mesh, half, kernel);
-    const FrictionModel<double> model(contact, system, unchecked, {mu, peak * G / mu * shape});
-    const FrictionModel<double> plain(Contact<double>::dimensionless(b / a, nu), system, unchecked,
+    const FrictionModel<> model(contact, system, unchecked, {mu, peak * G / mu * shape});
+    const FrictionModel<> plain(Contact<double>::dimensionless(b / a, nu), system, unchecked,
                                       {1.0, peak * shape});
-    FrictionState<double> now = model.at_rest(), next = now, plain_now = plain.at_rest(), plain_next = plain_now;
-    FrictionWorkspace<double> workspace = model.workspace(), plain_workspace = plain.workspace();
+    FrictionState<> now = model.at_rest(), next = now, plain_now = plain.at_rest(), plain_next = plain_now;
+    FrictionWorkspace<> workspace = model.workspace(), plain_workspace = plain.workspace();
     for (int k = 0; k < 10; ++k) {
-        const FrictionStep<double> step = k == 3 ? model.shift(now, a * peak, next, workspace)
+        const FrictionStep<> step = k == 3 ? model.shift(now, a * peak, next, workspace)
                                                  : model.advance(now, 0.2 * a, creepage(0.7), next, workspace);
-        const FrictionStep<double> same =
+        const FrictionStep<> same =
             k == 3 ? plain.shift(plain_now, peak, plain_next, plain_workspace)
                    : plain.advance(plain_now, 0.2, creepage(0.7), plain_next, plain_workspace);
         CHECK(step.force_per_width == Approx(a * G * same.force_per_width).epsilon(1e-12));
@@ -436,8 +436,8 @@ TEST_CASE("Steps and steady rolling with friction agree in every scalar type", "
 TEST_CASE("Invalid input to friction is rejected by name or reported by the status", "[friction]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     Scene scene(cosine_mesh<double>(8));
-    const CoulombFriction<double> good = scene.friction;
-    const auto refused = [&](const CoulombFriction<double>& friction, const std::string& text) {
+    const Friction<> good = scene.friction;
+    const auto refused = [&](const Friction<>& friction, const std::string& text) {
         scene.friction = friction;
         CHECK_THROWS_WITH(scene.steady(), "SteadyFrictionModel: " + text);
         CHECK_THROWS_WITH(scene.transient(), "FrictionModel: " + text);
@@ -453,36 +453,36 @@ TEST_CASE("Invalid input to friction is rejected by name or reported by the stat
     refused({1, pressure}, "normal_pressure = inf must be finite and not negative");
     const MatrixX<double> one = MatrixX<double>::Identity(8, 8);
     CHECK_THROWS_WITH(
-        SteadyFrictionModel<double>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
+        SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
         "SteadyFrictionModel: number of rows of G_prime = 7 must equal the number of widths");
     CHECK_THROWS_WITH(
-        SteadyFrictionModel<double>(scene.contact, MatrixX<double>::Zero(8, 7), scene.mesh.widths(), good),
+        SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(8, 7), scene.mesh.widths(), good),
         "SteadyFrictionModel: number of columns of G_prime = 7 must equal the number of widths");
     MatrixX<double> G = one, G_prime = -one;
     G_prime(6, 1) = inf;
     CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("G_prime(6, 1) = "));
-    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, G_prime, scene.mesh.widths(), good),
+    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, G_prime, scene.mesh.widths(), good),
                       "SteadyFrictionModel: G_prime(6, 1) = inf must be finite (row and column counted from 0)");
     G(2, 5) = nan;
     CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()),
                       ContainsSubstring(": G(2, 5) = nan must be finite"));
-    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, MatrixX<double>(), ArrayX<double>(), {1, {}}),
+    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, MatrixX<double>(), ArrayX<double>(), {1, {}}),
                       "SteadyFrictionModel: number of unknown elements = 0 must be at least 1");
     ArrayX<double> width = scene.mesh.widths();
     width[4] = 0;
-    CHECK_THROWS_WITH(SteadyFrictionModel<double>(scene.contact, -one, width, good),
+    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, -one, width, good),
                       "SteadyFrictionModel: width = 0 must be positive and finite");
-    CHECK(FrictionStep<double>{}.status == StepStatus::not_finite);
+    CHECK(FrictionStep<>{}.status == StepStatus::not_finite);
 
     scene.friction = good;
     CHECK_THROWS_WITH(Scene(cosine_mesh<double>(8), half, 1, 0.1).transient(),
                       ContainsSubstring("PlaneKernel: Lambda"));
-    const FrictionModel<double> model = scene.transient();
-    const SteadyFrictionModel<double> steady = scene.steady();
-    FrictionState<double> now = model.at_rest(), next = now, steady_now = steady.at_rest(), steady_next = steady_now;
-    const FrictionModel<double> larger = Scene(cosine_mesh<double>(9)).transient();
-    FrictionState<double> other = larger.at_rest();
-    FrictionWorkspace<double> workspace = model.workspace();
+    const FrictionModel<> model = scene.transient();
+    const SteadyFrictionModel<> steady = scene.steady();
+    FrictionState<> now = model.at_rest(), next = now, steady_now = steady.at_rest(), steady_next = steady_now;
+    const FrictionModel<> larger = Scene(cosine_mesh<double>(9)).transient();
+    FrictionState<> other = larger.at_rest();
+    FrictionWorkspace<> workspace = model.workspace();
     const auto advanced = [&](double dq, const RigidMotion<double>& motion) {
         return model.advance(now, dq, motion, next, workspace).status;
     };
@@ -509,16 +509,16 @@ TEST_CASE("Invalid input to friction is rejected by name or reported by the stat
     }
     CHECK(model.advance(now, 0.1, 1e-3, now, workspace).status == StepStatus::wrong_state);
     CHECK(model.advance(now, 0.1, 1e-3, other, workspace).status == StepStatus::wrong_state);
-    CHECK(steady.solve(steady_now, nan, steady_next, workspace).status == StepStatus::not_finite);
+    CHECK(steady.steady(steady_now, nan, steady_next, workspace).status == StepStatus::not_finite);
     CHECK(std::isnan(model.advance(now, 0.1, nan, next, workspace).force));
     CHECK(model.steady(now, nan, next, workspace).status == StepStatus::not_finite);
     CHECK(model.steady(now, 1e-3, now, workspace).status == StepStatus::wrong_state);
     CHECK(model.steady(now, 1e-3, other, workspace).status == StepStatus::wrong_state);
     // a workspace used by another model is recognised as such
-    const FrictionModel<double> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 3).transient();
-    const FrictionState<double> start = slippery.at_rest();
-    FrictionState<double> end = start;
-    FrictionWorkspace<double> fresh = slippery.workspace(), fresher = model.workspace();
+    const FrictionModel<> slippery = Scene(cosine_mesh<double>(8), half, 0.1, 3).transient();
+    const FrictionState<> start = slippery.at_rest();
+    FrictionState<> end = start;
+    FrictionWorkspace<> fresh = slippery.workspace(), fresher = model.workspace();
     const double borrowed = slippery.advance(start, 0.1, 1e-3, end, workspace).force_per_width;
     CHECK(borrowed == slippery.advance(start, 0.1, 1e-3, end, fresh).force_per_width);
     const double returned = model.advance(now, 0.1, 1e-3, next, workspace).force_per_width;
@@ -527,10 +527,10 @@ TEST_CASE("Invalid input to friction is rejected by name or reported by the stat
     // and so is another model's state
     CHECK(slippery.advance(now, 0.1, 1e-3, end, workspace).status == StepStatus::wrong_state);
     // no friction, no force; no pressure at an element, no traction there
-    const FrictionModel<double> smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
+    const FrictionModel<> smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
     CHECK(smooth.advance(now, 0.1, 1e-3, next, workspace).force_per_width == 0);
     scene.friction.normal_pressure[5] = 0;
-    const FrictionModel<double> gap = scene.transient();
+    const FrictionModel<> gap = scene.transient();
     CHECK(gap.advance(gap.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::ok);
     CHECK(next.traction[5] == 0);
 }
@@ -538,13 +538,13 @@ TEST_CASE("Invalid input to friction is rejected by name or reported by the stat
 TEST_CASE("A used workspace does not reuse the matrix of a step of nearly the same length", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
+        const FrictionModel<> model = scene.transient(integrator);
         for (const double change : {5e-7, -5e-7, 1e-9}) {
-            FrictionState<double> now = model.at_rest(), next = now;
-            FrictionWorkspace<double> used = model.workspace(), fresh = used;
+            FrictionState<> now = model.at_rest(), next = now;
+            FrictionWorkspace<> used = model.workspace(), fresh = used;
             REQUIRE(model.advance(now, 0.1, creepage(0.4), next, used).status == StepStatus::ok);
-            const FrictionStep<double> again = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, used);
-            const FrictionStep<double> first = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, fresh);
+            const FrictionStep<> again = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, used);
+            const FrictionStep<> first = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, fresh);
             CAPTURE(name(integrator), change, again.force_per_width / first.force_per_width - 1);
             CHECK(again.force_per_width == first.force_per_width);
             CHECK(again.tangent_per_width == first.tangent_per_width);
@@ -555,12 +555,12 @@ TEST_CASE("A used workspace does not reuse the matrix of a step of nearly the sa
 TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
-        FrictionState<double> rest = model.at_rest(), rolled = rest, next = rest, expected = rest, after = rest;
-        FrictionWorkspace<double> workspace = model.workspace(), fresh = workspace;
+        const FrictionModel<> model = scene.transient(integrator);
+        FrictionState<> rest = model.at_rest(), rolled = rest, next = rest, expected = rest, after = rest;
+        FrictionWorkspace<> workspace = model.workspace(), fresh = workspace;
         REQUIRE(model.advance(rest, 1.0, creepage(0.7), rolled, workspace).status == StepStatus::ok);
         REQUIRE(rolled.zones != rest.zones);
-        const FrictionStep<double> failed = model.advance(rolled, 1e3, 1e308, next, workspace);
+        const FrictionStep<> failed = model.advance(rolled, 1e3, 1e308, next, workspace);
         CHECK(failed.status == StepStatus::not_finite);
         CHECK(std::isnan(failed.force));
         CHECK(next.traction == rolled.traction);

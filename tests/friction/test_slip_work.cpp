@@ -67,7 +67,7 @@ TEST_CASE("With points at the leading edges, the slip at a centre is the mean of
 TEST_CASE("The slip is taken as it is without points, with a single one, or where points coincide", "[friction]") {
     const VectorX<double> slip = VectorX<double>{{5, 3, 2}};
     const ArrayX<double> widths = ArrayX<double>::Constant(3, 2.0 / 3);
-    const detail::SlipWork<double> bare(widths, std::nullopt), flat(widths, ArrayX<double>::Zero(3));
+    const detail::SlipWork<double> bare(widths, ArrayX<double>()), flat(widths, ArrayX<double>::Zero(3));
     for (Eigen::Index i = 0; i < 3; ++i) {
         CHECK(bare.at_centre(i, slip) == slip[i]);
         CHECK(flat.at_centre(i, slip) == slip[i]);
@@ -93,12 +93,12 @@ TEST_CASE("The slip work of steady rolling converges at second order", "[frictio
         std::vector<double> sizes, against_carter;
         for (std::size_t k = 0; k < 4; ++k) {
             const Scene scene(cosine_mesh<double>(20 << k));
-            const SteadyFrictionModel<double> model = scene.steady();
-            const FrictionState<double> rest = model.at_rest();
-            FrictionState<double> state = rest;
-            FrictionWorkspace<double> workspace = model.workspace();
+            const SteadyFrictionModel<> model = scene.steady();
+            const FrictionState<> rest = model.at_rest();
+            FrictionState<> state = rest;
+            FrictionWorkspace<> workspace = model.workspace();
             const double xi = creepage(expected.ratio);
-            const FrictionStep<double> point = model.solve(rest, xi, state, workspace);
+            const FrictionStep<> point = model.steady(rest, xi, state, workspace);
             CAPTURE(expected.ratio, scene.mesh.size());
             CHECK(std::abs(point.slip_work_per_width / (-point.force_per_width * xi) - 1 - expected.errors[k]) <
                   0.05 * expected.errors[k]);
@@ -131,13 +131,13 @@ TEST_CASE("The slip work of full sliding is exact on any mesh", "[friction]") {
 TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<double> model = scene.transient(integrator);
-        FrictionState<double> now = model.at_rest(), next = now;
-        FrictionWorkspace<double> workspace = model.workspace();
+        const FrictionModel<> model = scene.transient(integrator);
+        FrictionState<> now = model.at_rest(), next = now;
+        FrictionWorkspace<> workspace = model.workspace();
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);
-            const FrictionStep<double> step = k % 2 == 0 ? model.shift(now, peak * wave, next, workspace)
+            const FrictionStep<> step = k % 2 == 0 ? model.shift(now, peak * wave, next, workspace)
                                                          : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             CHECK(workspace.slip_work().minCoeff() >= 0);

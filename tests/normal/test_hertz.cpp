@@ -105,7 +105,10 @@ TEST_CASE("Hertz's pressure at a point follows the semi-ellipse", "[hertz]") {
     CHECK(pressure(-0.6) == Approx(0.8 * hertz.peak_pressure()).epsilon(1e-15));
     CHECK(pressure(1.0) == 0);
     const Mesh<double> mesh = cosine_mesh<double>(7);
-    CHECK((pressure(mesh) == hertz.mean_pressure(mesh)).all());
+    const detail::QuadratureRule<double> rule = detail::gauss_legendre<double>(20);
+    double mean = 0;  // of the element in the middle, where the pressure is analytic
+    for (Eigen::Index k = 0; k < 20; ++k) mean += rule.weights[k] / 2 * pressure(mesh.widths()[3] / 2 * rule.nodes[k]);
+    CHECK(pressure(mesh)[3] == Approx(mean).epsilon(1e-14));
 }
 
 }  // namespace

@@ -47,10 +47,10 @@ void ride(Draw& draw, double aspect, Tally& tally) {
         }
         return result;
     };
-    const CombinedFrictionModel<double> model(contact, along, across, unchecked, {mu, pressures(false)},
+    const FrictionModel<ConstantFriction<>, 2> model(contact, {along, across}, unchecked, {mu, pressures(false)},
                                               Integrator::implicit_euler);
-    CombinedFrictionState<double> now = model.at_rest(), next = now;
-    CombinedFrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<2> now = model.at_rest(), next = now;
+    FrictionWorkspace<2> workspace = model.workspace();
     NormalLoad<double> load{now.normal_pressure, a, {}};
     for (int k = 0; k < 6; ++k) {
         const double size = mu * peak / G * draw.decades(-1.5, 1), angle = draw.uniform(-3.2, 3.2);

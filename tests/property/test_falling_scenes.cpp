@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <rollbem/compiled/falling.hpp>
+#include <rollbem/compiled/friction.hpp>
 
 #include "drawn_scenes.hpp"
 #include "friction/falling_conditions.hpp"
@@ -51,7 +51,7 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
     const ElementSystem<double> system = rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact));
     const double mu_0 = draw.uniform(0.05, 1), peak = G * draw.decades(-4, -2), sliding = mu_0 * peak / G;
     const AnyLaw law{draw.integer(3), mu_0, mu_0 * draw.uniform(0, 1.2), speed * sliding * draw.decades(-1, 2)};
-    SlipMemory<double> memory;
+    FrictionMemory<double> memory;
     if (remembers) memory = {a * sliding * draw.decades(-2, 1), speed * sliding * draw.decades(-4, -1)};
     const auto pressures = [&](bool holes) {
         ArrayX<double> result = peak * mean_hertz_pressure(mesh);
@@ -62,10 +62,10 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
         if (!(result.maxCoeff() > 0)) result[0] = peak;
         return result;
     };
-    const FallingFrictionModel<AnyLaw> model(contact, system, unchecked, {law, memory, pressures(false)},
+    const FrictionModel<AnyLaw> model(contact, system, unchecked, {law, pressures(false), memory},
                                              Integrator::implicit_euler);
-    FallingFrictionState<double> now = model.at_rest(), next = now;
-    FallingFrictionWorkspace<double> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
+    FrictionWorkspace<> workspace = model.workspace();
     NormalLoad<double> load{now.normal_pressure, a, {}};
     for (int k = 0; k < 10; ++k) {
         const double creepage = sliding * draw.decades(-1.5, 1) * (draw.integer(3) == 0 ? -1 : 1);
@@ -73,10 +73,10 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
         const bool steady = k == 0 || draw.integer(4) == 0, shifts = !steady && draw.integer(5) == 0;
         const double dq = shifts || steady ? 0 : draw.decades(-2, 0), duration = draw.decades(-2, 0) * a / speed;
         const double time = steady ? a / speed : shifts ? duration : dq * a / speed;
-        const FrictionStep<double> step =
+        const FrictionStep<> step =
             steady   ? model.steady(now, creepage, speed, load, next, workspace)
-            : shifts ? model.advance(now, 0, duration, RigidMotion<double>::shift(a * creepage), load, next, workspace)
-                     : model.advance(now, dq * a, time, creepage, load, next, workspace);
+            : shifts ? model.advance(now, {0, duration}, RigidMotion<double>::shift(a * creepage), load, next, workspace)
+                     : model.advance(now, {dq * a, time}, creepage, load, next, workspace);
         ++tally.solutions;
         const double imposed = steady || shifts ? creepage : dq * creepage;
         const Violation<double> found =

@@ -228,14 +228,14 @@ TEST_CASE("Models reject every argument out of its domain", "[domain]") {
     const auto law = [&](double mu, double pressure) {
         ArrayX<double> normal_pressure = ArrayX<double>::Ones(4);
         normal_pressure[2] = pressure;
-        return CoulombFriction<double>{mu, normal_pressure};
+        return Friction<>{mu, normal_pressure};
     };
     const auto both = [&](double mu, double pressure) {
-        const CoulombFriction<double> friction = law(mu, pressure);
+        const Friction<> friction = law(mu, pressure);
         const std::string steady =
-            refusal([&] { SteadyFrictionModel<double>(contact, system.G_prime(), mesh.widths(), friction); });
+            refusal([&] { SteadyFrictionModel<>(contact, system.G_prime(), mesh.widths(), friction); });
         CHECK(steady != "");
-        FrictionModel<double>(contact, system, unchecked, friction);
+        FrictionModel<>(contact, system, unchecked, friction);
     };
     refuses<double>("friction_coefficient", bad<double>({-1e-300, infinity}), [&](double mu) { both(mu, 1); });
     refuses<double>("normal_pressure", bad<double>({-1e-300, infinity}), [&](double p) { both(0.3, p); });

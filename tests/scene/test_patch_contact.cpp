@@ -51,13 +51,13 @@ TEST_CASE("outline: bad ones are refused with the line and its value") {
     CHECK(refused({0, 1}, {0, 0}, {1, 1}).empty());
     CHECK(refused({0, 1, 2}, {0, -1, 0}, {0, 1, 0}).empty());  // tips
     CHECK_THAT(refused({0}, {0}, {1}), ContainsSubstring("number of lines = 1 must be at least 2"));
-    CHECK_THAT(refused({0, 1, 1}, {0, 0, 0}, {1, 1, 1}), ContainsSubstring("y of line 2 = 1 must be larger"));
-    CHECK_THAT(refused({0, 2, 1}, {0, 0, 0}, {1, 1, 1}), ContainsSubstring("y of line 2 = 1 must be larger"));
-    CHECK_THAT(refused({0, NAN}, {0, 0}, {1, 1}), ContainsSubstring("y of line 1 = nan must be finite"));
-    CHECK_THAT(refused({0, 1}, {0, 0}, {1, NAN}), ContainsSubstring("x_leading of line 1 = nan"));
+    CHECK_THAT(refused({0, 1, 1}, {0, 0, 0}, {1, 1, 1}), ContainsSubstring("y of line 3 = 1 must be larger"));
+    CHECK_THAT(refused({0, 2, 1}, {0, 0, 0}, {1, 1, 1}), ContainsSubstring("y of line 3 = 1 must be larger"));
+    CHECK_THAT(refused({0, NAN}, {0, 0}, {1, 1}), ContainsSubstring("y of line 2 = nan must be finite"));
+    CHECK_THAT(refused({0, 1}, {0, 0}, {1, NAN}), ContainsSubstring("x_leading of line 2 = nan"));
     CHECK_THAT(refused({0, 1}, {0, 2}, {1, 1}), ContainsSubstring("the edges cross"));
     CHECK_THAT(refused({0, 1, 2}, {0, 1, 0}, {1, 1, 1}),
-               ContainsSubstring("x_leading - x_trailing of line 1 = 0 must be positive"));
+               ContainsSubstring("x_leading - x_trailing of line 2 = 0 must be positive"));
     CHECK_THAT(refused({0, 1}, {0, 0}, {0, 0}), ContainsSubstring("area = 0"));
     CHECK_THAT(refused({0, 1}, {0, 0, 0}, {1, 1}), ContainsSubstring("number of trailing edges"));
 }

@@ -20,12 +20,12 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
         Contact<Scalar>::dimensionless(Scalar(contact_of_double.aspect()), Scalar(contact_of_double.poisson_ratio()));
     const ArrayX<Scalar> widths = system.weights().template cast<Scalar>();
     const MatrixX<Scalar> G = system.G().template cast<Scalar>(), G_prime = system.G_prime().template cast<Scalar>();
-    const CoulombFriction<Scalar> friction{1, bound.template cast<Scalar>()};
-    const FrictionModel<Scalar> model(contact, {G, G_prime, widths}, unchecked,
-                                      {friction.friction_coefficient, friction.normal_pressure}, Integrator::sdirk2);
-    FrictionState<Scalar> now = model.at_rest(), next = now;
-    FrictionWorkspace<Scalar> workspace = model.workspace();
-    FrictionStep<Scalar> step;
+    const Friction<ConstantFriction<Scalar>, Scalar> friction{1, bound.template cast<Scalar>()};
+    const FrictionModel<ConstantFriction<Scalar>, 1, Scalar> model(contact, {G, G_prime, widths}, unchecked,
+                                      {friction.law, friction.normal_pressure}, Integrator::sdirk2);
+    FrictionState<1, Scalar> now = model.at_rest(), next = now;
+    FrictionWorkspace<1, Scalar> workspace = model.workspace();
+    FrictionStep<1, Scalar> step;
     for (int k = 0; k < 50; ++k) {
         step = model.advance(now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25), Scalar(sliding * (k % 20 < 10 ? 0.9 : -0.4)),
                              next, workspace);
@@ -33,10 +33,9 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
         std::swap(now, next);
     }
     // the law in braces
-    const SteadyFrictionModel<Scalar> steady(contact, G_prime, widths,
-                                             {friction.friction_coefficient, friction.normal_pressure});
-    now.system = steady.fingerprint();  // the search starts from the zones of rolling
-    return {step.force_per_width, steady.solve(now, Scalar(sliding * 0.95), next, workspace).force_per_width};
+    const SteadyFrictionModel<ConstantFriction<Scalar>, 1, Scalar> steady(contact, G_prime, widths,
+                                                                          {friction.law, friction.normal_pressure});
+    return {step.force_per_width, steady.steady(now, Scalar(sliding * 0.95), next, workspace).force_per_width};
 }
 
 }  // namespace rollbem

@@ -42,36 +42,46 @@ inline constexpr Unchecked unchecked{};
 
 namespace detail {
 
-/// The unknowns of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header.
+/// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; `first` of the
+/// unknowns of several directions are the place of this one's n.
 template <class Scalar>
-VectorX<Scalar> steady_unknowns(const RollingSystem<Scalar>& system) {
-    MatrixX<Scalar> factors = system.G_prime();
-    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(system.size()));
-    VectorX<Scalar> p = VectorX<Scalar>::Ones(system.size());
-    factorise_in_place<Scalar>(factors, swaps.data());
-    solve_in_place<Scalar>(factors, swaps.data(), p);
-    return p;
+VectorX<Scalar> steady_tractions(MatrixX<Scalar> G_prime, Eigen::Index first, Eigen::Index n) {
+    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(G_prime.rows()));
+    VectorX<Scalar> p = VectorX<Scalar>::Zero(G_prime.rows());
+    p.segment(first, n).setOnes();
+    factorise_in_place<Scalar>(G_prime, swaps.data());
+    solve_in_place<Scalar>(G_prime, swaps.data(), p);
+    return p.segment(first, n);
 }
 
-/// The requirements of every model in time: throws std::invalid_argument unless the verdict is one on this system's
-/// eigenvalues and establishes that none grows, or if steady rolling shows that the scheme does not converge to full
-/// adhesion (Status::inconsistent).
-template <class Scalar>
-void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const StabilityVerdict& verdict) {
-    require(verdict.n == system.size(), who, "n of the verdict", verdict.n, "equal the number of unknowns");
+/// Throws std::invalid_argument unless the verdict is one on n eigenvalues and establishes that none grows.
+inline void require_stable(const char* who, Eigen::Index n, const StabilityVerdict& verdict) {
+    require(verdict.n == n, who, "n of the verdict", verdict.n, "equal the number of unknowns");
     require(verdict.status == Status::ok, who, "status of the verdict", name(verdict.status), "be ok");
     require(verdict.unstable_count == 0, who, "unstable_count", verdict.unstable_count,
             "be 0: a mode of the scheme grows without bound");
     require(verdict.uncertain_count == 0, who, "uncertain_count", verdict.uncertain_count,
             "be 0: rounding leaves open whether a mode grows");
-    if (!system.unknowns_are_tractions()) return;
-    const VectorX<Scalar> steady = steady_unknowns(system);
+}
+
+/// Throws std::invalid_argument if steady tractions show that the scheme does not converge to full adhesion
+/// (Status::inconsistent).
+template <class Scalar, class Areas>
+void require_convergent(const char* who, const VectorX<Scalar>& steady, const Areas& areas) {
     require(all_finite(steady), who, "largest steady traction", std::numeric_limits<Scalar>::infinity(),
             "be finite: G_prime is singular");
-    const Scalar share = assisting_share<Scalar>(steady.array(), system.weights());
+    const Scalar share = assisting_share<Scalar>(steady.array(), areas);
     require(is_finite(share) && share <= Scalar(largest_assisting_share), who,
             "share of steady traction that assists the creepage", share,
             "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
+}
+
+/// The requirements of every model in time.
+template <class Scalar>
+void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const StabilityVerdict& verdict) {
+    require_stable(who, system.size(), verdict);
+    if (!system.unknowns_are_tractions()) return;
+    require_convergent<Scalar>(who, steady_tractions(system.G_prime(), 0, system.size()), system.weights());
 }
 
 }  // namespace detail

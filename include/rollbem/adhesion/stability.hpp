@@ -14,6 +14,7 @@
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
 
+#include "../assembly/element_blocks.hpp"
 #include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "stability_verdict.hpp"
@@ -255,6 +256,24 @@ StabilityVerdict judge_stability(const StabilityResult<Scalar>& result) {
 template <class Scalar>
 StabilityVerdict judge_stability(const RollingSystem<Scalar>& system) {
     return judge_stability(solve_stability(system, {.settle_signs = true}));
+}
+
+/// The verdict on all 2n eigenvalues; directions that do not couple are judged one by one.
+template <class Scalar>
+StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
+    if (system.coupled()) return judge_stability(system.whole());
+    StabilityVerdict verdict{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
+    for (std::size_t d = 0; d < 2; ++d) {
+        const StabilityVerdict one = judge_stability(
+            RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
+        verdict.n += one.n;
+        verdict.unstable_count += one.unstable_count;
+        verdict.settled_unstable_count += one.settled_unstable_count;
+        verdict.uncertain_count += one.uncertain_count;
+        verdict.spectral_abscissa = std::max(verdict.spectral_abscissa, one.spectral_abscissa);
+        if (verdict.status == Status::ok) verdict.status = one.status;
+    }
+    return verdict;
 }
 
 }  // namespace rollbem

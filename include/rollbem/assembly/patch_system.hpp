@@ -117,6 +117,13 @@ MatrixX<Scalar> half_outputs(MatrixX<Scalar> whole, Eigen::Index n, Eigen::Index
 
 }  // namespace detail
 
+/// The blocks of G' in units of 1/G; a steady problem needs nothing else. Throws std::invalid_argument as patch_elements
+/// does.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+DirectionBlocks<Scalar> assemble_G_prime(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return detail::patch_blocks(mesh, scheme, kernel, Quantity::slope);
+}
+
 /// Assembles both matrices, in the units of the mesh. Throws std::invalid_argument as patch_elements does, or if an
 /// entry is not finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>

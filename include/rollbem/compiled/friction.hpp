@@ -1,4 +1,5 @@
-// Coulomb friction compiled for double. Replaces friction/friction.hpp; link rollbem::compiled.
+// Friction compiled for double, with a constant coefficient and with one that falls exponentially with slip. Replaces
+// friction/friction.hpp; link rollbem::compiled. Other laws are compiled where they are used.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -9,12 +10,16 @@
 namespace rollbem {
 
 extern template class detail::ActiveSet<double>;
-extern template class detail::FrictionCore<double>;
-extern template class SteadyFrictionModel<double>;
-extern template class FrictionModel<double>;
 extern template class detail::CombinedSolver<double>;
-extern template class detail::CombinedCore<double>;
-extern template class SteadyCombinedModel<double>;
-extern template class CombinedFrictionModel<double>;
+extern template class detail::FallingSet<detail::ActiveSetSlip<double>>;
+extern template class detail::FallingSet<detail::CombinedSlip<double>>;
+extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
+extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
+extern template class detail::FrictionCore<ExponentialFall<double>, 1, double>;
+extern template class detail::FrictionCore<ExponentialFall<double>, 2, double>;
+extern template decltype(detail::find_exact_border<double, PlaneKernel<double>>)
+    detail::find_exact_border<double, PlaneKernel<double>>;
+extern template decltype(detail::find_exact_border<double, StripKernel<double>>)
+    detail::find_exact_border<double, StripKernel<double>>;
 
 }  // namespace rollbem

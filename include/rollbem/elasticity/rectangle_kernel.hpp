@@ -65,11 +65,11 @@ public:
     bool couples() const { return nu_ != 0; }
 
     Influence<Scalar> corner(Scalar x, Scalar y) const {
-        const Scalar r = std::sqrt(x * x + y * y), width = std::max(std::abs(x), least),
-                     height = std::max(std::abs(y), least);
-        // asinh(y/|x|) = ln((|y| + r)/|x|) for y > 0; each product is 0 where its first factor is
-        const Scalar along = std::copysign(x, x * y) * std::log((height + r) / width);
-        const Scalar across = std::copysign(y, x * y) * std::log((width + r) / height);
+        const Scalar r = std::sqrt(x * x + y * y);
+        const Scalar width = std::max(std::abs(x), least), height = std::max(std::abs(y), least);
+        // each product is 0 where its first factor is
+        const Scalar along = std::copysign(x, x * y) * area_sine(height, width, r);
+        const Scalar across = std::copysign(y, x * y) * area_sine(width, height, r);
         constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
         return {over_pi * ((1 - nu_) * along + across), -over_pi * nu_ * r, over_pi * (along + (1 - nu_) * across)};
     }
@@ -87,6 +87,11 @@ public:
     }
 
 private:
+    // asinh(p/q), p and q positive, r = sqrt(p^2 + q^2); to all digits where it is small
+    static Scalar area_sine(Scalar p, Scalar q, Scalar r) {
+        return p < q ? std::log1p(p / q * (1 + p / (q + r))) : std::log((p + r) / q);
+    }
+
     // far below any distance, and the ratio of a distance to it does not overflow
     static constexpr Scalar least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
 

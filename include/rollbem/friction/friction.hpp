@@ -1,4 +1,4 @@
-// Coulomb friction: steady and non-steady rolling with stick and slip, rigid shifts, Hertz's pressure and others.
+// Friction: steady and non-steady rolling with stick and slip, rigid shifts, Hertz's pressure and others.
 // Umbrella of the friction headers.
 #pragma once
 
@@ -8,8 +8,7 @@
 #include "../normal/hertz_load.hpp"
 #include "../normal/load.hpp"
 #include "../normal/pressure_table.hpp"
-#include "combined.hpp"
-#include "falling.hpp"
+#include "law.hpp"
 #include "steady.hpp"
 #include "stick_border.hpp"
 #include "transient.hpp"

@@ -1,53 +1,139 @@
-// Coulomb's law of friction on the elements of a mesh.
+// The law of friction on the elements of a mesh: a constant coefficient, or one that follows the velocity of slip at
+// once or, with a memory, gradually. SI units.
 #pragma once
 
 #include "../detail/language.hpp"
 
-#include <cstdint>
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <type_traits>
 
 #include <Eigen/Core>
 
-#include "../detail/fingerprint.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
 
 namespace rollbem {
 
-/// Coulomb's law |p| <= mu p_n on the elements of a mesh. Where they slip, p = -mu p_n sign(s).
-template <class Scalar>
-struct CoulombFriction {
-    Scalar friction_coefficient;     ///< mu [-], finite and not negative
+/// A friction law: the coefficient mu [-] as a continuous function of the slip velocity v >= 0 [m/s], finite and not
+/// negative. It is called in every step and must neither throw nor allocate. In time, a law that rises steeply from
+/// mu_s(0), such as a regularised Coulomb law within a few mm/s, needs a memory: without one many steps end with
+/// StepStatus::no_solution. Steady rolling does not need it.
+template <class Law, class Scalar = double>
+concept SlipLaw = requires(const Law& law, Scalar velocity) {
+    { law(velocity) } -> std::convertible_to<Scalar>;
+};
+
+/// Coulomb's law: mu is the same at any slip velocity, and no model asks for a speed or a duration.
+template <class Scalar = double>
+struct ConstantFriction {
+    Scalar coefficient;  ///< mu [-], finite and not negative
+
+    ConstantFriction(Scalar mu) : coefficient(mu) {}  // NOLINT: implicit on purpose
+    Scalar operator()(Scalar) const noexcept { return coefficient; }
+};
+
+/// mu_k + (mu_0 - mu_k) 2^(-v/v_half).
+template <class Scalar = double>
+struct ExponentialFall {
+    Scalar mu_0, mu_k;     ///< mu at rest and at high velocity [-]
+    Scalar half_velocity;  ///< v_half [m/s], at which mu is halfway between mu_0 and mu_k
+
+    Scalar operator()(Scalar velocity) const noexcept {
+        return mu_k + (mu_0 - mu_k) * std::exp2(-velocity / half_velocity);
+    }
+};
+
+/// mu_k + (mu_0 - mu_k) / (1 + v/v_half).
+template <class Scalar = double>
+struct RationalFall {
+    Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
+
+    Scalar operator()(Scalar velocity) const noexcept { return mu_k + (mu_0 - mu_k) / (1 + velocity / half_velocity); }
+};
+
+/// mu_0 - (mu_0 - mu_k) v/(2 v_half) for v < 2 v_half, mu_k beyond.
+template <class Scalar = double>
+struct LinearFall {
+    Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
+
+    Scalar operator()(Scalar velocity) const noexcept {
+        return mu_k + (mu_0 - mu_k) * std::max(Scalar(0), 1 - velocity / (2 * half_velocity));
+    }
+};
+
+/// Memory of the friction coefficient. The coefficient of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v));
+/// a particle enters the contact with mu_s(0). Without memory mu = mu_s(v), and several solutions may exist. A constant
+/// coefficient has no use for it.
+template <class Scalar = double>
+struct FrictionMemory {
+    Scalar distance = 0;        ///< d [m], 0 for no memory
+    Scalar least_velocity = 0;  ///< v_0 [m/s]: v_0/d is the rate of relaxation during stick
+
+    /// Weight of the old mu after a time [s] at a velocity [m/s], by implicit Euler.
+    Scalar kept(Scalar velocity, Scalar duration) const noexcept {
+        return distance > 0 ? distance / (distance + duration * std::max(velocity, least_velocity)) : Scalar(0);
+    }
+};
+
+/// |p| <= mu p_n on the elements of a mesh. Where they slip, |p| = mu p_n and p opposes the slip.
+///
+///     Friction{0.3, pressure}                              // Coulomb's law
+///     Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure}
+template <class Law = ConstantFriction<double>, class Scalar = double>
+struct Friction {
+    Law law;                         ///< mu [-] of the slip velocity [m/s]: a SlipLaw
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
+    FrictionMemory<Scalar> memory{};
+    /// Whether results include tangents. Without them they are NaN, which saves time if mu depends on slip: each stage
+    /// otherwise factorises a matrix of the slipping elements, at a cost of order n^3, unless the slip velocities are
+    /// those of the stage before.
+    bool with_tangents = true;
+    /// With two directions, and if the equations of the system hold half an element ahead of the elements' centres
+    /// (Elements::half_element_ahead), whether slip is turned to the direction that it has at the centres, where the
+    /// tractions act. Results are then of second order in 1/n, otherwise of first where the direction of slip varies; a
+    /// solution costs up to 1.6 times as much. For comparison only.
+    bool turned = true;
 };
+
+template <std::floating_point Scalar, class... More>
+Friction(Scalar, ArrayX<Scalar>, More...) -> Friction<ConstantFriction<Scalar>, Scalar>;
+template <class Law, class Scalar, class... More>
+requires(!std::is_arithmetic_v<Law>) Friction(Law, ArrayX<Scalar>, More...)
+->Friction<Law, Scalar>;
 
 namespace detail {
 
-/// The law for the unknown elements (the first `count` of the mesh). Throws std::invalid_argument if it is invalid.
+template <class Law>
+inline constexpr bool is_constant = false;
 template <class Scalar>
-CoulombFriction<Scalar> checked_friction(const char* who, const CoulombFriction<Scalar>& friction,
-                                         Eigen::Index mesh_size, Eigen::Index count) {
-    require(count >= 1, who, "number of unknown elements", count, "be at least 1");
-    require(is_finite(friction.friction_coefficient) && friction.friction_coefficient >= 0, who, "friction_coefficient",
-            friction.friction_coefficient, "be finite and not negative");
-    require(friction.normal_pressure.size() == mesh_size, who, "length of normal_pressure",
-            friction.normal_pressure.size(), "equal the number of elements");
-    for (Eigen::Index i = 0; i < mesh_size; ++i) {
-        require(is_finite(friction.normal_pressure[i]) && friction.normal_pressure[i] >= 0, who, "normal_pressure",
-                friction.normal_pressure[i], "be finite and not negative");
-    }
-    require(friction.normal_pressure.maxCoeff() > 0, who, "largest normal_pressure",
-            friction.normal_pressure.maxCoeff(), "be positive");
-    return {friction.friction_coefficient, friction.normal_pressure.head(count)};
-}
+inline constexpr bool is_constant<ConstantFriction<Scalar>> = true;
 
-/// Includes the pressures: a state of another model would otherwise continue under the pressures of that model.
-template <class Scalar>
-std::uint64_t fingerprint_of_law(const CoulombFriction<Scalar>& friction) {
-    Fingerprint fingerprint;
-    fingerprint.add(friction.normal_pressure);
-    return fingerprint.value();
+/// Throws std::invalid_argument, in the name of `who`, unless the law is valid for a mesh of `mesh_size` elements, the
+/// first `count` of which are unknown.
+template <class Law, class Scalar>
+void require_valid(const char* who, const Friction<Law, Scalar>& friction, Eigen::Index mesh_size, Eigen::Index count) {
+    require(count >= 1, who, "number of unknown elements", count, "be at least 1");
+    const auto at_rest = static_cast<Scalar>(friction.law(Scalar(0)));
+    require(is_finite(at_rest) && at_rest >= 0, who,
+            is_constant<Law> ? "friction_coefficient" : "friction coefficient at rest", at_rest,
+            "be finite and not negative");
+    const FrictionMemory<Scalar>& memory = friction.memory;
+    require(is_finite(memory.distance) && memory.distance >= 0, who, "distance of the memory", memory.distance,
+            "be finite and not negative");
+    require(is_finite(memory.least_velocity) && memory.least_velocity >= 0, who, "least_velocity of the memory",
+            memory.least_velocity, "be finite and not negative");
+    const ArrayX<Scalar>& pressure = friction.normal_pressure;
+    require(pressure.size() == mesh_size, who, "length of normal_pressure", pressure.size(),
+            "equal the number of elements");
+    for (Eigen::Index i = 0; i < mesh_size; ++i) {
+        require(is_finite(pressure[i]) && pressure[i] >= 0, who, "normal_pressure", pressure[i],
+                "be finite and not negative");
+    }
+    require(pressure.maxCoeff() > 0, who, "largest normal_pressure", pressure.maxCoeff(), "be positive");
 }
 
 }  // namespace detail

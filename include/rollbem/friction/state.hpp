@@ -1,56 +1,155 @@
-// What a friction problem carries from step to step, and what a step returns: plain data.
+// What friction carries from step to step, and what a step returns: plain data, for one direction of creepage or two.
 #pragma once
 
 #include "../detail/language.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 
 namespace rollbem {
 
-/// Whether an element sticks or slips. The value is the sign of the slip s; the traction of a slipping element is
-/// -sign(s) mu p_n.
-enum class Zone : signed char { slip_negative = -1, stick = 0, slip_positive = 1 };
+/// Whether an element sticks or slips. In one direction the value is the sign of the slip, in two directions it is
+/// `slip` wherever an element slips.
+enum class Zone : signed char { slip_negative = -1, stick = 0, slip_positive = 1, slip = 1 };
+
+/// One row per element: longitudinal in column 0 and, with two directions, lateral in column 1.
+template <class Scalar, int directions = 2>
+using ElementVectors = Eigen::Matrix<Scalar, Eigen::Dynamic, directions>;
+
+/// What makes the next step cheaper; it changes results by round-off only, unless there are several solutions. Do not
+/// edit; reset to {} to force a full check.
+template <class Scalar>
+struct SolverRecord {
+    /// Number of consecutive steps in which no element changed its zone, and the distance [m] rolled in each of their
+    /// stages; counted in one direction. After about n/2 of them a step becomes cheaper, and its slip is checked
+    /// against the equations only once in 64 steps, after which the count starts again from there.
+    int unchanged_steps = 0;
+    Scalar unchanged_distance = 0;
+    /// mu [-] in the first of two stages, from which the search for that of the next step starts; empty if mu is
+    /// constant.
+    ArrayX<Scalar> stage_coefficient;
+};
 
 /// Everything that the next step or solution needs to know about the past. A copy is a checkpoint; a state written to a
 /// file and read back continues identically to the last bit.
-template <class Scalar_>
+template <int directions = 1, class Scalar_ = double>
 struct FrictionState {
     using Scalar = Scalar_;
 
-    VectorX<Scalar> traction;  ///< p on body 1 of each unknown element [Pa], trailing to leading
-    std::vector<Zone> zones;   ///< stick or slip of each element, at the end of the step
+    /// p on body 1 of each unknown element [Pa], trailing to leading: a vector, or with two directions a row each.
+    ElementVectors<Scalar, directions> traction;
+    std::vector<Zone> zones;  ///< stick or slip of each element, at the end of the step
     /// The present load: p_n [Pa] of each unknown element and the half-length a [m]. A step without a load keeps it.
     ArrayX<Scalar> normal_pressure;
     Scalar half_length = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
-    /// Number of consecutive steps in which no element changed its zone, and the distance [m] rolled in each of their
-    /// stages. After about n/2 of them a step becomes cheaper, and its slip is checked against the equations only once
-    /// in 64 steps, after which the count starts again from there. Set both to 0 to have the next step checked;
-    /// other numbers than a step has left cost time or skip checks, which ill-conditioned schemes need.
-    int unchanged_steps = 0;
-    Scalar unchanged_distance = 0;
+    /// mu [-] of each unknown element, finite and not negative; empty if mu is constant. Without memory it is mu_s(v),
+    /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
+    ArrayX<Scalar> friction_coefficient;
+    SolverRecord<Scalar> solver;
 };
 
-/// Result of a steady solution, a step or a rigid shift. "Per width" refers to the centre line, y = 0. Forces and work
-/// are NaN unless the status is ok or no_solution.
+/// A force in the plane of contact and its moment, or a derivative of them. NaN until computed.
 template <class Scalar>
+struct TangentialForce {
+    Scalar longitudinal = std::numeric_limits<Scalar>::quiet_NaN();
+    Scalar lateral = std::numeric_limits<Scalar>::quiet_NaN();
+    /// About the normal through the middle of the contact (the origin of an outline), of tractions at the centres of
+    /// their elements [N m], per unit width [N]. NaN if the system does not know them (ready matrices).
+    Scalar moment = std::numeric_limits<Scalar>::quiet_NaN();
+
+    friend TangentialForce operator*(Scalar factor, const TangentialForce& force) {
+        return {factor * force.longitudinal, factor * force.lateral, factor * force.moment};
+    }
+    friend TangentialForce operator+(const TangentialForce& one, const TangentialForce& other) {
+        return {one.longitudinal + other.longitudinal, one.lateral + other.lateral, one.moment + other.moment};
+    }
+};
+
+/// Derivatives of a force by both creepages and by spin [1/m], for a rigid shift by its angle [rad].
+template <class Scalar>
+struct CreepageTangent {
+    TangentialForce<Scalar> by_longitudinal, by_lateral, by_spin;
+
+    friend CreepageTangent operator*(Scalar factor, const CreepageTangent& tangent) {
+        return {factor * tangent.by_longitudinal, factor * tangent.by_lateral, factor * tangent.by_spin};
+    }
+};
+
+namespace detail {
+
+/// Where a solution is sought: at tractions in G and the zones that go with them. One direction needs the zones alone.
+template <int directions, class Scalar>
+struct SolutionStart {
+    const ElementVectors<Scalar, directions>& traction;
+    const std::vector<Zone>& zones;
+};
+
+/// The first type with one direction, the second with two.
+template <int directions, class One, class Two>
+using ByDirections = std::conditional_t<directions == 1, One, Two>;
+
+/// A number that is NaN until computed.
+template <class Scalar>
+inline constexpr Scalar unknown = std::numeric_limits<Scalar>::quiet_NaN();
+
+/// The moment aside, which may be unknown.
+template <class Scalar>
+bool is_finite(const TangentialForce<Scalar>& force) {
+    return is_finite(force.longitudinal) && is_finite(force.lateral);
+}
+
+/// A force or tangent that is NaN until computed.
+template <class Value>
+Value nothing() {
+    if constexpr (std::is_floating_point_v<Value>) {
+        return unknown<Value>;
+    } else {
+        return {};
+    }
+}
+
+}  // namespace detail
+
+/// Result of a steady solution, a step or a rigid shift. "Per width" refers to the centre line, y = 0. Forces and their
+/// derivatives are numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution;
+/// tangents also if the equations of the elements are singular.
+template <int directions = 1, class Scalar_ = double>
 struct FrictionStep {
-    Scalar force_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< F_bar on body 1 [N/m]
-    Scalar force = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, d force_per_width / d shift
-    /// [N/m^2]. NaN if the matrix of the sticking elements is singular.
-    Scalar tangent_per_width = std::numeric_limits<Scalar>::quiet_NaN();
-    Scalar tangent = std::numeric_limits<Scalar>::quiet_NaN();  ///< 2b tangent_per_width; infinite for infinite b
-    /// Frictional heat, never negative: per unit width [J/m] for a step or a shift; per unit width and unit distance
-    /// rolled [J/m^2] for a steady solution. It is the sum over the elements of traction times slip at the centre, of
-    /// second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage
-    /// ratio of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order.
-    Scalar slip_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
+    using Scalar = Scalar_;
+    using Force = detail::ByDirections<directions, Scalar, TangentialForce<Scalar>>;
+    using Tangent = detail::ByDirections<directions, Scalar, CreepageTangent<Scalar>>;
+
+    Force force_per_width = detail::nothing<Force>();  ///< F_bar on body 1 [N/m]
+    Force force = detail::nothing<Force>();            ///< 2b F_bar [N]; infinite for infinite b
+    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2]. Where slip
+    /// is turned (see Friction), at constant angles, which leaves out how they follow the creepage: 1 % of the largest
+    /// derivative on 40 elements.
+    Tangent tangent_per_width = detail::nothing<Tangent>();
+    Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
+    /// Derivatives by the load at the end of a step, at constant half-length, and by that half-length; if it depends on
+    /// the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load. NaN for steps without a
+    /// load of their own; by the load also if NormalLoad has no pressure_rate, by the half-length also if the system
+    /// cannot breathe and for a rigid shift.
+    Force tangent_by_load_per_width = detail::nothing<Force>();         ///< [N/m per unit of the load]
+    Force tangent_by_load = detail::nothing<Force>();                   ///< 2b times it
+    Force tangent_by_half_length_per_width = detail::nothing<Force>();  ///< [N/m^2]
+    Force tangent_by_half_length = detail::nothing<Force>();            ///< 2b times it [N/m]
+    /// Frictional heat: per unit width [J/m] for a step or a shift; per unit width and unit distance rolled [J/m^2] for
+    /// a steady solution. It is the sum over elements and directions of traction times slip at the centre, of second
+    /// order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage ratio
+    /// of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order. Never negative,
+    /// but with two directions and equations half an element ahead: an element that sticks ahead of one that slips then
+    /// contributes a value of either sign, 2 % of the whole at most on 8 elements.
+    Scalar slip_work_per_width = detail::unknown<Scalar>;
     /// Elastic energy that jumps of the tractions release in a step [J/m], as friction that falls with slip lets them:
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
@@ -59,29 +158,17 @@ struct FrictionStep {
     /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
     /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
     /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.
-    Scalar jump_work_per_width = std::numeric_limits<Scalar>::quiet_NaN();
-    /// Largest violation of |p| <= mu p_n (relative to the largest mu p_n) and of the conditions on the slip (relative
-    /// to the largest slip that would occur without traction). It is 0 in a step whose slip is not checked (see
-    /// FrictionState::unchanged_steps): tractions and slip satisfy the law exactly there, and the equations up to a
-    /// round-off error that is not measured.
-    Scalar complementarity_residual = std::numeric_limits<Scalar>::quiet_NaN();
+    Scalar jump_work_per_width = detail::unknown<Scalar>;
+    /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
+    /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
+    /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a
+    /// coefficient. It is 0 in a step whose slip is not checked (see SolverRecord): tractions and slip satisfy the law
+    /// exactly there, and the equations up to a round-off error that is not measured.
+    Scalar complementarity_residual = detail::unknown<Scalar>;
     Eigen::Index stick_count = 0;  ///< elements that stick
-    int rounds = 0;                ///< rounds of the active set
-    int pivots = 0;                ///< pivots of the fallback; 0 if the rounds converged
+    int rounds = 0;                ///< rounds of the active set; in two directions Newton steps
+    int pivots = 0;                ///< pivots of the active set's fallback; 0 if the rounds converged
     StepStatus status = StepStatus::not_finite;
-};
-
-/// Result of a step under a given load, with the derivatives of the force at the end of the step with respect to that
-/// load. tangent_by_load holds the half-length constant; if the half-length depends on the load, the total derivative
-/// is tangent_by_load + tangent_by_half_length da/d load. Both are NaN if the matrix of the sticking elements is
-/// singular; tangent_by_load also if NormalLoad has no pressure_rate, tangent_by_half_length also if the system cannot
-/// breathe and for a rigid shift.
-template <class Scalar>
-struct LoadedFrictionStep : FrictionStep<Scalar> {
-    Scalar tangent_by_load_per_width = std::numeric_limits<Scalar>::quiet_NaN();         ///< [N/m per unit of the load]
-    Scalar tangent_by_load = std::numeric_limits<Scalar>::quiet_NaN();                   ///< 2b times it
-    Scalar tangent_by_half_length_per_width = std::numeric_limits<Scalar>::quiet_NaN();  ///< [N/m^2]
-    Scalar tangent_by_half_length = std::numeric_limits<Scalar>::quiet_NaN();            ///< 2b times it [N/m]
 };
 
 }  // namespace rollbem

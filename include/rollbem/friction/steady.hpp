@@ -1,20 +1,26 @@
-// Steady rolling with Coulomb friction: s/V = xi - G' p, with stick and slip found by the solver.
-// One model serves for a whole creep curve; each point starts from the previous one.
+// Steady rolling with friction: s/V = xi - G' p, with stick and slip found by the solver, under longitudinal creepage
+// or under longitudinal and lateral creepage. One model serves for a whole creep curve; each point starts from the
+// previous one.
 #pragma once
 
 #include "../detail/language.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 
+#include <Eigen/Core>
+
+#include "../adhesion/integrator.hpp"
+#include "../assembly/element_blocks.hpp"
 #include "../assembly/influence.hpp"
 #include "../assembly/rolling_system.hpp"
-#include "../detail/finite.hpp"
+#include "../detail/fingerprint.hpp"
+#include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../scene/contact.hpp"
+#include "detail/convergence.hpp"
 #include "detail/core.hpp"
 #include "law.hpp"
 #include "state.hpp"
@@ -22,117 +28,174 @@
 
 namespace rollbem {
 
-/// Steady rolling of one contact, mesh, scheme and friction law at any creepage. Immutable: threads may share it.
-/// Creepage xi > 0 gives a negative force.
+/// Steady rolling of one contact, mesh, scheme and friction law at any creepage. It needs G' alone: no kernel must be
+/// integrated for G, no eigenvalue judged, and the half-width may be infinite. Immutable: threads may share it if they
+/// may share the law. A creepage xi > 0 gives a negative force. Its states are those of a FrictionModel with the same
+/// contact, G' and pressures, and so start a run in time.
 ///
-/// The scheme must be convergent, which is not checked here: a scheme that is not (alpha < 0, or alpha > 1) gives wrong
-/// forces wherever elements stick, whatever the status. solve_steady(G_prime, widths) of steady.hpp detects such
-/// schemes by the status inconsistent. Steady rolling does not require stability in time.
+/// With two directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly,
+/// otherwise only approximately, because the bodies are more compliant across the rolling direction. One direction
+/// costs less.
 ///
-/// Collocation at the centres (alpha = 0) is a special case: inconsistent in full adhesion, but correct with friction.
-/// It dissipates no energy, whereas full adhesion loses energy at the singular trailing edge; the force of full
-/// adhesion is therefore zero. Dissipation by slip is represented: the force converges, with first order, once several
-/// elements slip at the trailing edge.
+/// If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), the forces would be wrong wherever
+/// elements stick: the status of every solution is then StepStatus::inconsistent, with the residual but without
+/// numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case:
+/// inconsistent in full adhesion, but correct with friction. It dissipates no energy, whereas full adhesion loses
+/// energy at the singular trailing edge; the force of full adhesion is therefore zero. Dissipation by slip is
+/// represented: the force converges, with first order, once several elements slip at the trailing edge.
 ///
-///     const SteadyFrictionModel<double> model(contact, mesh, scheme, kernel, friction);
-///     FrictionWorkspace<double> workspace = model.workspace();
-///     FrictionState<double> now = model.at_rest(), next = now;
+/// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
+/// slip begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from
+/// their predecessors follows its branch until the branch ends. From at_rest(), where mu = mu_s(0) everywhere, it finds
+/// the branch of high friction.
+///
+///     const SteadyFrictionModel model(contact, mesh, scheme, kernel, {0.3, pressure});
+///     FrictionWorkspace<> workspace = model.workspace();
+///     FrictionState<> now = model.at_rest(), next = now;
 ///     for (double creepage : curve) {
-///         const FrictionStep<double> point = model.solve(now, creepage, next, workspace);
+///         const FrictionStep<> point = model.steady(now, creepage, next, workspace);
 ///         std::swap(now, next);
 ///     }
-template <class Scalar_ = double>
+///
+/// and in both directions
+///
+///     const SteadyFrictionModel model(contact, mesh, scheme, StripKernel<double>::longitudinal(contact),
+///                                     StripKernel<double>::lateral(contact), {0.3, pressure});
+///     FrictionState<2> now = model.at_rest(), next = now;
+///     const FrictionStep<2> point = model.steady(now, {1e-3, 5e-4}, next, workspace);
+template <class Law_ = ConstantFriction<double>, int directions_ = 1, class Scalar_ = double>
 class SteadyFrictionModel {
 public:
+    using Law = Law_;
     using Scalar = Scalar_;
-    using State = FrictionState<Scalar>;
-    using Step = FrictionStep<Scalar>;
-    using Workspace = FrictionWorkspace<Scalar>;
+    static constexpr int directions = directions_;
+    static_assert(SlipLaw<Law, Scalar>);
+
+private:
+    using Core = detail::FrictionCore<Law, directions, Scalar>;
+
+public:
+    using State = FrictionState<directions, Scalar>;
+    using Step = FrictionStep<directions, Scalar>;
+    using Workspace = FrictionWorkspace<directions, Scalar>;
+    using Value = typename Core::Value;        ///< a creepage: a number, or Creepage with two directions
+    using Gradient = typename Core::Gradient;  ///< G': a matrix, or DirectionBlocks with two directions
 
     /// Throws std::invalid_argument if assemble_G_prime refuses the scheme, if the law does not meet the requirements
-    /// of CoulombFriction, or if the kernel's half-width is not the contact's.
+    /// of Friction, or if the kernel's half-width is not the contact's.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
-    SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                        const Kernel& kernel, const CoulombFriction<Scalar>& friction)
-        : SteadyFrictionModel(Checked{}, contact, assemble_G_prime(mesh, scheme, kernel), unknown_widths(mesh, scheme),
-                              detail::equation_points(mesh, scheme),
-                              detail::checked_friction("SteadyFrictionModel", friction, mesh.size(),
-                                                       unknown_count(scheme, mesh))) {
-        detail::require_same_aspect("SteadyFrictionModel", contact, detail::aspect_of<Scalar>(kernel));
+    requires(directions_ == 1)
+        SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
+                            const Kernel& kernel, const Friction<Law, Scalar>& friction, Checks checks = {})
+        : SteadyFrictionModel(Made{}, contact, assemble_G_prime(mesh, scheme, kernel), line_elements(mesh, scheme),
+                              mesh.size(), friction, checks) {
+        detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(kernel));
+    }
+    /// The kernels of both directions.
+    template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
+    requires(directions_ == 2)
+        SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
+                            const Kernel& longitudinal, const Kernel& lateral, const Friction<Law, Scalar>& friction,
+                            Checks checks = {})
+        : SteadyFrictionModel(Made{}, contact,
+                              detail::uncoupled<Scalar>(assemble_G_prime(mesh, scheme, longitudinal),
+                                                        assemble_G_prime(mesh, scheme, lateral)),
+                              line_elements(mesh, scheme), mesh.size(), friction, checks) {
+        detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(longitudinal));
+        detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(lateral));
     }
 
     /// From a given matrix G' (in units of 1/G) and the widths of its elements (in units of a); the law has one
-    /// pressure per element. Throws std::invalid_argument if the law does not meet the requirements of CoulombFriction,
-    /// sizes differ, an entry is not finite or a width is not positive. G passed in place of G' is not detected here,
-    /// but ElementSystem, which has both, detects it.
+    /// pressure per element. Throws std::invalid_argument if the law does not meet the requirements of Friction, sizes
+    /// differ, an entry is not finite or a width is not positive. G passed in place of G' is not detected here, but
+    /// ElementSystem, which has both, detects it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
-                        const CoulombFriction<Scalar>& friction)
-        : SteadyFrictionModel(Checked{}, contact, std::move(G_prime), widths, std::nullopt,
-                              detail::checked_friction("SteadyFrictionModel", friction, widths.size(), widths.size())) {
-    }
+                        const Friction<Law, Scalar>& friction, Checks checks = {}) requires(directions_ == 1)
+        : SteadyFrictionModel(Made{}, contact, std::move(G_prime), detail::unplaced(widths), widths.size(), friction,
+                              checks) {}
+    /// From the matrices of both directions.
+    SteadyFrictionModel(const Contact<Scalar>& contact, const MatrixX<Scalar>& longitudinal_G_prime,
+                        const MatrixX<Scalar>& lateral_G_prime, const ArrayX<Scalar>& widths,
+                        const Friction<Law, Scalar>& friction, Checks checks = {}) requires(directions_ == 2)
+        : SteadyFrictionModel(Made{}, contact, detail::uncoupled<Scalar>(longitudinal_G_prime, lateral_G_prime),
+                              detail::unplaced(widths), widths.size(), friction, checks) {}
 
-    Eigen::Index size() const { return core_.size(); }                 ///< number of unknown elements
-    std::uint64_t fingerprint() const { return core_.fingerprint(); }  ///< of G', widths, contact and pressures
+    Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
+    /// Of G', the elements, the contact and the pressures, but not of the law.
+    std::uint64_t fingerprint() const { return core_.fingerprint(); }
+    /// Whether the scheme converges to full adhesion; always true if `unchecked`.
+    bool converges() const { return converges_; }
 
-    /// No traction, all elements stick: the starting point for a first solution.
+    /// No traction, all elements stick, mu = mu_s(0): the starting point for a first solution.
     State at_rest() const { return core_.at_rest(); }
-    Workspace workspace() const { return Workspace(size()); }
+    Workspace workspace() const { return core_.workspace(); }
 
-    /// The solution at a creepage [-] under the pressures of `from`, starting from its zones; the half-length of `from`
-    /// must be the contact's. `to` must be another state with the same number of elements; it is not written if the
-    /// status is wrong_state, invalid_load or needs_fixed_mesh or the creepage is not finite. Does not allocate.
-    Step solve(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        const StepStatus possible = check(from, to, workspace);
+    /// The solution at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
+    /// pressures of `from`, starting from its zones and coefficients; the half-length of `from` must be the contact's.
+    /// `to` must be another state with the same number of elements; it is not written if the status is wrong_state,
+    /// invalid_load, invalid_step or needs_fixed_mesh or the creepage is not finite. The status is no_solution also if
+    /// coefficients and slip do not come to agree. Tangents are at constant speed. Does not allocate.
+    Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
+                Workspace& workspace) const noexcept {
+        StepStatus possible = core_.check(from, to, workspace);
+        if (possible == StepStatus::ok && from.half_length != core_.half_length()) {
+            possible = StepStatus::needs_fixed_mesh;
+        }
         if (possible != StepStatus::ok) return Core::failed(possible);
-        detail::ConstantStages<Scalar> stages;
-        return solve(stages, from, creepage, to, workspace);
+        const Step step = core_.solve_steady(G_prime_, from, creepage, speed, {from.normal_pressure, from.half_length},
+                                             to, workspace);
+        return converges_ ? step : Core::without_forces(step);
+    }
+    Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
+        requires(!Core::slip_dependent) {
+        return steady(from, creepage, 1, to, workspace);
     }
 
 private:
-    using Core = detail::FrictionCore<Scalar>;
-    template <class, class>
-    friend class SteadyFallingModel;
+    static constexpr const char* name = "SteadyFrictionModel";
 
-    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
-        const StepStatus possible = core_.check_load(from);
-        if (possible != StepStatus::ok) return possible;
-        return from.half_length == core_.half_length() ? StepStatus::ok : StepStatus::needs_fixed_mesh;
-    }
+    struct Made {};  // distinguishes this constructor from those whose law may be given in braces
 
-    template <class Stages>
-    Step solve(Stages& stages, const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        return core_.solve_steady(stages, from, creepage, G_prime_, {from.normal_pressure, from.half_length}, to,
-                                  workspace);
-    }
-
-    struct Checked {};  // distinguishes this constructor from the one whose law may be given in braces
-
-    SteadyFrictionModel(Checked, const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
-                        const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction)
-        : core_(contact, widths, points, std::move(friction), fingerprint_of(G_prime, widths)),
-          G_prime_(std::move(G_prime)) {
-        const Eigen::Index n = size();
-        detail::require(G_prime_.rows() == n, "SteadyFrictionModel", "number of rows of G_prime", G_prime_.rows(),
-                        "equal the number of widths");
-        detail::require(G_prime_.cols() == n, "SteadyFrictionModel", "number of columns of G_prime", G_prime_.cols(),
-                        "equal the number of widths");
-        detail::require_finite("SteadyFrictionModel", "G_prime", G_prime_);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require(detail::is_finite(widths[i]) && widths[i] > 0, "SteadyFrictionModel", "width", widths[i],
-                            "be positive and finite");
-        }
-    }
-
-    static std::uint64_t fingerprint_of(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& widths) {
-        detail::Fingerprint fingerprint;
-        fingerprint.add(G_prime);
-        fingerprint.add(widths);
-        return fingerprint.value();
+    SteadyFrictionModel(Made, const Contact<Scalar>& contact, Gradient G_prime, const Elements<Scalar>& elements,
+                        Eigen::Index element_count, const Friction<Law, Scalar>& friction, Checks checks)
+        : core_(name, contact, elements, element_count, friction, G_prime), G_prime_(std::move(G_prime)) {
+        elements.require_valid(name, "width");
+        detail::require_gradient(name, G_prime_, size());
+        converges_ = !checks.wanted || detail::converges(G_prime_, elements.areas);
     }
 
     Core core_;
-    MatrixX<Scalar> G_prime_;
+    Gradient G_prime_;
+    bool converges_ = true;
 };
+
+template <class Scalar, class Scheme, class Kernel, class Law>
+SteadyFrictionModel(const Contact<Scalar>&, const Mesh<Scalar>&, const Scheme&, const Kernel&,
+                    const Friction<Law, Scalar>&, Checks = {}) -> SteadyFrictionModel<Law, 1, Scalar>;
+template <class Scalar, class Scheme, class Kernel>
+SteadyFrictionModel(const Contact<Scalar>&, const Mesh<Scalar>&, const Scheme&, const Kernel&,
+                    const Friction<ConstantFriction<Scalar>, Scalar>&, Checks = {})
+    -> SteadyFrictionModel<ConstantFriction<Scalar>, 1, Scalar>;
+template <class Scalar, class Scheme, class Kernel, class Law>
+SteadyFrictionModel(const Contact<Scalar>&, const Mesh<Scalar>&, const Scheme&, const Kernel&, const Kernel&,
+                    const Friction<Law, Scalar>&, Checks = {}) -> SteadyFrictionModel<Law, 2, Scalar>;
+template <class Scalar, class Scheme, class Kernel>
+SteadyFrictionModel(const Contact<Scalar>&, const Mesh<Scalar>&, const Scheme&, const Kernel&, const Kernel&,
+                    const Friction<ConstantFriction<Scalar>, Scalar>&, Checks = {})
+    -> SteadyFrictionModel<ConstantFriction<Scalar>, 2, Scalar>;
+template <class Scalar, class Law>
+SteadyFrictionModel(const Contact<Scalar>&, MatrixX<Scalar>, const ArrayX<Scalar>&, const Friction<Law, Scalar>&,
+                    Checks = {}) -> SteadyFrictionModel<Law, 1, Scalar>;
+template <class Scalar>
+SteadyFrictionModel(const Contact<Scalar>&, MatrixX<Scalar>, const ArrayX<Scalar>&,
+                    const Friction<ConstantFriction<Scalar>, Scalar>&, Checks = {})
+    -> SteadyFrictionModel<ConstantFriction<Scalar>, 1, Scalar>;
+template <class Scalar, class Law>
+SteadyFrictionModel(const Contact<Scalar>&, MatrixX<Scalar>, MatrixX<Scalar>, const ArrayX<Scalar>&,
+                    const Friction<Law, Scalar>&, Checks = {}) -> SteadyFrictionModel<Law, 2, Scalar>;
+template <class Scalar>
+SteadyFrictionModel(const Contact<Scalar>&, MatrixX<Scalar>, MatrixX<Scalar>, const ArrayX<Scalar>&,
+                    const Friction<ConstantFriction<Scalar>, Scalar>&, Checks = {})
+    -> SteadyFrictionModel<ConstantFriction<Scalar>, 2, Scalar>;
 
 }  // namespace rollbem

@@ -115,12 +115,12 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
                        const Pressure& pressure, Scalar creepage, Eigen::Index count,
                        StickBorderSolution<Scalar>& result) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(count);
-    const SteadyFrictionModel<Scalar> model(contact, mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel,
-                                            {friction_coefficient, pressure(mesh)});
-    const FrictionState<Scalar> rest = model.at_rest();
-    FrictionState<Scalar> state = rest;
-    FrictionWorkspace<Scalar> workspace = model.workspace();
-    const FrictionStep<Scalar> step = model.solve(rest, creepage, state, workspace);
+    const SteadyFrictionModel model(contact, mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel,
+                                    {friction_coefficient, pressure(mesh)});
+    const FrictionState<1, Scalar> rest = model.at_rest();
+    FrictionState<1, Scalar> state = rest;
+    FrictionWorkspace<1, Scalar> workspace = model.workspace();
+    const FrictionStep<1, Scalar> step = model.steady(rest, creepage, state, workspace);
     result.elements.emplace(typename StickBorderSolution<Scalar>::Elements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force_per_width;
     result.tangent_per_width = step.tangent_per_width;
@@ -158,9 +158,9 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
     detail::require(detail::is_finite(friction_coefficient) && friction_coefficient >= 0, who, "friction_coefficient",
                     friction_coefficient, "be finite and not negative");
-    const auto bound = [&, scale = friction_coefficient / contact.shear_modulus()](Scalar x) -> Scalar {
-        return scale * pressure(x);
-    };
+    // of one type for all pressures, so that what follows is compiled once a kernel
+    const std::function<Scalar(Scalar)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
+                                                    Scalar x) -> Scalar { return scale * pressure(x); };
     detail::PointsOfLevels<Scalar> levels;
     const detail::PressureScan<Scalar> scan = detail::scan_pressure<Scalar>(bound, levels);
     detail::require(scan.largest > 0 || friction_coefficient == 0, who, "largest normal_pressure", scan.largest,
@@ -183,9 +183,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
         result.coefficients = exact->coefficients;
         result.unknowns = exact->unknowns;
         result.zone = exact->zone;
-        result.bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](Scalar x) -> Scalar {
-            return scale * pressure(x);
-        };
+        result.bound = bound;
         result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
         result.status = StepStatus::ok;
     } else {

@@ -1,88 +1,135 @@
-// Non-steady rolling with Coulomb friction, step by step, and rigid shifts without rolling.
-// s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
+// Non-steady rolling with friction, step by step, under a load that may vary, and rigid shifts without rolling, in one
+// direction of creepage or two. s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
 #include "../detail/language.hpp"
 
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "../adhesion/integrator.hpp"
+#include "../adhesion/stability_verdict.hpp"
+#include "../assembly/element_blocks.hpp"
 #include "../assembly/rolling_system.hpp"
+#include "../detail/require.hpp"
+#include "../normal/load.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/rigid_motion.hpp"
+#include "../scene/travel.hpp"
+#include "../status.hpp"
+#include "detail/convergence.hpp"
 #include "detail/core.hpp"
+#include "detail/rolling_stage.hpp"
 #include "law.hpp"
 #include "state.hpp"
 #include "workspace.hpp"
 
 namespace rollbem {
 
-/// The contact as a force element with friction, stepped like TransientModel. Immutable: threads may share it.
+/// The contact as a force element with friction, stepped like TransientModel. Immutable: threads may share it if they
+/// may share the law. One direction costs less than two.
 ///
 /// Integrator::sdirk2 solves for stick and slip twice per step and is of second order in dq, for forces and slip work
-/// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies Coulomb's law, and slip
-/// never gains energy. Transitions between stick and slip within a step do not reduce the order.
+/// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies the law, and slip never
+/// gains energy. Transitions between stick and slip within a step do not reduce the order.
 ///
 /// The scheme must meet the requirements of TransientModel: a verdict that its eigenvalues decay, and convergence in
 /// full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and several
 /// elements slip at the trailing edge (see SteadyFrictionModel).
 ///
-///     const auto system = rolling_system(mesh, scheme, kernel);
-///     const FrictionModel<double> model(contact, system, judge_stability(system), friction);
-///     FrictionWorkspace<double> workspace = model.workspace();
-///     FrictionState<double> now = model.at_rest(), next = now;
-///     const FrictionStep<double> step = model.advance(now, dq, creepage, next, workspace);  // does not change now
+/// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
+/// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
+/// particle that arrives there. A particle enters with mu_s(0), and its memory is reset where there is no pressure. A
+/// step may have several solutions, and the nearest one may vanish; the force then jumps within the step, however short
+/// it is. Without memory, or with a short one, such jumps are a property of the equations, not of the steps. The
+/// solution found is one to which the coefficients of `from` lead. Steps must resolve the memory: the slip in a step
+/// should be shorter than the memory's distance.
+///
+///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
+///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
+///     FrictionWorkspace<> workspace = model.workspace();
+///     FrictionState<> now = model.at_rest(), next = now;
+///     const FrictionStep<> step = model.advance(now, dq, creepage, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
-template <class Scalar_ = double>
+///
+/// in both directions
+///
+///     const ElementSystem system(rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact)),
+///                                rolling_system(mesh, scheme, StripKernel<double>::lateral(contact)));
+///     const FrictionStep<2> step = model.advance(now, dq, Creepage{1e-3, 5e-4}, next, workspace);
+///
+/// and with a coefficient that depends on slip
+///
+///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure});
+///     const FrictionStep<> step = model.advance(now, {dq, duration}, creepage, next, workspace);
+template <class Law_ = ConstantFriction<double>, int directions_ = 1, class Scalar_ = double>
 class FrictionModel {
 public:
+    using Law = Law_;
     using Scalar = Scalar_;
-    using State = FrictionState<Scalar>;
-    using Step = FrictionStep<Scalar>;
-    using LoadedStep = LoadedFrictionStep<Scalar>;
-    using Workspace = FrictionWorkspace<Scalar>;
+    static constexpr int directions = directions_;
+    static_assert(SlipLaw<Law, Scalar>);
+
+private:
+    using Core = detail::FrictionCore<Law, directions, Scalar>;
+
+public:
+    using State = FrictionState<directions, Scalar>;
+    using Step = FrictionStep<directions, Scalar>;
+    using Workspace = FrictionWorkspace<directions, Scalar>;
+    using System = ElementSystem<Scalar, directions>;
+    using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
+    using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
+    using Motion = RigidMotion<Value>;
+    /// A plain dq will do if mu is constant.
+    using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
 
     /// Throws std::invalid_argument if the verdict does not belong to this system or does not establish that no
     /// eigenvalue grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), if the
     /// contact's half-width is infinite or not that of the system's kernel, if the law does not meet the requirements
-    /// of CoulombFriction (one pressure per element of the mesh), and for Integrator::matrix_exponential, which cannot
-    /// treat friction.
-    FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, const StabilityVerdict& verdict,
-                  const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
+    /// of Friction (one pressure per element of the mesh) or has a memory although the points of the system's equations
+    /// are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
+    FrictionModel(const Contact<Scalar>& contact, System system, const StabilityVerdict& verdict,
+                  const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : FrictionModel(contact, std::move(system), unchecked, friction, integrator) {
-        detail::require_usable_in_time("FrictionModel", system_, verdict);
+        detail::require_usable_in_time(name, system_, verdict);
     }
 
     /// The same without checks of the eigenvalues and of convergence.
-    FrictionModel(const Contact<Scalar>& contact, ElementSystem<Scalar> system, Unchecked,
-                  const CoulombFriction<Scalar>& friction, Integrator integrator = Integrator::sdirk2)
+    FrictionModel(const Contact<Scalar>& contact, System system, Unchecked, const Friction<Law, Scalar>& friction,
+                  Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
-          core_(contact, system_.weights(), system_.points(),
-                detail::checked_friction("FrictionModel", friction, system_.element_count(), system_.size()),
+          core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
                 system_.fingerprint()),
           integrator_(integrator) {
-        detail::require_same_aspect("FrictionModel", contact, system_);
-        detail::require(integrator != Integrator::matrix_exponential, "FrictionModel", "integrator", name(integrator),
+        detail::require_same_aspect(name, contact, system_);
+        detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
                         "be implicit_euler or sdirk2");
+        detail::require(friction.memory.distance == 0 || system_.elements().places_are_known(), name,
+                        "distance of the memory", friction.memory.distance,
+                        "be 0 for a system that does not know the points of its equations");
     }
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
-    /// Of the system, the contact and the pressures of the law, but not of the coefficient of friction. To continue a
-    /// state under another load, pass the load to a step; a model with other pressures refuses the state.
+    /// Of G', the elements, the contact and the pressures, but not of G and the law. To continue a state under another
+    /// load, pass the load to a step; a model with other pressures refuses the state.
     std::uint64_t fingerprint() const { return core_.fingerprint(); }
     Integrator integrator() const { return integrator_; }
 
-    /// No traction, all elements stick.
+    /// No traction, all elements stick, mu = mu_s(0).
     State at_rest() const { return core_.at_rest(); }
-    Workspace workspace() const { return Workspace(size()); }
+    Workspace workspace() const { return core_.workspace(); }
 
     /// 2b F_bar of a state [N]. The state must have size() elements.
-    Scalar force(const State& state) const { return core_.force(state); }
+    Force force(const State& state) const { return core_.force(state); }
 
     /// Elastic energy of the tangential tractions in both bodies, E = 1/2 int p u dx, per unit width [J/m] and in total
-    /// [J]. Positive, except for tractions that alternate from element to element; of second order in 1/n on cosine
-    /// meshes at alpha = 0.5. The state must have size() elements; NaN if the system cannot represent its half-length.
+    /// [J], summed over the directions. Positive, except for tractions that alternate from element to element; of
+    /// second order in 1/n on cosine meshes at alpha = 0.5. The state must have size() elements; NaN if the system
+    /// cannot represent its half-length.
     ///
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
@@ -90,31 +137,38 @@ public:
     Scalar elastic_energy_per_width(const State& state) const { return core_.elastic_energy(state, system_); }
     Scalar elastic_energy(const State& state) const { return core_.width() * elastic_energy_per_width(state); }
 
-    /// Steady rolling at a creepage [-] under the load of `from`, e.g. as an initial state: SteadyFrictionModel::solve
-    /// for states of this model.
-    Step steady(const State& from, Scalar creepage, State& to, Workspace& workspace) const noexcept {
-        return settle(from, creepage, {from.normal_pressure, from.half_length}, to, workspace);
+    /// Steady rolling at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
+    /// load of `from`, e.g. as an initial state: as SteadyFrictionModel::steady.
+    Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
+                Workspace& workspace) const noexcept {
+        return settle(from, creepage, speed, {from.normal_pressure, from.half_length}, to, workspace);
     }
-    /// The same under another load. If its half-length is not the contact's, the system must be able to breathe.
-    Step steady(const State& from, Scalar creepage, const NormalLoad<Scalar>& load, State& to,
+    Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
+        requires(!Core::slip_dependent) {
+        return steady(from, creepage, 1, to, workspace);
+    }
+    /// Steady rolling under another load. If its half-length is not the contact's, the system must be able to breathe.
+    Step steady(const State& from, const Value& creepage, Scalar speed, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept {
         const StepStatus possible = load.check(system_.element_count());
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return settle(from, creepage, {load.normal_pressure, load.half_length}, to, workspace);
+        return settle(from, creepage, speed, {load.normal_pressure, load.half_length}, to, workspace);
+    }
+    Step steady(const State& from, const Value& creepage, const NormalLoad<Scalar>& load, State& to,
+                Workspace& workspace) const noexcept requires(!Core::slip_dependent) {
+        return steady(from, creepage, 1, load, to, workspace);
     }
 
-    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling, under the load of `from`. `to`
-    /// must be another state with the same number of elements. It is not written if the status is invalid_step,
-    /// wrong_state, invalid_load or needs_fixed_mesh or the motion is not finite; if the result is not finite, it
-    /// becomes a copy of `from`. The result depends on `from`, dq and the motion alone, to the last bit. Does not
-    /// allocate; a new dq costs a factorisation.
-    Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to,
+    /// Rolls by travel.dq [m], positive and finite, or 0 for a rigid shift without rolling, in travel.duration [s],
+    /// positive and finite if mu depends on slip, under the load of `from`. `to` must be another state with the same
+    /// number of elements. It is not written if the status is invalid_step, wrong_state, invalid_load or
+    /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. The
+    /// status is wrong_state also if a coefficient of `from` is negative or not finite, and no_solution also if
+    /// coefficients and slip do not come to agree. Tangents are at constant dq and duration. The result depends on
+    /// `from`, the travel and the motion alone, to the last bit. Does not allocate; a new dq costs a factorisation.
+    Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
-        const Load load{from.normal_pressure, from.half_length};
-        const StepStatus possible = check(from, dq, motion, load, to, workspace);
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        detail::ConstantStages<Scalar> stages;
-        return roll<false>(stages, from, dq / core_.half_length(), motion, load, to, workspace);
+        return roll(from, travel, motion, {from.normal_pressure, from.half_length}, to, workspace);
     }
 
     /// The same under a load that varies linearly from that of `from` to this one at the end of the step. If the system
@@ -122,116 +176,72 @@ public:
     /// factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its second order. No
     /// status warns if the contact grows so long (a > 2.4b) that Lambda of the plane kernel for the new half-length is
     /// no longer positive: a mode then grows in time until all elements slip, possibly in the direction of the
-    /// creepage.
-    LoadedStep advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const NormalLoad<Scalar>& load,
-                       State& to, Workspace& workspace) const noexcept {
-        StepStatus possible = load.check(system_.element_count());
-        const Load end{load.normal_pressure, load.half_length};
-        if (possible == StepStatus::ok) possible = check(from, dq, motion, end, to, workspace);
-        if (possible != StepStatus::ok) return {Core::failed(possible)};
-        detail::ConstantStages<Scalar> stages;
-        core_.begin_tangents(load.pressure_rate, system_.log_strength() && dq > 0, workspace);
-        return roll<true>(stages, from, dq / core_.half_length(), motion, end, to, workspace);
+    /// creepage. With a memory, the tangent by the half-length is one-sided if a particle arrives exactly from a
+    /// collocation point.
+    Step advance(const State& from, const Travel& travel, const Motion& motion, const NormalLoad<Scalar>& load,
+                 State& to, Workspace& workspace) const noexcept {
+        const StepStatus possible = load.check(system_.element_count());
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return roll(from, travel, motion, {load.normal_pressure, load.half_length, &load.pressure_rate}, to, workspace);
     }
 
-    /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling.
-    Step shift(const State& from, Scalar shift, State& to, Workspace& workspace) const noexcept {
-        return advance(from, 0, RigidMotion<Scalar>::shift(shift), to, workspace);
+    /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling, in `duration` [s], which a
+    /// constant coefficient does not need.
+    Step shift(const State& from, const Value& shift, Scalar duration, State& to, Workspace& workspace) const noexcept {
+        return advance(from, rollbem::Travel<Scalar>{0, duration}, Motion::shift(shift), to, workspace);
+    }
+    Step shift(const State& from, const Value& shift, State& to, Workspace& workspace) const noexcept
+        requires(!Core::slip_dependent) {
+        return this->shift(from, shift, 1, to, workspace);
     }
 
 private:
-    using Core = detail::FrictionCore<Scalar>;
-
-    template <class, class>
-    friend class FallingFrictionModel;
-
-    using Stage = detail::RollingStage<Scalar>;
     using Load = typename Core::Load;
 
-    static constexpr Scalar gamma = detail::sdirk2_part<Scalar>;
-    static constexpr Scalar ratio = detail::sdirk2_ratio<Scalar>;
+    static constexpr const char* name = "FrictionModel";
 
-    // A step whose arguments have been checked; dq in a_0. If it is loaded, the result includes the tangents that
-    // begin_tangents() has asked for. `stages` determine the bounds.
-    template <bool loaded, class Stages>
-    auto roll(Stages& stages, const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load,
-              State& to, Workspace& workspace) const noexcept {
-        const Scalar unit = core_.half_length(), a = from.half_length / unit, a_end = load.half_length / unit;
-        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
-        const bool two_stages = integrator_ == Integrator::sdirk2 && dq > 0;
-        const Scalar part = two_stages ? gamma : Scalar(1);
-        const Scalar travel = motion.is_shift() ? part / unit : part * dq;
-        const detail::StagePlace<Scalar> first{part, part}, last{part, 1};
-        core_.remember(from, system_, a, a != a_end, part * dq, workspace);
-        typename Core::Before before{.zones = &from.zones};
-        typename Core::Gain gain{.first = 0, .last = travel};
-        if (two_stages) {
-            const Stage stage = Stage::within(part, dq, a, a_end);
-            enter(stage, workspace);
-            stages.enter(first, stage);
-            if constexpr (loaded) {
-                core_.press(from.normal_pressure, load.pressure, part, workspace);
-            } else {
-                core_.press(load.pressure, workspace);  // for both stages
-            }
-            core_.impose(travel * (motion.start() + gamma * (motion.end() - motion.start())), system_, workspace);
-            before = core_.solve_first(stages, from, ratio, system_, workspace);
-            if constexpr (loaded) {
-                if (before.tangent_exists) core_.carry_tangents(stages, system_, first, ratio, workspace);
-            }
-            gain.first = motion.is_linear() ? gamma * travel : travel;
-            core_.extrapolate_memory(system_, ratio, workspace);
-        }
-        const Stage stage = Stage::last(part, dq, a, a_end);
-        enter(stage, workspace);
-        stages.enter(last, stage);
-        if (loaded || !two_stages) core_.press(load.pressure, workspace);
-        core_.impose(travel * motion.end(), system_, workspace);
-        Step step = core_.solve_last(stages, from, before, gain, load, unit, to, workspace);
-        core_.template add_jump_work<Stages>(from, system_, two_stages, dq > 0, load, workspace, step);
-        if constexpr (loaded) {
-            return core_.with_tangents(stages, step, system_, last, load, workspace);
-        } else {
-            return step;
-        }
-    }
-
-    Step settle(const State& from, Scalar creepage, const Load& load, State& to, Workspace& workspace) const noexcept {
-        const StepStatus possible = check_steady(from, load, to, workspace);
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        detail::ConstantStages<Scalar> stages;
-        return core_.solve_steady(stages, from, creepage, system_.G_prime(), load, to, workspace);
-    }
-
-    // Whether the arguments of a steady solution are valid,
-    StepStatus check_steady(const State& from, const Load& load, const State& to,
-                            const Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
-        const StepStatus possible = core_.check_load(from);
-        if (possible != StepStatus::ok) return possible;
+    Step settle(const State& from, const Value& creepage, Scalar speed, const Load& load, State& to,
+                Workspace& workspace) const noexcept {
+        StepStatus possible = core_.check(from, to, workspace);
         const Scalar a = load.half_length / core_.half_length();
-        return detail::check_growth(system_, Scalar(0), a, a);
+        if (possible == StepStatus::ok) possible = detail::check_growth(system_, Scalar(0), a, a);
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return core_.solve_steady(detail::gradient(system_), from, creepage, speed, load, to, workspace);
     }
 
-    // and those of a step.
-    StepStatus check(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, const Load& load, const State& to,
-                     const Workspace& workspace) const noexcept {
-        if (!core_.fits(from, to, workspace)) return StepStatus::wrong_state;
+    Step roll(const State& from, const rollbem::Travel<Scalar>& travel, const Motion& motion, const Load& load,
+              State& to, Workspace& workspace) const noexcept {
         const Scalar unit = core_.half_length();
-        StepStatus status = motion.check(dq / unit);
-        if (status == StepStatus::ok) status = core_.check_load(from);
-        if (status != StepStatus::ok) return status;
-        return detail::check_growth(system_, dq / unit, from.half_length / unit, load.half_length / unit);
+        const StepStatus belongs = core_.check(from, to, workspace);
+        if (belongs == StepStatus::wrong_state) return Core::failed(belongs);
+        StepStatus possible = motion.check(travel.dq / unit);
+        if (possible == StepStatus::ok) possible = belongs;
+        if (possible == StepStatus::ok) {
+            possible =
+                detail::check_growth(system_, travel.dq / unit, from.half_length / unit, load.half_length / unit);
+        }
+        if (possible != StepStatus::ok) return Core::failed(possible);
+        return core_.roll(system_, integrator_, from, travel, motion, load, to, workspace);
     }
 
-    // Assembles the matrix of a stage unless the workspace has it.
-    void enter(const Stage& stage, Workspace& workspace) const noexcept {
-        if (MatrixX<Scalar>* matrix = core_.claim(stage, workspace)) detail::fill_stage_matrix(system_, stage, *matrix);
-    }
-
-    ElementSystem<Scalar> system_;
+    System system_;
     Core core_;
     Integrator integrator_;
 };
+
+template <class Scalar, int directions, class Law>
+FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
+              const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
+template <class Scalar, int directions>
+FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
+              const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
+    -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
+template <class Scalar, int directions, class Law>
+FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, Unchecked, const Friction<Law, Scalar>&,
+              Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
+template <class Scalar, int directions>
+FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, Unchecked,
+              const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
+    -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
 
 }  // namespace rollbem

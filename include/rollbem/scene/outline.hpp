@@ -25,7 +25,7 @@ public:
     using Scalar = Scalar_;
 
     /// y, x of the trailing and x of the leading edge of each line [m, or any unit of length]. Throws
-    /// std::invalid_argument, with the number of the line from 0, if they break the invariant.
+    /// std::invalid_argument, with the number of the line from 1, if they break the invariant.
     Outline(ArrayX<Scalar> y, ArrayX<Scalar> trailing, ArrayX<Scalar> leading)
         : y_(std::move(y)), trailing_(std::move(trailing)), leading_(std::move(leading)) {
         const Eigen::Index lines = y_.size();
@@ -63,7 +63,7 @@ public:
 private:
     static void check(Eigen::Index line, const char* quantity, Scalar value, bool holds, const char* rule) {
         if (holds) return;
-        const std::string name = std::string(quantity) + " of line " + detail::to_text(line);
+        const std::string name = std::string(quantity) + " of line " + detail::to_text(line + 1);
         detail::require(false, "Outline", name.c_str(), value, rule);
     }
 

@@ -25,9 +25,9 @@ public:
     using Vector = VectorX<Scalar>;
     using Solver = ActiveSet<Scalar>;
     using Outcome = typename Solver::Outcome;
-    using Start = std::vector<Zone>;      ///< starting point of a solution
-    using Vectors = Vector;               ///< constants of the equations, tractions
-    static constexpr int parameters = 3;  ///< number of tangents that a first stage passes to the second: see TangentBy
+    using Start = SolutionStart<1, Scalar>;
+    using Vectors = Vector;             ///< constants of the equations, tractions
+    static constexpr int directions = 1;
 
     explicit ActiveSetSlip(Index n)
         : zones_(static_cast<std::size_t>(n), Zone::stick),
@@ -38,7 +38,7 @@ public:
 
     static Vectors zero(Index n) { return Vector::Zero(n); }
 
-    void begin(const Start& zones) { zones_ = zones; }
+    void begin(const Start& start) { zones_ = start.zones; }
     /// Each solution starts from the previous one.
     Outcome solve(const Vector& bound, Solver& solver) {
         const Outcome outcome = solver.solve(bound, zones_);
@@ -89,7 +89,7 @@ public:
 private:
     static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
 
-    Start zones_;
+    std::vector<Zone> zones_;
     MatrixX<Scalar> by_traction_;
     std::vector<Index> slipping_;
     Index count_ = 0;

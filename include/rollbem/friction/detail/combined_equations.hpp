@@ -15,7 +15,7 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 #include "combined_partition.hpp"
 #include "released_equations.hpp"
 #include "slip_turn.hpp"

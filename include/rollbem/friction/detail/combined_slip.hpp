@@ -10,8 +10,7 @@
 #include <Eigen/Core>
 
 #include "../../types.hpp"
-#include "../combined_state.hpp"
-#include "combined_core.hpp"
+#include "../state.hpp"
 #include "combined_solver.hpp"
 
 namespace rollbem::detail {
@@ -27,13 +26,13 @@ public:
     using Vectors = ElementVectors<Scalar>;
     using Solver = CombinedSolver<Scalar>;
     using Outcome = typename Solver::Outcome;
-    using Start = CombinedStart<Scalar>;
-    static constexpr int parameters = 4;  // as CombinedMemory::carried
+    using Start = SolutionStart<2, Scalar>;
+    static constexpr int directions = 2;
 
     explicit CombinedSlip(Index n)
         : traction_(Vectors::Zero(n, 2)),
           slip_change_(n, 2),
-          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          zones_(static_cast<std::size_t>(n), Zone::stick),
           coupling_(MatrixX<Scalar>::Zero(n, n)),
           slipping_(static_cast<std::size_t>(n)) {}
 
@@ -72,17 +71,14 @@ public:
     unsigned long revision() const { return revision_; }
 
     void change_size(const Solver& solver, const Vectors& change, const Vectors& traction_change, Vector& size_change) {
-        for (std::size_t d = 0; d < 2; ++d) {
-            const auto column = static_cast<Index>(d);
-            slip_change_.col(column) = change.col(column);
-            slip_change_.col(column).noalias() += solver.matrix(d) * traction_change.col(column);
-        }
-        size_change = -slip_change_.cwiseProduct(solver.direction()).rowwise().sum();
+        solver.multiply(traction_change, slip_change_);
+        slip_change_ += change;
+        size_change = -slip_change_.cwiseProduct(solver.against_slip()).rowwise().sum();
     }
 
 private:
     Vectors traction_, slip_change_;
-    std::vector<CombinedZone> zones_;
+    std::vector<Zone> zones_;
     MatrixX<Scalar> coupling_;
     std::vector<Index> slipping_;
     Index count_ = 0;

@@ -16,7 +16,7 @@
 #include "../../detail/finite.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 #include "combined_equations.hpp"
 #include "combined_partition.hpp"
 #include "combined_split.hpp"
@@ -45,7 +45,7 @@ public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
-    using Zones = std::vector<CombinedZone>;
+    using Zones = std::vector<Zone>;
 
     struct Outcome {
         int rounds = 0;  ///< Newton steps, of all attempts
@@ -59,7 +59,7 @@ public:
     /// `coupled`: traction in one direction causes slip in the other, too.
     explicit CombinedSolver(Index n, bool coupled = false)
         : equations_(n, coupled),
-          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          zones_(static_cast<std::size_t>(n), Zone::stick),
           part_(n),
           reach_(Vector::Zero(n)),
           traction_(Vectors::Zero(n, 2)),
@@ -71,7 +71,7 @@ public:
           best_(n, 2),
           against_slip_(Vectors::Zero(n, 2)),
           begin_(n, 2),
-          begin_zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          begin_zones_(static_cast<std::size_t>(n), Zone::stick),
           turn_(n),
           split_(n) {}
 
@@ -173,7 +173,7 @@ private:
         reach_is_known_ = true;
     }
 
-    CombinedZone zone(Index i) const { return part_.stick[i] != 0 ? CombinedZone::stick : CombinedZone::slip; }
+    Zone zone(Index i) const { return part_.stick[i] != 0 ? Zone::stick : Zone::slip; }
 
     // All attempts for the present turn of the slip. False if none succeeds; then the best point remains.
     bool search(const Vector& bound, const Vectors& traction, const Zones& zones, Outcome& outcome) {
@@ -223,7 +223,7 @@ private:
         traction_ = traction;
         for (Index i = 0; i < size(); ++i) {
             const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
-            if (zones[static_cast<std::size_t>(i)] == CombinedZone::slip && norm > 0)
+            if (zones[static_cast<std::size_t>(i)] == Zone::slip && norm > 0)
                 traction_.row(i) *= bound[i] / norm;
         }
         find_turned_slip(traction_, slip_);
@@ -231,7 +231,7 @@ private:
             const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
             if (bound[i] == 0) {
                 let_go(i);
-            } else if (zones[static_cast<std::size_t>(i)] == CombinedZone::stick) {
+            } else if (zones[static_cast<std::size_t>(i)] == Zone::stick) {
                 part_.let_stick(i);
             } else if (norm > 0) {
                 slide_on(i, norm);

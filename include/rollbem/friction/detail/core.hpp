@@ -1,89 +1,162 @@
-// Common core of the steady and the non-steady friction model: solutions for one or two stages, in the contact's units.
+// Common core of friction in steady rolling and in time: one or two stages of a step, between the units of the contact
+// and dimensionless equations s = M p + c.
 #pragma once
 
 #include "../../detail/language.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "../../assembly/rolling_system.hpp"
+#include "../../adhesion/integrator.hpp"
+#include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../normal/load.hpp"
 #include "../../scene/contact.hpp"
+#include "../../scene/rigid_motion.hpp"
+#include "../../scene/travel.hpp"
+#include "../../status.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
 #include "../workspace.hpp"
-#include "constant_stages.hpp"
+#include "bounds.hpp"
+#include "convergence.hpp"
+#include "directions.hpp"
 #include "rolling_stage.hpp"
+#include "scratch.hpp"
 #include "slip_work.hpp"
+#include "stage_tangent.hpp"
 #include "unchanged_steps.hpp"
 
 namespace rollbem::detail {
 
-/// The part of a friction model that is independent of the origin of the equations s = M p + c. Dimensionless:
-/// tractions in G, lengths in the contact's half-length a_0.
-template <class Scalar>
+/// The part of a friction model that is independent of the origin of its equations. Dimensionless: tractions in G,
+/// lengths in the contact's half-length a_0.
+template <class Law, int directions, class Scalar>
 class FrictionCore {
 public:
-    using State = FrictionState<Scalar>;
-    using Step = FrictionStep<Scalar>;
-    using LoadedStep = LoadedFrictionStep<Scalar>;
-    using Workspace = FrictionWorkspace<Scalar>;
+    using State = FrictionState<directions, Scalar>;
+    using Step = FrictionStep<directions, Scalar>;
+    using Workspace = FrictionWorkspace<directions, Scalar>;
+    using Force = typename Step::Force;
+    using Value = typename Directions<directions, Scalar>::Value;
+    using System = typename Directions<directions, Scalar>::System;
+    using Gradient = typename Directions<directions, Scalar>::Gradient;
+    using Motion = RigidMotion<Value>;
+    static constexpr bool slip_dependent = !is_constant<Law>;
 
-    /// `widths` in a_0, `points` the collocation points x/a if they are known, `friction` for the same elements,
-    /// `system` the fingerprint of the equations.
-    FrictionCore(const Contact<Scalar>& contact, const ArrayX<Scalar>& widths,
-                 const std::optional<ArrayX<Scalar>>& points, CoulombFriction<Scalar> friction, std::uint64_t system)
+    /// The load at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
+    struct Load {
+        const ArrayX<Scalar>& pressure;
+        Scalar half_length;
+        const ArrayX<Scalar>* pressure_rate = nullptr;  // of a step under a load of its own, else null
+    };
+
+    /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors by
+    /// that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name of
+    /// `who`, if the law is invalid.
+    FrictionCore(const char* who, const Contact<Scalar>& contact, const Elements<Scalar>& elements,
+                 Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
+                 std::optional<std::uint64_t> system = std::nullopt)
         : half_length_(contact.half_length()),
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
-          widths_(widths.matrix()),
-          slip_work_(widths, points),
-          unchanged_steps_(widths.size(), half_length_),
-          ones_(VectorX<Scalar>::Ones(widths_.size())),
-          fingerprint_(fingerprint_of(contact, system) ^ fingerprint_of_law(friction)),
-          friction_(std::move(friction)) {}
+          areas_(elements.areas.matrix()),
+          intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
+          points_(elements.x),
+          slip_work_(elements, directions),
+          unchanged_steps_(elements.size(), half_length_),
+          ones_(VectorX<Scalar>::Ones(elements.size())),
+          friction_(friction),
+          coupled_(is_coupled(G_prime)),
+          fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
+          system_(system.value_or(fingerprint_)) {
+        require_valid(who, friction, element_count, size());
+        require(friction.memory.distance == 0 || elements.is_one_strip(), who, "distance of the memory",
+                friction.memory.distance, "be 0 for elements in several strips");
+        if constexpr (directions == 2) {
+            if (elements.places_are_known()) {
+                spin_.resize(size(), 2);
+                spin_ << -elements.y.matrix(), elements.x.matrix();
+                moments_.resize(size(), 2);
+                moments_ << -(elements.areas * elements.centre_y).matrix(),
+                    (elements.areas * elements.centre_x).matrix();
+            }
+            if (friction.turned && elements.half_element_ahead) behind_ = elements.behind;
+        }
+        friction_.normal_pressure.conservativeResize(size());
+        Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
+        pressures.add(friction_.normal_pressure);
+        fingerprint_ = fingerprint_of(contact, fingerprint_) ^ pressures.value();
+    }
 
-    Eigen::Index size() const { return widths_.size(); }
+    Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
-    const VectorX<Scalar>& widths() const { return widths_; }
     Scalar width() const { return width_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
+    Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
+
     State at_rest() const {
-        return {VectorX<Scalar>::Zero(size()), std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
-                friction_.normal_pressure, half_length_, fingerprint_};
+        State state{ElementVectors<Scalar, directions>::Zero(size(), directions),
+                    std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
+                    friction_.normal_pressure,
+                    half_length_,
+                    fingerprint_,
+                    {},
+                    {}};
+        if constexpr (slip_dependent) {
+            state.friction_coefficient.setConstant(size(), static_cast<Scalar>(friction_.law(Scalar(0))));
+            state.solver.stage_coefficient = state.friction_coefficient;
+        }
+        return state;
     }
-    Scalar force(const State& state) const { return width_ * state.half_length * widths_.dot(state.traction); }
+
+    Force force(const State& state) const {
+        return total(state.traction, width_ * state.half_length, state.half_length);
+    }
 
     /// Per unit width [J/m]; NaN if the system cannot represent the half-length.
-    Scalar elastic_energy(const State& state, const RollingSystem<Scalar>& system) const {
+    Scalar elastic_energy(const State& state, const System& system) const {
         const Scalar a = state.half_length / half_length_;
-        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return std::numeric_limits<Scalar>::quiet_NaN();
-        VectorX<Scalar> displacement = VectorX<Scalar>::Zero(size());
-        find_displacement<Scalar>(system, a, state.traction, displacement);
+        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
+        ElementVectors<Scalar, directions> displacement = state.traction;
+        find_displacements(system, a, state.traction, displacement);
         return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
                (2 * shear_modulus_);
     }
 
-    bool fits(const State& from, const State& to, const Workspace& workspace) const noexcept {
-        const auto sized = [this](const State& state) {
-            return state.traction.size() == size() && state.zones.size() == static_cast<std::size_t>(size()) &&
-                   state.normal_pressure.size() == size();
+    /// Whether states and workspace belong to the model, and whether the load in a state is valid.
+    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
+        const Eigen::Index n = size();
+        const auto sized = [n](const State& state) {
+            return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
+                   state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
         };
-        return &from != &to && from.system == fingerprint_ && sized(from) && sized(to) && workspace.size() == size();
-    }
-
-    /// Whether the load in a state is valid.
-    StepStatus check_load(const State& from) const noexcept {
+        const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
+                             workspace.fits(n, slip_dependent, coupled_);
+        const Eigen::Index kept = from.solver.stage_coefficient.size();
+        if (!belongs || (kept != 0 && kept != from.friction_coefficient.size()) ||
+            !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
+            return StepStatus::wrong_state;
+        }
         const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
         return valid ? StepStatus::ok : StepStatus::invalid_load;
+    }
+
+    /// Whether the rigid slip of a creepage is known.
+    bool can_impose([[maybe_unused]] const Value& creepage) const noexcept {
+        if constexpr (directions == 1) {
+            return true;
+        } else {
+            return creepage.spin == 0 || spin_.rows() > 0;
+        }
     }
 
     static Step failed(StepStatus status) noexcept {
@@ -92,251 +165,418 @@ public:
         return step;
     }
 
-    /// The load at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
-    struct Load {
-        const ArrayX<Scalar>& pressure;
-        Scalar half_length;
-    };
-    /// Starting point of the last stage: zones, and the outcome of the first stage.
-    struct Before {
-        const std::vector<Zone>* zones;
-        Scalar residual = 0;
-        int rounds = 0, pivots = 0;
-        bool tangent_exists = true, solved = true;
-    };
-    /// dc of the first and of the last stage by the parameter of the tangent.
-    struct Gain {
-        Scalar first, last;
-    };
-
-    /// Steady rolling, s/V = creepage - G' p, starting from the zones of `from`, under a load that has been checked.
-    template <class Stages>
-    Step solve_steady(Stages& stages, const State& from, Scalar creepage, const MatrixX<Scalar>& G_prime,
-                      const Load& load, State& to, Workspace& workspace) const noexcept {
-        if (!is_finite(creepage)) return failed(StepStatus::not_finite);
-        if (MatrixX<Scalar>* matrix = claim({.distance = steadily}, workspace)) *matrix = -G_prime;
-        workspace.solver_.begin(Effort::equations);
-        workspace.solver_.constant().setConstant(creepage);
-        press(load.pressure, workspace);
-        return solve_last(stages, from, {.zones = &from.zones}, {.first = 0, .last = 1}, load, 1, to, workspace);
-    }
-
-    /// The matrix to be filled for a stage; null if the workspace has it.
-    MatrixX<Scalar>* claim(const RollingStage<Scalar>& stage, Workspace& workspace) const noexcept {
-        if (workspace.system_ == fingerprint_ && workspace.stage_ == stage) return nullptr;
-        workspace.system_ = fingerprint_;
-        workspace.stage_ = stage;
-        return &workspace.solver_.new_matrix();
-    }
-
-    /// Sets the bounds mu p_n of the next stage,
-    void press(const ArrayX<Scalar>& pressure, Workspace& workspace) const noexcept {
-        workspace.bound_ = friction_.friction_coefficient / shear_modulus_ * pressure.head(size()).matrix();
-    }
-    /// or of a stage that ends within the step, after the share `progress` of the way from one load to the next.
-    void press(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress,
-               Workspace& workspace) const noexcept {
-        workspace.bound_ =
-            friction_.friction_coefficient / shear_modulus_ * (from + progress * (to.head(size()) - from)).matrix();
-    }
-
-    /// Starts a step whose stages each roll by `distance`, at the half-length `half_length` in a_0; `grows` if the
-    /// half-length changes during the step.
-    void remember(const State& from, const RollingSystem<Scalar>& system, Scalar half_length, bool grows,
-                  Scalar distance, Workspace& workspace) const noexcept {
-        workspace.solver_.begin(grows ? Effort::equations : unchanged_steps_.effort(from, distance));
-        workspace.memory_.begin(system, 1 / shear_modulus_ * from.traction, half_length, grows);
-    }
-    /// After the first of two stages.
-    void extrapolate_memory(const RollingSystem<Scalar>& system, Scalar ratio, Workspace& workspace) const noexcept {
-        workspace.memory_.extrapolate(system, workspace.solver_.traction(), workspace.stage_.half_length, ratio);
-    }
-    void impose(Scalar imposed, const RollingSystem<Scalar>& system, Workspace& workspace) const noexcept {
-        workspace.memory_.impose(system, imposed, workspace.solver_.constant());
-    }
-
-    /// Solves the first of two stages, from the zones of `from`; its slip is weighted by `weight`.
-    template <class Stages>
-    Before solve_first(Stages& stages, const State& from, Scalar weight, const RollingSystem<Scalar>& system,
-                       Workspace& workspace) const noexcept {
-        ActiveSet<Scalar>& solver = workspace.solver_;
-        const typename ActiveSet<Scalar>::Outcome outcome = stages.solve(solver, workspace.bound_, from.zones);
-        set_slip(workspace);
-        workspace.slip_ *= weight;
-        workspace.work_.setZero();
-        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, workspace.stage_.half_length);
-        if constexpr (!Stages::bounds_are_given) {
-            workspace.jump_work_.keep_first(solver.traction());
-            if (outcome.tangent_exists) {
-                stages.respond(solver, ones_, 0, workspace.response_);
-                stages.carry_response();
-                find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
-                workspace.carried_ *= -weight;
-            }
-            workspace.carried_revision_ = Workspace::never;
-        } else if (outcome.tangent_exists && workspace.carried_revision_ != solver.revision()) {
-            solver.respond(ones_, workspace.response_);
-            find_displacement(system, workspace.stage_.half_length, workspace.response_, workspace.carried_);
-            workspace.carried_ *= -weight;
-            workspace.carried_revision_ = solver.revision();
-            workspace.tangent_revision_ = Workspace::never;
-        }
-        return {.zones = &solver.zones(),
-                .residual = outcome.residual,
-                .rounds = outcome.rounds,
-                .pivots = outcome.pivots,
-                .tangent_exists = outcome.tangent_exists,
-                .solved = outcome.status == StepStatus::ok};
-    }
-
-    /// Solves the last or only stage. Fills `to` and the workspace's slip, in multiples of `slip_unit`, and slip work.
-    template <class Stages>
-    Step solve_last(Stages& stages, const State& from, const Before& before, const Gain& gain, const Load& load,
-                    Scalar slip_unit, State& to, Workspace& workspace) const noexcept {
-        ActiveSet<Scalar>& solver = workspace.solver_;
-        const bool only = before.zones == &from.zones;
-        if (only) {
-            workspace.work_.setZero();
-        } else {
-            workspace.response_ = workspace.slip_;
-        }
-        const typename ActiveSet<Scalar>::Outcome outcome = stages.solve(solver, workspace.bound_, *before.zones);
-        const Scalar force = widths_.dot(solver.traction());
-        set_slip(workspace);
-        slip_work_.add(solver.traction(), workspace.slip_, workspace.work_, load.half_length / half_length_);
-        slip_work_.end(workspace.work_, half_length_ * shear_modulus_ * slip_unit);
-        to.system = fingerprint_;
-        const Scalar force_per_width = load.half_length * shear_modulus_ * force;
-        const Scalar work_per_width = workspace.work_.sum();
-        if (!is_finite(force_per_width) || !is_finite(work_per_width) || !is_finite(before.residual) ||
-            outcome.status == StepStatus::not_finite || !all_finite(solver.slip())) {
-            workspace.slip_.setZero();
-            workspace.work_.setZero();
-            to.traction = from.traction;
-            to.zones = from.zones;
-            to.normal_pressure = from.normal_pressure;
-            to.half_length = from.half_length;
-            to.unchanged_steps = from.unchanged_steps;
-            to.unchanged_distance = from.unchanged_distance;
-            return failed(StepStatus::not_finite);
-        }
-        if (!only) workspace.slip_ += workspace.response_;
-        workspace.slip_ *= slip_unit;
-        to.zones = solver.zones();
-        to.traction = shear_modulus_ * solver.traction();
-        to.normal_pressure = load.pressure.head(size());
-        to.half_length = load.half_length;
-        const bool rolls = workspace.stage_.distance != steadily;
-        unchanged_steps_.count(from, workspace.stage_, rolls && solver.unchanged(), to);
-        Step step;
-        step.stick_count = solver.stick_count();
-        step.force_per_width = force_per_width;
-        step.force = width_ * step.force_per_width;
-        step.slip_work_per_width = work_per_width;
-        step.jump_work_per_width = 0;
-        if (before.tangent_exists && outcome.tangent_exists) {
-            step.tangent_per_width = load.half_length * shear_modulus_ * tangent(stages, gain, workspace);
-            step.tangent = width_ * step.tangent_per_width;
-        }
-        step.complementarity_residual = std::max(before.residual, outcome.residual);
-        step.rounds = before.rounds + outcome.rounds;
-        step.pivots = before.pivots + outcome.pivots;
-        step.status = before.solved ? outcome.status : StepStatus::no_solution;
+    /// A result without the numbers that a scheme gets wrong.
+    static Step without_forces(const Step& solved) noexcept {
+        if (solved.status != StepStatus::ok && solved.status != StepStatus::no_solution) return solved;
+        Step step = failed(StepStatus::inconsistent);
+        step.complementarity_residual = solved.complementarity_residual;
+        step.stick_count = solved.stick_count;
+        step.rounds = solved.rounds;
+        step.pivots = solved.pivots;
         return step;
     }
 
-    /// After the last stage of a step from `from`, whose slip is known in the workspace.
-    template <class Stages>
-    void add_jump_work(const State& from, const RollingSystem<Scalar>& system, bool two_stages, bool rolls,
-                       const Load& load, Workspace& workspace, Step& step) const noexcept {
-        if (step.status == StepStatus::not_finite) return;
-        const auto start = 1 / shear_modulus_ * from.traction;
-        const VectorX<Scalar>& end = workspace.solver_.traction();
-        const Scalar a = load.half_length / half_length_;
-        if (!rolls) {
-            const auto slip = 1 / half_length_ * workspace.slip_;
-            step.jump_work_per_width = workspace.jump_work_.shifted(slip_work_, a, start, end, slip);
-        } else if constexpr (!Stages::bounds_are_given) {
-            step.jump_work_per_width = workspace.jump_work_.rolled(system, slip_work_, a, two_stages, start, end);
-        }
-        step.jump_work_per_width *= shear_modulus_ * half_length_ * half_length_;
+    /// Steady rolling, s/V = creepage - G' p, sought from `from`, whose load and the given one have been checked.
+    Step solve_steady(const Gradient& G_prime, const State& from, const Value& creepage, Scalar speed, const Load& load,
+                      State& to, Workspace& workspace) const noexcept {
+        if (!is_finite(creepage)) return failed(StepStatus::not_finite);
+        if (!can_impose(creepage)) return failed(StepStatus::needs_places);
+        if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
+        Scratch& scratch = workspace.scratch();
+        const Stage stage{.distance = steadily};
+        if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
+        Bounds bounds = [&] {
+            if constexpr (slip_dependent) {
+                return Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling);
+            } else {
+                return Bounds();
+            }
+        }();
+        begin(from, scratch);
+        if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
+        set_bounds(load.pressure, scratch);
+        Progress progress;
+        solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
+        Step step = finish(bounds, from, progress, load, 1, to, scratch);
+        if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
+        return step;
     }
 
-    /// Chooses the tangents of the step that follows: by the half-length or not, by the load if there are rates.
-    void begin_tangents(const ArrayX<Scalar>& pressure_rate, bool by_half_length, Workspace& workspace) const noexcept {
-        LoadTangents<Scalar>& tangents = workspace.load_tangents_;
-        tangents.begin(pressure_rate.size() > 0, by_half_length);
-        if (!tangents.by_load()) return;
-        tangents.bound_change() = friction_.friction_coefficient / shear_modulus_ * pressure_rate.head(size()).matrix();
-    }
-    /// After the first of two stages.
-    template <class Stages>
-    void carry_tangents(Stages& stages, const RollingSystem<Scalar>& system, const StagePlace<Scalar>& place,
-                        Scalar ratio, Workspace& workspace) const noexcept {
-        workspace.load_tangents_.carry(stages, system, workspace.stage_, place, ratio, workspace.solver_);
-    }
-    /// After the last stage.
-    template <class Stages>
-    LoadedStep with_tangents(Stages& stages, const Step& step, const RollingSystem<Scalar>& system,
-                             const StagePlace<Scalar>& place, const Load& load, Workspace& workspace) const noexcept {
-        LoadedStep loaded{step};
-        if (is_nan(step.tangent_per_width)) return loaded;  // the others do not exist either
-        LoadTangents<Scalar>& tangents = workspace.load_tangents_;
-        ActiveSet<Scalar>& solver = workspace.solver_;
-        if (tangents.by_load()) {
-            const Scalar change = widths_.dot(tangents.respond_to_load(stages, place, solver));
-            loaded.tangent_by_load_per_width = load.half_length * shear_modulus_ * change;
-            loaded.tangent_by_load = width_ * loaded.tangent_by_load_per_width;
+    /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
+    /// for the duration.
+    Step roll(const System& system, Integrator integrator, const State& from, const rollbem::Travel<Scalar>& travel,
+              const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept {
+        if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
+        if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
+        Scratch& scratch = workspace.scratch();
+        const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
+                     a_end = load.half_length / half_length_;
+        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
+        const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
+        const Scalar part = two_stages ? gamma : Scalar(1);
+        const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
+        const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
+                          .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system)};
+        if (asked.by_load) {
+            scratch.bound_rate = bound_per_pressure() * load.pressure_rate->head(size()).matrix();
         }
-        if (tangents.by_half_length()) {
-            const Scalar change =
-                widths_.dot(tangents.respond_to_half_length(stages, system, workspace.stage_, place, solver));
-            const Scalar force = widths_.dot(solver.traction());
-            loaded.tangent_by_half_length_per_width =
-                shear_modulus_ * (force + load.half_length / half_length_ * change);
-            loaded.tangent_by_half_length = width_ * loaded.tangent_by_half_length_per_width;
+        Bounds bounds = [&] {
+            if constexpr (slip_dependent) {
+                return Bounds(friction_, points_, from, half_length_, travel, scratch.falling);
+            } else {
+                return Bounds();
+            }
+        }();
+        begin(from, scratch);
+        if constexpr (directions == 1) {
+            scratch.solver.begin(a != a_end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
         }
-        return loaded;
+        find_displacements(system, a, scratch.start, scratch.displacement);
+        Progress progress;
+        Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
+        if (two_stages) {
+            enter(system, {part, part}, Stage::within(part, dq, a, a_end), bounds, scratch);
+            if (load.pressure_rate != nullptr) {
+                set_bounds(from.normal_pressure, load.pressure, part, scratch);
+            } else {
+                set_bounds(load.pressure, scratch);  // for both stages
+            }
+            solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
+                        progress);
+            carried = motion.is_linear() ? gamma * imposed : imposed;
+            if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
+            if (progress.tangent_exists) {
+                carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
+            }
+            find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
+            scratch.displacement += ratio * (scratch.change - scratch.displacement);
+        }
+        enter(system, {part, 1}, Stage::last(part, dq, a, a_end), bounds, scratch);
+        if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
+        solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
+                    scratch.stage.half_length, scratch, progress);
+        Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
+        if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
+        if (!progress.tangent_exists) return step;
+        add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
+        add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch,
+                          step);
+        return step;
     }
 
 private:
-    static constexpr Scalar steadily = -1;  // stands for the distance rolled, which is 0 for a rigid shift
+    using Scratch = FrictionScratch<directions, Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Stage = RollingStage<Scalar>;
+    using Place = StagePlace<Scalar>;
+    using Slip = typename Directions<directions, Scalar>::Slip;
+    using Bounds = std::conditional_t<slip_dependent, FallingBounds<Law, Slip>, ConstantBounds<directions, Scalar>>;
+    using By = TangentBy<directions>;
+    using Tangent = StageTangent<directions, Scalar, Bounds>;
 
-    // Removes the round-off of sticking elements and at the border of slip.
-    static void set_slip(Workspace& workspace) {
-        const ActiveSet<Scalar>& solver = workspace.solver_;
-        workspace.slip_ = solver.signs().cwiseProduct(solver.signs().cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
+    static constexpr Scalar gamma = sdirk2_part<Scalar>;
+    static constexpr Scalar ratio = sdirk2_ratio<Scalar>;
+    static constexpr Scalar steadily = -1;  // stands for the distance rolled, which is 0 for a rigid shift
+    // with one direction and given bounds, tangents depend on M and the sticking elements alone and are kept
+    static constexpr bool keeps_tangents = directions == 1 && !slip_dependent;
+
+    /// Summary of the stages of a step.
+    struct Progress {
+        Scalar residual = 0;
+        int rounds = 0, pivots = 0;
+        bool tangent_exists = true, solved = true, finite = true;
+    };
+    /// Derivatives in addition to those by the creepages.
+    struct Asked {
+        bool by_load = false, by_half_length = false;
+    };
+
+    static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
+
+    static bool are_coefficients(const ArrayX<Scalar>& values) {
+        return values.size() == 0 || (all_finite(values) && !(values.minCoeff() < 0));
     }
 
-    template <class Stages>
-    Scalar tangent(Stages& stages, const Gain& gain, Workspace& workspace) const {
-        ActiveSet<Scalar>& solver = workspace.solver_;
-        if constexpr (!Stages::bounds_are_given) {
-            workspace.slip_change_ = gain.last * ones_;
-            if (gain.first != 0) workspace.slip_change_ += gain.first * workspace.carried_;
-            stages.respond(solver, workspace.slip_change_, gain.first, workspace.response_);
-            workspace.tangent_revision_ = Workspace::never;
-            return widths_.dot(workspace.response_);
+    Scalar bound_per_pressure() const {
+        if constexpr (slip_dependent) {
+            return 1 / shear_modulus_;
+        } else {
+            return friction_.law.coefficient / shear_modulus_;
         }
-        if (workspace.tangent_revision_ != solver.revision()) {
-            solver.respond(ones_, workspace.response_);
-            workspace.unit_tangent_ = widths_.dot(workspace.response_);
-            solver.respond(workspace.carried_, workspace.response_);
-            workspace.carried_tangent_ = widths_.dot(workspace.response_);
-            workspace.tangent_revision_ = solver.revision();
+    }
+    void set_bounds(const ArrayX<Scalar>& pressure, Scratch& scratch) const {
+        scratch.bound = bound_per_pressure() * pressure.head(size()).matrix();
+    }
+    // after the share `progress` of the way from one load to the other
+    void set_bounds(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress, Scratch& scratch) const {
+        scratch.bound = bound_per_pressure() * (from + progress * (to.head(size()) - from)).matrix();
+    }
+
+    // No slip yet; the first solution is sought from the tractions of `from`.
+    void begin(const State& from, Scratch& scratch) const {
+        scratch.slip.setZero();
+        scratch.work.setZero();
+        scratch.displacement.setZero();
+        scratch.start = from.traction / shear_modulus_;
+        if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
+    }
+
+    // Whether the matrices of a stage have to be filled.
+    bool needs_matrix(const Stage& stage, Scratch& scratch) const {
+        if (scratch.system == system_ && scratch.stage == stage) return false;
+        scratch.system = system_;
+        scratch.stage = stage;
+        return true;
+    }
+    template <class Fill>
+    static void for_blocks(const Scratch& scratch, const Fill& fill) {
+        for (std::size_t d = 0; d < 2; ++d) {
+            for (std::size_t e = 0; e < 2; ++e) {
+                if (d == e || scratch.solver.coupled()) fill(d, e);
+            }
         }
-        // without a first stage, carried_tangent_ is that of an earlier step
-        const Scalar last = gain.last * workspace.unit_tangent_;
-        return gain.first == 0 ? last : last + gain.first * workspace.carried_tangent_;
+    }
+    static void fill_steady(const Gradient& G_prime, Scratch& scratch) {
+        if constexpr (directions == 1) {
+            scratch.solver.new_matrix() = -G_prime;
+        } else {
+            for_blocks(scratch,
+                       [&](std::size_t d, std::size_t e) { scratch.solver.new_matrix(d, e) = -G_prime[d][e]; });
+        }
+    }
+    void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
+        if (needs_matrix(stage, scratch)) {
+            if constexpr (directions == 1) {
+                influence(system).fill_stage_matrix(stage, scratch.solver.new_matrix());
+            } else {
+                for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                    influence(system, d, e).fill_stage_matrix(stage, scratch.solver.new_matrix(d, e));
+                });
+            }
+        }
+        bounds.enter(place, stage);
+    }
+
+    // The creepage (or the shift) after `progress` of the step.
+    static Value between(const Motion& motion, Scalar progress) {
+        const Value start = motion.start(), end = motion.end();
+        const auto at = [progress](Scalar one, Scalar other) { return one + progress * (other - one); };
+        if constexpr (directions == 1) {
+            return at(start, end);
+        } else {
+            return {at(start.longitudinal, end.longitudinal), at(start.lateral, end.lateral), at(start.spin, end.spin)};
+        }
+    }
+    // Spin times a_0.
+    Scalar spin_of([[maybe_unused]] const Value& motion) const {
+        if constexpr (directions == 1) {
+            return 0;
+        } else {
+            return motion.spin * half_length_;
+        }
+    }
+
+    // One stage, c = factor motion - displacement, at a half-length in a_0; its slip is weighted by `weight`. The next
+    // stage is sought from its tractions.
+    void solve_stage(Bounds& bounds, const Value& motion, Scalar factor, const std::vector<Zone>& zones, Scalar weight,
+                     Scalar half_length, Scratch& scratch, Progress& progress) const {
+        auto& solver = scratch.solver;
+        auto& constant = solver.constant();
+        constant = -scratch.displacement;
+        if constexpr (directions == 1) {
+            constant.array() += factor * motion;
+        } else {
+            constant.col(0).array() += factor * motion.longitudinal;
+            constant.col(1).array() += factor * motion.lateral;
+            if (motion.spin != 0) constant += factor * spin_of(motion) * half_length * spin_;
+        }
+        const auto outcome = bounds.solve(solver, scratch.bound, {scratch.start, zones});
+        progress.residual = std::max(progress.residual, outcome.residual);
+        progress.rounds += outcome.rounds;
+        if constexpr (directions == 1) progress.pivots += outcome.pivots;
+        progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;
+        progress.solved = progress.solved && outcome.status == StepStatus::ok;
+        progress.finite = progress.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
+                          all_finite(solver.slip());  // std::max may drop a NaN
+        if constexpr (directions == 1) {  // without the round-off of sticking elements and at the border of slip
+            const auto& signs = solver.signs();
+            scratch.stage_slip = weight * signs.cwiseProduct(signs.cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
+        } else {
+            scratch.stage_slip = weight * solver.slip();
+        }
+        scratch.slip += scratch.stage_slip;
+        scratch.start = solver.traction();
+        for (Eigen::Index d = 0; d < directions; ++d) {
+            slip_work_.add(scratch.start.col(d), scratch.stage_slip.col(d), scratch.work, half_length);
+        }
+    }
+
+    // Fills `to`, the slip, in multiples of `slip_unit`, the slip work, and the result except for its tangents. Clears
+    // progress.tangent_exists if the result is not finite.
+    Step finish(const Bounds& bounds, const State& from, Progress& progress, const Load& load, Scalar slip_unit,
+                State& to, Scratch& scratch) const {
+        slip_work_.end(scratch.work, half_length_ * shear_modulus_ * slip_unit);
+        scratch.slip *= slip_unit;
+        to.system = fingerprint_;
+        const Force force = total(scratch.start, load.half_length * shear_modulus_, load.half_length);
+        const Scalar work = scratch.work.sum();
+        progress.finite = progress.finite && is_finite(force) && is_finite(work);
+        if (!progress.finite) {
+            progress.tangent_exists = false;
+            scratch.slip.setZero();
+            scratch.work.setZero();
+            to = from;  // of equal sizes
+            return failed(StepStatus::not_finite);
+        }
+        to.traction = shear_modulus_ * scratch.start;
+        to.zones = scratch.solver.zones();
+        to.normal_pressure = load.pressure.head(size());
+        to.half_length = load.half_length;
+        bounds.finish(to);
+        if constexpr (directions == 1) {
+            const bool rolls = scratch.stage.distance != steadily;
+            unchanged_steps_.count(from.solver, scratch.stage, rolls && scratch.solver.unchanged(), to.solver);
+        }
+        Step step;
+        step.force_per_width = force;
+        step.force = width_ * force;
+        step.slip_work_per_width = work;
+        step.jump_work_per_width = 0;
+        step.complementarity_residual = progress.residual;
+        step.stick_count = scratch.solver.stick_count();
+        step.rounds = progress.rounds;
+        step.pivots = progress.pivots;
+        step.status = progress.solved ? StepStatus::ok : StepStatus::no_solution;
+        return step;
+    }
+
+    // After the last stage; with constant friction only a shift has jumps.
+    void add_jump_work(const System& system, const State& from, bool two_stages, bool rolls, const Load& load,
+                       Scratch& scratch, Step& step) const {
+        const Scalar a = load.half_length / half_length_;
+        const auto start = 1 / shear_modulus_ * from.traction;
+        Scalar work = 0;
+        if (!rolls) {
+            scratch.change = 1 / half_length_ * scratch.slip;
+            work = scratch.jump_work.shifted(slip_work_, a, start, scratch.start, scratch.change);
+        } else if constexpr (slip_dependent) {
+            work = scratch.jump_work.rolled(system, slip_work_, a, two_stages, start, scratch.start);
+        }
+        step.jump_work_per_width = shear_modulus_ * half_length_ * half_length_ * work;
+    }
+
+    // By a creepage or spin of the given number, which changes the motion imposed on the stage by `imposed`, at a
+    // half-length in a_0.
+    void find_tangent(Tangent& tangent, std::size_t creepage, Scalar imposed, Scalar half_length) const {
+        if (creepage < directions) {
+            tangent.by_creepage(imposed);
+        } else {
+            tangent.by_spin(imposed * half_length_ * half_length, spin_);
+        }
+    }
+    std::size_t creepage_count() const { return directions == 2 && spin_.rows() == 0 ? 2 : By::creepages; }
+
+    // For the second stage, what dp of the first adds to its constants. `spin` is the angle imposed on the first.
+    void carry_tangents(Bounds& bounds, const System& system, Scalar imposed, Scalar spin, const Asked& asked,
+                        Scratch& scratch) const {
+        if constexpr (keeps_tangents) {
+            if (scratch.carried_revision != scratch.solver.revision()) {
+                Tangent tangent(bounds, scratch, 0, false);
+                tangent.by_creepage(1);
+                tangent.carry(system, ratio, gamma);
+                scratch.carried_revision = scratch.solver.revision();
+                scratch.tangent_revision = Scratch::never;
+            }
+        } else {
+            for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
+                Tangent tangent(bounds, scratch, creepage, false);
+                find_tangent(tangent, creepage, imposed, scratch.stage.half_length);
+                tangent.carry(system, ratio, gamma);
+            }
+        }
+        if (asked.by_load) {
+            Tangent tangent(bounds, scratch, By::load, false);
+            tangent.by_load(gamma);
+            tangent.carry(system, ratio, gamma);
+        }
+        if (asked.by_half_length) {
+            Tangent tangent(bounds, scratch, By::half_length, false);
+            tangent.by_half_length(system, {gamma, gamma}, gamma * spin, spin_);
+            tangent.carry(system, ratio, gamma);
+        }
+    }
+
+    // By the creepages at the end of the last or only stage; `imposed` and `carried` are the derivatives of the motion
+    // imposed on this stage and on an earlier one by the creepage, 0 without an earlier one.
+    void add_creepage_tangents(Bounds& bounds, Scalar imposed, Scalar carried, const Load& load, Scratch& scratch,
+                               Step& step) const {
+        const Scalar arm = load.half_length, unit = arm * shear_modulus_;
+        if constexpr (keeps_tangents) {
+            if (scratch.tangent_revision != scratch.solver.revision()) {
+                scratch.solver.respond(ones_, scratch.response);
+                scratch.unit_tangent = areas_.dot(scratch.response);
+                scratch.solver.respond(scratch.carried[0], scratch.response);
+                scratch.carried_tangent = areas_.dot(scratch.response);
+                scratch.tangent_revision = scratch.solver.revision();
+            }
+            // without a first stage, carried_tangent is that of an earlier step
+            const Scalar last = imposed * scratch.unit_tangent;
+            step.tangent_per_width = unit * (carried == 0 ? last : last + carried * scratch.carried_tangent);
+        } else if constexpr (directions == 1) {
+            Tangent(bounds, scratch, 0, carried != 0).by_creepage(imposed);
+            step.tangent_per_width = total(scratch.response, unit, arm);
+        } else {
+            auto& tangents = step.tangent_per_width;
+            Force* const forces[] = {&tangents.by_longitudinal, &tangents.by_lateral, &tangents.by_spin};
+            for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
+                Tangent tangent(bounds, scratch, creepage, carried != 0);
+                find_tangent(tangent, creepage, imposed, arm / half_length_);
+                *forces[creepage] = total(scratch.response, unit, arm);
+            }
+        }
+        step.tangent = width_ * step.tangent_per_width;
+    }
+
+    // `spin` is the angle imposed on the stage.
+    void add_load_tangents(Bounds& bounds, const System& system, Scalar part, Scalar spin, bool carried,
+                           const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
+        const Scalar arm = load.half_length;
+        if (asked.by_load) {
+            Tangent(bounds, scratch, By::load, carried).by_load(1);
+            step.tangent_by_load_per_width = total(scratch.response, arm * shear_modulus_, arm);
+            step.tangent_by_load = width_ * step.tangent_by_load_per_width;
+        }
+        if (asked.by_half_length) {
+            Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1}, spin, spin_);
+            step.tangent_by_half_length_per_width = total(scratch.start, shear_modulus_, 2 * arm) +
+                                                    total(scratch.response, arm / half_length_ * shear_modulus_, arm);
+            step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
+        }
+    }
+
+    // `factor` times the sum of area times vector; the moment also times `arm`.
+    Force total(const Vectors& vectors, Scalar factor, Scalar arm) const {
+        if constexpr (directions == 1) {
+            return factor * areas_.dot(vectors);
+        } else {
+            Force force{factor * areas_.dot(vectors.col(0)), factor * areas_.dot(vectors.col(1))};
+            if (moments_.rows() > 0) force.moment = factor * arm * moments_.cwiseProduct(vectors).sum();
+            return force;
+        }
     }
 
     Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
-    VectorX<Scalar> widths_;
+    VectorX<Scalar> areas_, intervals_;
+    ArrayX<Scalar> points_;
+    // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit tractions.
+    Vectors spin_, moments_;
+    std::vector<Eigen::Index> behind_;  // the row behind each; empty if slip is not turned
     SlipWork<Scalar> slip_work_;
     UnchangedSteps<Scalar> unchanged_steps_;
     VectorX<Scalar> ones_;
-    std::uint64_t fingerprint_;
-    CoulombFriction<Scalar> friction_;
+    Friction<Law, Scalar> friction_;
+    bool coupled_;
+    std::uint64_t fingerprint_, system_;
 };
 
 }  // namespace rollbem::detail

@@ -4,6 +4,7 @@
 #include "../../detail/language.hpp"
 
 #include <array>
+#include <cstddef>
 
 #include <Eigen/Core>
 
@@ -11,6 +12,13 @@
 #include "falling_set.hpp"
 
 namespace rollbem::detail {
+
+/// Parameters of the tangents, as indices of what the first stage passes to the second: the creepages come first.
+template <int directions>
+struct TangentBy {
+    static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
+    static constexpr std::size_t load = creepages, half_length = creepages + 1, count = creepages + 2;
+};
 
 /// For one direction or two, depending on `Slip`. All memory is allocated by the constructor.
 template <class Slip>
@@ -40,7 +48,7 @@ struct FallingScratch {
     Vector bound;           // d bound of the last tangent at constant mu
     Vector path_change;     // d before by the half-length, on which the paths of the particles depend
     Vector before_change;   // d before of the last tangent
-    std::array<Vector, Slip::parameters> carried_change;  // d rise of each tangent
+    std::array<Vector, TangentBy<Slip::directions>::count> carried_change;  // d rise of each tangent
 };
 
 }  // namespace rollbem::detail

@@ -16,7 +16,7 @@
 #include "../../detail/in_place_lu.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
-#include "../slip_law.hpp"
+#include "../law.hpp"
 #include "same_bits.hpp"
 
 namespace rollbem::detail {
@@ -90,7 +90,7 @@ public:
     /// Starts from `start` and `friction`, finite and not negative, and overwrites `friction` with the result. Matrices
     /// and constants of the solver must be set.
     template <class Law>
-    Outcome solve(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+    Outcome solve(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const typename Slip::Start& start, Solver& solver, Vector& friction) noexcept {
         Outcome outcome;
         start_ = friction;
@@ -127,7 +127,7 @@ public:
     /// dp and d mu in the last solution caused by a change, while no element changes its zone. `friction_change` and
     /// `traction_change` must not be vectors in `change`.
     template <class Law>
-    void respond(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+    void respond(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                  Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
                  Vector& friction_change) {
         factorise(law, memory, passage, solver, friction);
@@ -167,7 +167,7 @@ private:
 
     // Slip velocities and residual.
     template <class Law>
-    void evaluate(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+    void evaluate(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const Solver& solver, const Vector& mu) {
         const auto at_rest = static_cast<Scalar>(law(Scalar(0)));
         Scalar ahead = at_rest;
@@ -191,14 +191,14 @@ private:
     }
 
     template <class Law>
-    static Scalar passed(const Law& law, const SlipMemory<Scalar>& memory, Scalar duration, Scalar before, Scalar v) {
+    static Scalar passed(const Law& law, const FrictionMemory<Scalar>& memory, Scalar duration, Scalar before, Scalar v) {
         const Scalar kept = memory.kept(v, duration), now = static_cast<Scalar>(law(v));
         return kept * before + (1 - kept) * now;
     }
 
     // Newton steps until the residual is small enough (true) or cannot be reduced.
     template <class Law, class Find>
-    bool newton(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+    bool newton(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                 Solver& solver, const Scalar& settled, const Find& find, const Outcome& outcome, Vector& friction) {
         for (int step = 0; step < most_steps; ++step) {
             if (outcome.change <= settled) return true;
@@ -247,7 +247,7 @@ private:
     // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
     // influence.
     template <class Law>
-    void linearise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+    void linearise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
         factorise(law, memory, passage, solver, mu);
         step_ = residual_;
@@ -269,7 +269,7 @@ private:
     // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
     // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero.
     template <class Law>
-    void factorise(const Law& law, const SlipMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
+    void factorise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
         slip_.linearise(solver);
         const bool steady = passage.before == nullptr;

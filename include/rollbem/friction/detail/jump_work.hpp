@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "../../assembly/rolling_system.hpp"
 #include "../../types.hpp"
+#include "../state.hpp"
 #include "rolling_stage.hpp"
 #include "slip_work.hpp"
 
@@ -27,45 +27,44 @@ namespace rollbem::detail {
 ///
 /// A rigid shift is a single stage whose work is that of the mean of the forces at both ends: J = integral of b s/2.
 ///
-/// Lengths in a_0, tractions in G. `n` elements; everything is allocated by the constructor.
-template <class Scalar>
+/// Lengths in a_0, tractions in G, for n elements and one direction or two. All memory is allocated by the constructor.
+template <int directions, class Scalar>
 class JumpWork {
 public:
+    using Vectors = ElementVectors<Scalar, directions>;
+
     explicit JumpWork(Eigen::Index n)
-        : first_(VectorX<Scalar>::Zero(n)), change_(first_), part_(first_), displacement_(first_) {}
+        : first_(Vectors::Zero(n, directions)), change_(first_), part_(first_), displacement_(first_) {}
 
     /// The tractions after the first of two stages.
-    template <class Traction>
-    void keep_first(const Eigen::MatrixBase<Traction>& traction) {
-        first_ = traction;
-    }
+    void keep_first(const Vectors& traction) { first_ = traction; }
 
     /// J of a step that rolls, per unit of G a_0^2, with a = `half_length` at its end; `two_stages` after keep_first().
-    template <class Start, class End>
-    Scalar rolled(const RollingSystem<Scalar>& system, const SlipWork<Scalar>& work, Scalar half_length,
-                  bool two_stages, const Eigen::MatrixBase<Start>& start, const Eigen::MatrixBase<End>& end) {
+    template <class System, class Start>
+    Scalar rolled(const System& system, const SlipWork<Scalar>& work, Scalar half_length, bool two_stages,
+                  const Eigen::MatrixBase<Start>& start, const Vectors& end) {
         change_ = end - start;
-        find_displacement(system, half_length, change_, displacement_);
+        find_displacements(system, half_length, change_, displacement_);
         Scalar sum = work.product(change_, displacement_) / 2;
         if (two_stages) {
             change_ = end - first_;
             part_ = first_ - start;
-            find_displacement(system, half_length, change_, displacement_);
+            find_displacements(system, half_length, change_, displacement_);
             sum -= sdirk2_ratio<Scalar> * work.product(part_, displacement_);
         }
         return half_length * sum;
     }
 
     /// J of a rigid shift with this slip.
-    template <class Start, class End, class Slip>
+    template <class Start>
     Scalar shifted(const SlipWork<Scalar>& work, Scalar half_length, const Eigen::MatrixBase<Start>& start,
-                   const Eigen::MatrixBase<End>& end, const Eigen::MatrixBase<Slip>& slip) {
+                   const Vectors& end, const Vectors& slip) {
         change_ = end - start;
         return half_length * work.product(change_, slip) / 2;
     }
 
 private:
-    VectorX<Scalar> first_, change_, part_, displacement_;
+    Vectors first_, change_, part_, displacement_;
 };
 
 }  // namespace rollbem::detail

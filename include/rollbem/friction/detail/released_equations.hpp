@@ -13,7 +13,7 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 
 namespace rollbem::detail {
 

@@ -1,14 +1,17 @@
-// The equations s = M p - B of one stage of rolling, for one direction of creepage, on a contact whose length may vary.
-// Independent of friction and units.
+// The equations s = M p - U of one stage of rolling on a contact whose length may vary. Independent of friction and
+// units.
 #pragma once
 
 #include "../../detail/language.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Core>
 
+#include "../../assembly/element_blocks.hpp"
 #include "../../assembly/rolling_system.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
@@ -44,49 +47,102 @@ struct RollingStage {
     friend bool operator==(const RollingStage&, const RollingStage&) = default;
 };
 
+/// Position of a stage in its step, for quantities that vary linearly during the step.
+template <class Scalar>
+struct StagePlace {
+    Scalar part;      ///< share of the step that the stage takes
+    Scalar progress;  ///< share of the step that is done at the end of the stage
+};
+
+/// What tractions along direction e cause along direction d.
+template <class Scalar>
+struct Influence {
+    const MatrixX<Scalar>&G, &G_prime;
+    const ArrayX<Scalar>& areas;
+    const ArrayX<Scalar>& points;         // x/a of the equations; empty if unknown
+    std::optional<Scalar> log_strength;  // S, see RollingSystem
+
+    /// M = a (G - S ln(a) 1 w^T) - (distance + growth zeta) G', row by row, with zeta the collocation points.
+    void fill_stage_matrix(const RollingStage<Scalar>& stage, MatrixX<Scalar>& M) const {
+        if (!stage.varies()) {
+            M = G - stage.distance * G_prime;
+            return;
+        }
+        const Scalar a = stage.half_length, common = a * *log_strength * std::log(a);
+        for (Eigen::Index j = 0; j < M.cols(); ++j) {
+            M.col(j).array() = a * G.col(j).array() - common * areas[j] -
+                               (stage.distance + stage.growth * points) * G_prime.col(j).array();
+        }
+    }
+
+    /// U = a (G p - S ln(a) (w.p) 1), the displacement caused by tractions p in a contact of half-length a.
+    template <class Traction, class Displacement>
+    void find_displacement(Scalar a, const Traction& p, Displacement&& U) const {
+        U.noalias() = G * p;
+        if (a == 1) return;
+        const Scalar common = *log_strength * std::log(a) * areas.matrix().dot(p);
+        U.array() = a * (U.array() - common);
+    }
+
+    /// dU/da at constant tractions, from U itself: U/a - S (w.p) 1. For systems that can breathe.
+    template <class Traction, class Displacement>
+    void find_displacement_rate(Scalar a, const Traction& p, Displacement&& U) const {
+        const Scalar common = *log_strength * areas.matrix().dot(p);
+        U.array() = U.array() / a - common;
+    }
+};
+
+template <class Scalar>
+Influence<Scalar> influence(const ElementSystem<Scalar>& system, std::size_t = 0, std::size_t = 0) {
+    return {system.G(), system.G_prime(), system.elements().areas, system.elements().x, system.log_strength()};
+}
+template <class Scalar>
+Influence<Scalar> influence(const ElementSystem<Scalar, 2>& system, std::size_t d, std::size_t e) {
+    return {system.G(d, e), system.G_prime(d, e), system.elements().areas, system.elements().x, system.log_strength(d)};
+}
+
+template <class Scalar>
+bool can_breathe(const ElementSystem<Scalar>& system) {
+    return system.log_strength().has_value();
+}
+template <class Scalar>
+bool can_breathe(const ElementSystem<Scalar, 2>& system) {
+    return system.log_strength(0) && system.log_strength(1) && !system.coupled();
+}
+
 /// Whether the half-length of a contact can change from `from` to `to` while it rolls by `distance`, all in a_0: ok or
 /// needs_fixed_mesh. For |to - from| >= distance an edge overtakes the particles, and the equations of elements that
 /// move with the edge are no longer upwind.
-template <class Scalar>
-StepStatus check_growth(const RollingSystem<Scalar>& system, Scalar distance, Scalar from, Scalar to) {
+template <class System, class Scalar>
+StepStatus check_growth(const System& system, Scalar distance, Scalar from, Scalar to) {
     const bool breathes = from != 1 || to != 1;
-    if (breathes && !system.log_strength()) return StepStatus::needs_fixed_mesh;
+    if (breathes && !can_breathe(system)) return StepStatus::needs_fixed_mesh;
     const bool possible = from == to || std::abs(to - from) < distance;
     return possible ? StepStatus::ok : StepStatus::needs_fixed_mesh;
 }
 
-/// M = a (G - S ln(a) 1 w^T) - (distance + growth zeta) G', row by row, with zeta the collocation points.
-template <class Scalar>
-void fill_stage_matrix(const RollingSystem<Scalar>& system, const RollingStage<Scalar>& stage, MatrixX<Scalar>& M) {
-    if (!stage.varies()) {
-        M = system.G() - stage.distance * system.G_prime();
-        return;
-    }
-    const Scalar a = stage.half_length, common = a * *system.log_strength() * std::log(a);
-    const ArrayX<Scalar>& zeta = *system.points();
-    for (Eigen::Index j = 0; j < M.cols(); ++j) {
-        const Scalar column = common * system.weights()[j];
-        M.col(j).array() = a * system.G().col(j).array() - column -
-                           (stage.distance + stage.growth * zeta) * system.G_prime().col(j).array();
+/// Displacements in all directions, for coupled blocks the sum of what both cause.
+template <class System, class Scalar, class Vectors>
+void find_displacements(const System& system, Scalar a, const Vectors& p, Vectors& U) {
+    for (Eigen::Index d = 0; d < p.cols(); ++d) {
+        const auto direction = static_cast<std::size_t>(d);
+        influence(system, direction, direction).find_displacement(a, p.col(d), U.col(d));
+        if constexpr (Vectors::ColsAtCompileTime == 2) {
+            if (system.coupled()) U.col(d).noalias() += a * system.G(direction, 1 - direction) * p.col(1 - d);
+        }
     }
 }
 
-/// U = a (G p - S ln(a) (w.p) 1), the displacement caused by tractions p in a contact of half-length a.
-template <class Scalar>
-void find_displacement(const RollingSystem<Scalar>& system, Scalar half_length, const VectorX<Scalar>& p,
-                       VectorX<Scalar>& U) {
-    U.noalias() = system.G() * p;
-    if (half_length == 1) return;
-    const Scalar common = *system.log_strength() * std::log(half_length) * system.weights().matrix().dot(p);
-    U.array() = half_length * (U.array() - common);
-}
-
-/// dU/da at constant tractions, from U itself: U/a - S (w.p) 1. For systems that can breathe.
-template <class Scalar>
-void find_displacement_rate(const RollingSystem<Scalar>& system, Scalar half_length, const VectorX<Scalar>& p,
-                            const VectorX<Scalar>& U, VectorX<Scalar>& rate) {
-    const Scalar common = *system.log_strength() * system.weights().matrix().dot(p);
-    rate.array() = U.array() / half_length - common;
+/// Adds `factor` times dU/da at constant tractions to `sum`; U is scratch. For systems that can breathe.
+template <class System, class Scalar, class Vectors>
+void add_displacement_rates(const System& system, Scalar a, Scalar factor, const Vectors& p, Vectors& U, Vectors& sum) {
+    for (Eigen::Index d = 0; d < p.cols(); ++d) {
+        const auto direction = static_cast<std::size_t>(d);
+        const Influence<Scalar> own = influence(system, direction, direction);
+        own.find_displacement(a, p.col(d), U.col(d));
+        own.find_displacement_rate(a, p.col(d), U.col(d));
+    }
+    sum += factor * U;
 }
 
 }  // namespace rollbem::detail

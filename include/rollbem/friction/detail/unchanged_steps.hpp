@@ -11,7 +11,7 @@
 
 namespace rollbem::detail {
 
-/// The count is kept in the states, so that a step depends on nothing else. It refers to one matrix, which is
+/// The count is kept in the states (SolverRecord), so that a step depends on nothing else. It refers to one matrix, which is
 /// determined by the distance rolled in a stage and the half-length.
 template <class Scalar>
 class UnchangedSteps {
@@ -20,19 +20,19 @@ public:
     UnchangedSteps(Eigen::Index n, Scalar unit) : enough_(1 + static_cast<int>(n / 2)), unit_(unit) {}
 
     /// For a step whose stages roll by `distance` in a_0 at constant half-length.
-    Effort effort(const FrictionState<Scalar>& from, Scalar distance) const {
-        const int steps = claimed(from, distance);
+    Effort effort(const SolverRecord<Scalar>& from, Scalar distance) const {
+        const int steps = counted(from, distance);
         if (steps < enough_) return Effort::equations;
         return steps == enough_ ? Effort::transform_check : Effort::transform;
     }
 
     /// Updates the count at the end of a step; `unchanged` if no element changed its zone.
-    void count(const FrictionState<Scalar>& from, const RollingStage<Scalar>& last, bool unchanged,
-               FrictionState<Scalar>& to) const {
+    void count(const SolverRecord<Scalar>& from, const RollingStage<Scalar>& last, bool unchanged,
+               SolverRecord<Scalar>& to) const {
         to.unchanged_steps = 0;
         to.unchanged_distance = 0;
         if (!unchanged || last.growth != 0) return;
-        const int steps = claimed(from, last.distance) + 1;
+        const int steps = counted(from, last.distance) + 1;
         to.unchanged_steps = steps < enough_ + period ? steps : enough_;
         to.unchanged_distance = unit_ * last.distance;
     }
@@ -42,7 +42,7 @@ private:
     static constexpr int period = 64;
 
     // 0 for a count that no step leaves, or for another matrix.
-    int claimed(const FrictionState<Scalar>& from, Scalar distance) const {
+    int counted(const SolverRecord<Scalar>& from, Scalar distance) const {
         const bool possible = from.unchanged_steps > 0 && from.unchanged_steps < enough_ + period;
         return possible && from.unchanged_distance == unit_ * distance ? from.unchanged_steps : 0;
     }

@@ -1,5 +1,5 @@
-// Stages of a step whose bounds depend on the slip velocity: the memory of each particle at the start of a stage, and
-// the simultaneous solution for tractions and coefficients. Not for direct inclusion.
+// The bounds mu p_n of the stages of a step: with a constant coefficient, or with one that depends on the velocity of
+// slip and is found together with the tractions.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -10,12 +10,13 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
-#include "../../status.hpp"
+#include "../../scene/travel.hpp"
 #include "../../types.hpp"
-#include "../slip_law.hpp"
+#include "../law.hpp"
+#include "../state.hpp"
+#include "directions.hpp"
 #include "falling_scratch.hpp"
 #include "falling_set.hpp"
-#include "load_tangents.hpp"
 #include "rolling_stage.hpp"
 
 namespace rollbem::detail {
@@ -55,60 +56,96 @@ private:
     Eigen::Index next_ = 0;
 };
 
-/// One step or one steady solution. In a step, the equation for mu is integrated along the path of each particle by the
+/// Bounds of one step or steady solution if mu is constant: mu and the pressures give them.
+template <int directions, class Scalar>
+class ConstantBounds {
+public:
+    using Solver = typename Directions<directions, Scalar>::Solver;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Start = SolutionStart<directions, Scalar>;
+    static constexpr bool are_given = true;
+
+    /// Called before each stage is solved.
+    void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
+    auto solve(Solver& solver, const VectorX<Scalar>& bound, const Start& start) noexcept {
+        if constexpr (directions == 1) {
+            return solver.solve(bound, start.zones);
+        } else {
+            return solver.solve(bound, start.traction, start.zones);
+        }
+    }
+    /// dp in the stage solved last caused by a change dc and by a change of the bounds, `share` times bound_change.
+    void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t,
+                 const VectorX<Scalar>* bound_change = nullptr, Scalar share = 1) noexcept {
+        if (bound_change == nullptr) {
+            solver.respond(change, traction_change);
+        } else {
+            solver.respond(change, *bound_change, traction_change, share);
+        }
+    }
+    /// dp caused by the half-length at the end of the step, which changes the constants by `change`.
+    void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t) noexcept {
+        solver.respond(change, traction_change);
+    }
+    /// Keeps the response of the first of two stages for that of the second.
+    void carry_response(std::size_t) noexcept {}
+    /// Completes the state at the end of the step.
+    void finish(FrictionState<directions, Scalar>&) const noexcept {}
+};
+
+/// Bounds of one step or steady solution if mu depends on slip; `bound` is then p_n/G. In a step, the equation for mu is integrated along the path of each particle by the
 /// same stages as the tractions, implicit Euler or sdirk2. For one direction or two, depending on `Slip`.
 template <class Law, class Slip>
-class FallingStages {
+class FallingBounds {
 public:
     using Scalar = typename Slip::Scalar;
     using Solver = typename Slip::Solver;
     using Vectors = typename Slip::Vectors;
     using Vector = VectorX<Scalar>;
     using Scratch = FallingScratch<Slip>;
-    static constexpr bool bounds_are_given = false;
+    using State = FrictionState<Slip::directions, Scalar>;
+    static constexpr bool are_given = false;
 
-    /// A step that rolls by `dq` in `duration` [s], starting with a half-length; lengths in a_0 = `unit` [m]. `points`
-    /// are the collocation points; null without memory. Keeps references to all arguments that are not numbers.
-    FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>* points,
-                  const ArrayX<Scalar>& friction, Scalar unit, Scalar dq, Scalar duration, Scalar half_length,
-                  bool with_tangents, Scratch& scratch) noexcept
-        : law_(law),
-          memory_(memory),
-          with_tangents_(with_tangents),
-          points_(points),
-          start_(friction),
+    /// A step; lengths in a_0 = `unit` [m]. `points` are the collocation points, used if there is a memory. Keeps
+    /// references to all arguments that are not numbers.
+    FallingBounds(const Friction<Law, Scalar>& friction, const ArrayX<Scalar>& points, const State& from, Scalar unit,
+                  const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
+        : law_(friction.law),
+          memory_(friction.memory),
+          with_tangents_(friction.with_tangents),
+          points_(friction.memory.distance > 0 ? &points : nullptr),
+          start_(from.friction_coefficient),
           unit_(unit),
-          dq_(dq),
-          duration_(duration),
-          half_length_(half_length),
-          per_half_length_(1 / half_length),
+          dq_(travel.dq / unit),
+          duration_(travel.duration),
+          half_length_(from.half_length / unit),
+          per_half_length_(1 / half_length_),
           scratch_(scratch) {
-        scratch_.friction = friction.matrix();
-        if (points == nullptr) scratch_.before.setZero();
+        if (from.solver.stage_coefficient.size() == start_.size()) first_start_ = &from.solver.stage_coefficient;
+        scratch_.friction = start_.matrix();
+        if (points_ == nullptr) scratch_.before.setZero();
     }
 
-    /// Steady rolling at a speed [m/s]: particles arrive from the element ahead. Widths in units of the half-length
-    /// [m].
-    FallingStages(const Law& law, const SlipMemory<Scalar>& memory, const ArrayX<Scalar>& friction, Scalar speed,
-                  const Vector& widths, Scalar half_length, bool with_tangents, Scratch& scratch) noexcept
-        : law_(law),
-          memory_(memory),
-          with_tangents_(with_tangents),
-          start_(friction),
+    /// Steady rolling at a speed [m/s]: particles arrive from the equation ahead. Ways in units of the half-length [m].
+    FallingBounds(const Friction<Law, Scalar>& friction, const Vector& ways, const State& from, Scalar half_length,
+                  Scalar speed, Scratch& scratch) noexcept
+        : law_(friction.law),
+          memory_(friction.memory),
+          with_tangents_(friction.with_tangents),
+          start_(from.friction_coefficient),
           steady_(true),
           velocity_per_slip_(speed),
           scratch_(scratch) {
-        scratch_.friction = friction.matrix();
-        scratch_.duration = half_length / speed * widths;
+        scratch_.friction = start_.matrix();
+        scratch_.duration = half_length / speed * ways;
     }
 
-    /// Where the search for mu begins in the first of two stages.
-    void start_first_stage_from(const ArrayX<Scalar>& friction) noexcept { first_start_ = &friction; }
-
-    /// mu in the stage solved last,
-    const Vector& friction() const { return scratch_.friction; }
-    /// and where the next step should start its first stage: from the first of this one, unless mu has jumped.
-    const Vector& stage_friction() const { return second_ && is_easy_ ? scratch_.first_friction : scratch_.friction; }
+    /// Writes mu of the stage solved last, and where the next step starts its first stage: at that of the first stage
+    /// of this step, unless mu has jumped.
+    void finish(State& to) const noexcept {
+        to.friction_coefficient = scratch_.friction.array();
+        to.solver.stage_coefficient = (second_ && is_easy_ ? scratch_.first_friction : scratch_.friction).array();
+    }
 
     void enter(const StagePlace<Scalar>& place, const RollingStage<Scalar>& stage) noexcept {
         const Scalar duration = place.part * duration_;
@@ -149,13 +186,13 @@ public:
     }
 
     /// dp in the stage solved last caused by a change dc, by a change of the pressures, `share` times pressure_change,
-    /// and in the second stage by `carried` times the response of the first, kept by carry_response().
-    void respond(Solver& solver, const Vectors& change, Scalar carried, Vectors& traction_change,
-                 std::size_t parameter = 0, const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
+    /// and in the second stage by the response of the first, kept by carry_response().
+    void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t parameter,
+                 const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
         FallingChange<Slip> changes{change};
         if (second_ && points_ != nullptr) {
             scratch_.before_change.setZero();
-            add_carried(carried, parameter);
+            add_carried(parameter);
             changes.before = &scratch_.before_change;
         }
         if (pressure_change != nullptr) {
@@ -175,14 +212,14 @@ public:
         if (moves_paths_) {
             find_path_change();
             scratch_.before_change = scratch_.path_change;
-            if (second_) add_carried(1, parameter);
+            if (second_) add_carried(parameter);
             changes.before = &scratch_.before_change;
         }
         respond(solver, changes, traction_change);
     }
 
     /// Keeps the response of the first of two stages for that of the second.
-    void carry_response(std::size_t parameter = 0) noexcept {
+    void carry_response(std::size_t parameter) noexcept {
         scratch_.carried_change[parameter] = scratch_.change;
         if (moves_paths_) scratch_.carried_change[parameter] -= scratch_.path_change;
     }
@@ -203,10 +240,10 @@ private:
     }
 
     // Adds the response of the first stage to the change of the initial coefficients of the second.
-    void add_carried(Scalar carried, std::size_t parameter) {
+    void add_carried(std::size_t parameter) {
         AlongContact<Scalar> change(*points_, scratch_.carried_change[parameter].data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
-            const Scalar added = carried * sdirk2_ratio<Scalar> * change(between(i));
+            const Scalar added = sdirk2_ratio<Scalar> * change(between(i));
             if (scratch_.before[i] > 0) scratch_.before_change[i] += added;
         }
     }
@@ -237,7 +274,7 @@ private:
     }
 
     const Law& law_;
-    const SlipMemory<Scalar>& memory_;
+    const FrictionMemory<Scalar>& memory_;
     bool with_tangents_;
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins

@@ -2,13 +2,16 @@
 // 1990, table E.3, three digits.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <array>
 
-namespace support {
+namespace rollbem {
 
+/// Creep coefficients of ellipses of one a/b, for nu = 0, 0.25 and 0.5; they differ from accurate ones by up to 0.8 %.
 struct KalkerRow {
     double a_over_b;
-    std::array<double, 3> c11, c22, c23;  ///< nu = 0, 0.25, 0.5
+    std::array<double, 3> c11, c22, c23;
 };
 
 inline constexpr std::array<KalkerRow, 19> kalker_table{{
@@ -33,4 +36,4 @@ inline constexpr std::array<KalkerRow, 19> kalker_table{{
     {10, {10.7, 11.7, 12.9}, {10.7, 12.8, 16.0}, {12.2, 14.6, 18.0}},
 }};
 
-}  // namespace support
+}  // namespace rollbem

@@ -1,0 +1,122 @@
+// Whether a scheme converges to full adhesion, judged from its tractions in steady rolling. Slip hides what is wrong
+// with a scheme that does not; in full adhesion it shows.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../adhesion/detail/consistency.hpp"
+#include "../../adhesion/integrator.hpp"
+#include "../../adhesion/stability_verdict.hpp"
+#include "../../assembly/element_blocks.hpp"
+#include "../../assembly/elements.hpp"
+#include "../../assembly/rolling_system.hpp"
+#include "../../detail/fingerprint.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/in_place_lu.hpp"
+#include "../../detail/require.hpp"
+#include "../../scene/contact.hpp"
+#include "../../types.hpp"
+
+namespace rollbem {
+
+/// Whether a model refuses schemes that do not converge: it does unless it is made `unchecked`.
+struct Checks {
+    bool wanted = true;
+
+    Checks() = default;
+    Checks(Unchecked) : wanted(false) {}  // NOLINT: implicit on purpose
+};
+
+namespace detail {
+
+/// Elements of which only the widths are known.
+template <class Scalar>
+Elements<Scalar> unplaced(const ArrayX<Scalar>& widths) {
+    Elements<Scalar> elements;
+    elements.areas = widths;
+    elements.behind = Elements<Scalar>::one_strip(widths.size());
+    return elements;
+}
+
+/// The fingerprint of G' and the elements' areas, by which states are recognised.
+template <class Scalar>
+std::uint64_t fingerprint_of_steady(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    Fingerprint fingerprint;
+    fingerprint.add(G_prime);
+    fingerprint.add(areas);
+    return fingerprint.value();
+}
+template <class Scalar>
+std::uint64_t fingerprint_of_steady(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    Fingerprint fingerprint;
+    add_blocks(G_prime, fingerprint);
+    fingerprint.add(areas);
+    return fingerprint.value();
+}
+
+/// Throws std::invalid_argument if the half-width of a contact is infinite or not that of the system's kernel.
+template <class Scalar>
+void require_same_aspect(const char* who, const Contact<Scalar>& contact, const ElementSystem<Scalar, 2>& system) {
+    require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),
+            "be finite: an infinite one is for steady problems only");
+    require_same_aspect(who, contact, system.aspect());
+}
+
+template <class Scalar>
+void require_gradient(const char* who, const MatrixX<Scalar>& G_prime, Eigen::Index n) {
+    require_square(who, "G_prime", G_prime, n, "widths");
+}
+template <class Scalar>
+void require_gradient(const char* who, const DirectionBlocks<Scalar>& G_prime, Eigen::Index n) {
+    require_blocks(who, "G_prime", G_prime, n);
+}
+
+/// False if the tractions of full adhesion at unit creepages, G' p = inputs, assist the creepage. True also if G' is so
+/// nearly singular that they tell nothing. The first n unknowns are tractions along the first input, and so on.
+template <class Scalar>
+bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas) {
+    const Eigen::Index n = areas.size(), count = G_prime.rows() / n;
+    const Scalar norm = G_prime.cwiseAbs().rowwise().sum().maxCoeff();
+    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(G_prime.rows()));
+    factorise_in_place<Scalar>(G_prime, swaps.data());
+    for (Eigen::Index d = 0; d < count; ++d) {
+        VectorX<Scalar> p = VectorX<Scalar>::Zero(G_prime.rows());
+        p.segment(d * n, n).setOnes();
+        solve_in_place<Scalar>(G_prime, swaps.data(), p);
+        const Scalar condition = norm * p.cwiseAbs().maxCoeff();  // at most the true one
+        const Scalar rounding = static_cast<Scalar>(G_prime.rows()) * std::numeric_limits<Scalar>::epsilon();
+        if (!all_finite(p) || !(condition * rounding * 100 < 1)) return true;
+        const VectorX<Scalar> along = p.segment(d * n, n);
+        if (!opposes_creepage<Scalar>(along, areas)) return false;
+    }
+    return true;
+}
+template <class Scalar>
+bool converges(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    if (G_prime[0][1].size() > 0) return converges(joined(G_prime), areas);
+    return converges(G_prime[0][0], areas) && converges(G_prime[1][1], areas);
+}
+
+/// As for one direction; the verdict is one on all 2n eigenvalues.
+template <class Scalar>
+void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
+    const Eigen::Index n = system.size();
+    require_stable(who, 2 * n, verdict);
+    for (std::size_t d = 0; d < 2; ++d) {
+        const VectorX<Scalar> steady =
+            system.coupled() ? steady_tractions(joined(system.G_prime_blocks()), d == 0 ? 0 : n, n)
+                             : steady_tractions(system.G_prime(d, d), 0, n);
+        require_convergent<Scalar>(who, steady, system.elements().areas);
+    }
+}
+
+}  // namespace detail
+
+}  // namespace rollbem

@@ -1,0 +1,70 @@
+// The memory behind a workspace: factors and everything that a solution needs besides the states.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "../state.hpp"
+#include "directions.hpp"
+#include "falling_scratch.hpp"
+#include "jump_work.hpp"
+#include "rolling_stage.hpp"
+
+namespace rollbem::detail {
+
+/// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
+/// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that couple only if `coupled`.
+template <int directions, class Scalar>
+struct FrictionScratch {
+    using Vector = VectorX<Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Solver = typename Directions<directions, Scalar>::Solver;
+
+    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
+        : solver(Directions<directions, Scalar>::solver(n, coupled)),
+          falling(slip_dependent ? n : 0),
+          slip(Vectors::Zero(n, directions)),
+          stage_slip(slip),
+          start(slip),
+          displacement(slip),
+          change(slip),
+          right(slip),
+          response(slip),
+          work(Vector::Zero(n)),
+          bound(work),
+          bound_rate(work),
+          rate(work),
+          jump_work(n) {
+        carried.fill(right);
+    }
+
+    Solver solver;
+    FallingScratch<typename Directions<directions, Scalar>::Slip> falling;
+    std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
+    RollingStage<Scalar> stage{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
+    Vectors slip, stage_slip;  // of all stages so far; of the present one
+    Vectors start;             // tractions that the present stage is sought from
+    Vectors displacement;      // that it starts from
+    Vectors change, right, response;
+    Vector work;        // of all stages so far
+    Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip
+    Vector bound_rate;  // its derivative by the load
+    Vector rate;
+    JumpWork<directions, Scalar> jump_work;
+    std::array<Vectors, TangentBy<directions>::count> carried;  // dc of the second stage, from the first
+
+    // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
+    // then belongs to a unit dc of the first stage.
+    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    unsigned long tangent_revision = never, carried_revision = never;
+    Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,90 @@
+// Derivatives of the tractions of a solved stage by a creepage, the load or the half-length, including the contribution
+// of an earlier stage.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "bounds.hpp"
+#include "directions.hpp"
+#include "rolling_stage.hpp"
+#include "scratch.hpp"
+
+namespace rollbem::detail {
+
+/// Derivatives by one parameter of the stage that `bounds` have solved last in scratch.solver, while no element changes
+/// its zone. Each leaves dp in scratch.response.
+template <int directions, class Scalar, class Bounds>
+class StageTangent {
+public:
+    using Scratch = FrictionScratch<directions, Scalar>;
+    using System = typename Directions<directions, Scalar>::System;
+
+    /// `parameter`: see TangentBy. `carried`: scratch.carried of an earlier stage shifts the equations.
+    StageTangent(Bounds& bounds, Scratch& scratch, std::size_t parameter, bool carried)
+        : bounds_(bounds), scratch_(scratch), parameter_(parameter) {
+        if (carried) {
+            scratch.right = scratch.carried[parameter];
+        } else {
+            scratch.right.setZero();
+        }
+    }
+
+    /// By a creepage, with d(imposed motion)/d creepage = `imposed`.
+    void by_creepage(Scalar imposed) {
+        scratch_.right.col(static_cast<Eigen::Index>(parameter_)).array() += imposed;
+        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+    }
+
+    /// By spin, whose rigid slip changes by `imposed` times `columns`.
+    template <class Columns>
+    void by_spin(Scalar imposed, const Columns& columns) {
+        scratch_.right += imposed * columns;
+        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+    }
+
+    /// By the load: bounds change by `progress` times scratch.bound_rate, and slipping elements follow theirs.
+    void by_load(Scalar progress) {
+        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_, &scratch_.bound_rate, progress);
+    }
+
+    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p. The rigid slip of spin
+    /// follows the points: it changes by `rate` times `columns`.
+    template <class Columns>
+    void by_half_length(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
+        if (rate != 0) scratch_.right += rate * columns;
+        const auto& p = scratch_.solver.traction();
+        add_displacement_rates(system, scratch_.stage.half_length, stage.progress, p, scratch_.change, scratch_.right);
+        for (Eigen::Index d = 0; d < directions; ++d) {
+            const auto direction = static_cast<std::size_t>(d);
+            const Influence<Scalar> own = influence(system, direction, direction);
+            scratch_.rate.noalias() = own.G_prime * p.col(d);
+            scratch_.right.col(d).array() -= stage.part * own.points * scratch_.rate.array();
+        }
+        bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+    }
+
+    /// For the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, with
+    /// the direct effect of the half-length by `progress` if that is the parameter.
+    void carry(const System& system, Scalar ratio, Scalar progress) {
+        auto& carried = scratch_.carried[parameter_];
+        find_displacements(system, scratch_.stage.half_length, scratch_.response, carried);
+        if (parameter_ == TangentBy<directions>::half_length) {
+            add_displacement_rates(system, scratch_.stage.half_length, progress, scratch_.solver.traction(),
+                                   scratch_.change, carried);
+        }
+        carried *= -ratio;
+        bounds_.carry_response(parameter_);
+    }
+
+private:
+    Bounds& bounds_;
+    Scratch& scratch_;
+    std::size_t parameter_;
+};
+
+}  // namespace rollbem::detail
