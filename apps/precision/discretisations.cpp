@@ -124,13 +124,13 @@ Complex harmonic_c11(const RollingSystem<double>& system, double z) {
 }
 
 Forces step_forces(const Scene& scene, RollingSystem<double> system) {
-    const rollbem::TransientModel<double> model(scene.contact, std::move(system), rollbem::unchecked,
-                                                rollbem::Integrator::matrix_exponential);
-    const rollbem::PreparedStep<double> prepared = model.prepare(1);
-    rollbem::TransientState<double> state = model.at_rest(), next = state;
+    const rollbem::AdhesionModel<> model(scene.contact, std::move(system), rollbem::unchecked,
+                                         rollbem::Integrator::matrix_exponential);
+    rollbem::AdhesionWorkspace<> workspace = model.workspace();
+    rollbem::AdhesionState<> state = model.at_rest(), next = state;
     Forces forces{};
     for (double& force : forces) {
-        force = -model.advance(state, prepared, 1.0, next).force_per_width;
+        force = -model.advance(state, 1, 1.0, next, workspace).force_per_width;
         std::swap(state, next);
     }
     return forces;
@@ -138,20 +138,18 @@ Forces step_forces(const Scene& scene, RollingSystem<double> system) {
 
 double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel<> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(),
-                                                     friction);
+    const rollbem::SteadyFrictionModel<> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction);
     const rollbem::FrictionState<> rest = model.at_rest();
     rollbem::FrictionState<> state = rest;
     rollbem::FrictionWorkspace<> workspace = model.workspace();
-    const rollbem::FrictionStep<> point =
-        model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
+    const rollbem::FrictionStep<> point = model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
     return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
 }
 
 std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel<ConstantFriction<>, 2> model(scene.contact, slopes(scene, elements, mesh),
-                                                     slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
-                                                     {1, peak * rollbem::mean_hertz_pressure(mesh)});
+    const rollbem::SteadyFrictionModel<ConstantFriction<>, 2> model(
+        scene.contact, slopes(scene, elements, mesh), slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
+        {1, peak * rollbem::mean_hertz_pressure(mesh)});
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();
@@ -181,8 +179,7 @@ std::vector<double> load_forces(Scene scene, const Elements& elements, const Mes
     };
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
     const rollbem::Friction<> law{1, load.normal_pressure};
-    const rollbem::FrictionModel<> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
-                                               law);
+    const rollbem::FrictionModel<> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked, law);
     auto now = model.at_rest(), next = now;
     auto workspace = model.workspace();
     const double creepage = unit_creepage(scene) * creepage_ratio;

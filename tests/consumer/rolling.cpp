@@ -15,10 +15,10 @@ int main() {
     const double expected = solve_steady(contact, mesh, scheme, creepage).force_per_width;
     const auto system = rolling_system(mesh, scheme, kernel);
     const auto verdict = judge_stability(system);
-    const TransientModel<double> model(contact, system, verdict);
+    const AdhesionModel<> model(contact, system, verdict);
     const double force = model.force(model.steady(creepage)) / (2 * contact.half_width());
-    const FrictionModel<> friction(
-        contact, system, verdict, {.friction_coefficient = 0.3, .normal_pressure = 1e9 * mean_hertz_pressure(mesh)});
+    const FrictionModel<> friction(contact, system, verdict,
+                                   {.friction_coefficient = 0.3, .normal_pressure = 1e9 * mean_hertz_pressure(mesh)});
     auto workspace = friction.workspace();
     auto rolling = friction.at_rest();
     const auto step = friction.steady(friction.at_rest(), creepage, rolling, workspace);

@@ -21,7 +21,7 @@
     keyword template class FrequencySweep<Scalar>;                                                  \
     keyword template decltype(solve_stability<Scalar>) solve_stability<Scalar>;                     \
     keyword template decltype(count_unstable<Scalar>) count_unstable<Scalar>;                       \
-    keyword template class TransientModel<Scalar>;                                                  \
+    keyword template class AdhesionModel<1, Scalar>;                                                \
     keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;                 \
     keyword template decltype(detail::solve_monomial_once<Scalar>) detail::solve_monomial_once<Scalar>;
 

@@ -29,14 +29,14 @@
 
 namespace rollbem {
 
-/// The contact as a force element with friction, stepped like TransientModel. Immutable: threads may share it if they
+/// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
 /// may share the law. One direction costs less than two.
 ///
 /// Integrator::sdirk2 solves for stick and slip twice per step and is of second order in dq, for forces and slip work
 /// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies the law, and slip never
 /// gains energy. Transitions between stick and slip within a step do not reduce the order.
 ///
-/// The scheme must meet the requirements of TransientModel: a verdict that its eigenvalues decay, and convergence in
+/// The scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and convergence in
 /// full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and several
 /// elements slip at the trailing edge (see SteadyFrictionModel).
 ///
@@ -81,12 +81,11 @@ public:
     using Step = FrictionStep<directions, Scalar>;
     using Workspace = FrictionWorkspace<directions, Scalar>;
     using System = ElementSystem<Scalar, directions>;
-    using Force = typename Step::Force;   ///< a number, or TangentialForce with two directions
-    using Value = typename Core::Value;   ///< a creepage: a number, or Creepage with two directions
+    using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
+    using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
     using Motion = RigidMotion<Value>;
     /// A plain dq will do if mu is constant.
-    using Travel =
-        std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
+    using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
 
     /// Throws std::invalid_argument if the verdict does not belong to this system or does not establish that no
     /// eigenvalue grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), if the
@@ -103,8 +102,8 @@ public:
     FrictionModel(const Contact<Scalar>& contact, System system, Unchecked, const Friction<Law, Scalar>& friction,
                   Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
-          core_(name, contact, system_.elements(), system_.element_count(), friction,
-                detail::gradient(system_), system_.fingerprint()),
+          core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
+                system_.fingerprint()),
           integrator_(integrator) {
         detail::require_same_aspect(name, contact, system_);
         detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
@@ -140,12 +139,12 @@ public:
 
     /// Steady rolling at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
     /// load of `from`, e.g. as an initial state: as SteadyFrictionModel::steady.
-    Step steady(const State& from, const Value& creepage, Scalar speed, State& to, Workspace& workspace) const noexcept {
+    Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
+                Workspace& workspace) const noexcept {
         return settle(from, creepage, speed, {from.normal_pressure, from.half_length}, to, workspace);
     }
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
-        requires(!Core::slip_dependent)
-    {
+        requires(!Core::slip_dependent) {
         return steady(from, creepage, 1, to, workspace);
     }
     /// Steady rolling under another load. If its half-length is not the contact's, the system must be able to breathe.
@@ -156,9 +155,7 @@ public:
         return settle(from, creepage, speed, {load.normal_pressure, load.half_length}, to, workspace);
     }
     Step steady(const State& from, const Value& creepage, const NormalLoad<Scalar>& load, State& to,
-                Workspace& workspace) const noexcept
-        requires(!Core::slip_dependent)
-    {
+                Workspace& workspace) const noexcept requires(!Core::slip_dependent) {
         return steady(from, creepage, 1, load, to, workspace);
     }
 
@@ -194,8 +191,7 @@ public:
         return advance(from, rollbem::Travel<Scalar>{0, duration}, Motion::shift(shift), to, workspace);
     }
     Step shift(const State& from, const Value& shift, State& to, Workspace& workspace) const noexcept
-        requires(!Core::slip_dependent)
-    {
+        requires(!Core::slip_dependent) {
         return this->shift(from, shift, 1, to, workspace);
     }
 
@@ -221,7 +217,8 @@ private:
         StepStatus possible = motion.check(travel.dq / unit);
         if (possible == StepStatus::ok) possible = belongs;
         if (possible == StepStatus::ok) {
-            possible = detail::check_growth(system_, travel.dq / unit, from.half_length / unit, load.half_length / unit);
+            possible =
+                detail::check_growth(system_, travel.dq / unit, from.half_length / unit, load.half_length / unit);
         }
         if (possible != StepStatus::ok) return Core::failed(possible);
         return core_.roll(system_, integrator_, from, travel, motion, load, to, workspace);

@@ -1,4 +1,4 @@
-// Longitudinal and lateral creepage together.
+// Longitudinal and lateral creepage, and spin.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -7,14 +7,16 @@
 
 namespace rollbem {
 
-/// Creepage of body 1 relative to body 2 as a vector [-]; for a rigid shift its components are in [m]. Positive
-/// components give negative forces.
+/// Creepage of body 1 relative to body 2 as a vector [-], and spin [1/m]; for a rigid shift the components are in [m],
+/// spin is an angle. The rigid slip at (x, y) is (longitudinal - spin y, lateral + spin x). Positive components give
+/// negative forces.
 template <class Scalar_ = double>
 struct Creepage {
     using Scalar = Scalar_;
 
     Scalar longitudinal = 0;  ///< along the rolling direction x
     Scalar lateral = 0;       ///< along y
+    Scalar spin = 0;          ///< about the normal z, per distance rolled; friction knows none, and refuses it
 
     friend bool operator==(const Creepage&, const Creepage&) = default;
 };
@@ -23,7 +25,7 @@ namespace detail {
 
 template <class Scalar>
 bool is_finite(const Creepage<Scalar>& creepage) {
-    return is_finite(creepage.longitudinal) && is_finite(creepage.lateral);
+    return is_finite(creepage.longitudinal) && is_finite(creepage.lateral) && is_finite(creepage.spin);
 }
 
 }  // namespace detail
