@@ -5,6 +5,7 @@
 //     ./frequency_study --n 60 --omega 0.1,1,5
 //     ./frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
 //     ./frequency_study --method chebyshev --n 8 --omega 0,1,5 --state-space contact
+//     ./frequency_study --n 60 --mesh cosine --alpha 0.5 --omega 0,1,5 --state-space contact --states 6
 //     ./frequency_study --method polynomial --basis chebyshev --omega 200
 #include <algorithm>
 #include <cmath>
@@ -64,13 +65,16 @@ std::vector<double> make_omegas(const study::Options& options) {
     return omegas;
 }
 
+/// The response of the plane model; unknown if that does not decay.
+Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
+    if (!study::plane_model_decays(contact)) return unknown;
+    return rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect());
+}
+
 /// The row's cells up to relative_error. Where `c11` is not finite, it and the error are left out, as is what needs the
 /// exact value where the plane model has none.
 study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& contact, double omega, Complex c11) {
-    const bool has_exact = study::plane_model_decays(contact);
-    const Complex exact =
-        has_exact ? rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect())
-                  : unknown;
+    const Complex exact = exact_c11(contact, omega);
     return {n, omega, c11.real(), c11.imag(), exact.real(), exact.imag(), std::abs(c11 / exact - 1.0)};
 }
 
@@ -79,13 +83,18 @@ study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& 
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Emit& emit) {
     // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
-    const rollbem::RollingSystem<double> system = study::system_of(scene);
-    const std::string steady = study::status_of(rollbem::Status::ok, scene, system);
-    const rollbem::FrequencySweep<double> sweep(system);
+    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
+    std::string steady;
+    std::optional<rollbem::FrequencySweep<double>> sweep;
+    if (system) {
+        steady = study::status_of(rollbem::Status::ok, scene, *system);
+        sweep.emplace(*system);
+    }
 
     // 4. Solve for each. A c11 that cannot be trusted is left out, unless --unchecked is given.
     for (std::size_t i = range.first; i < range.last; ++i) {
-        const rollbem::SweepPoint<double> point = sweep(omegas[i]);
+        rollbem::SweepPoint<double> point{.c11 = unknown, .rcond = std::nan("")};  // its status is not_finite
+        if (sweep) point = (*sweep)(omegas[i]);
         const std::string status = point.status == rollbem::Status::ok ? steady : name(point.status);
         const Complex c11 = status == study::ok || !checked ? point.c11 : unknown;
         study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
@@ -176,11 +185,12 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
 // --- the plot ------------------------------------------------------------------------------------------------------
 
 /// The Argand diagram, and beside it both parts over the frequency.
-study::Plot draw_response(const std::vector<study::Row>& rows, const std::string& title, bool order_given) {
+study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
+                          const std::vector<study::Scene>& scenes, const std::vector<double>& omegas) {
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
     if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
 
-    study::Plot argand{.title = title, .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
+    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
     const std::vector<std::string> apart = study::all_setting_columns();
     study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
     const std::size_t cases = argand.series.size();
@@ -250,6 +260,17 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const std::string
         for (auto& [omega, error] : errors.series[k].points) error = std::max(error, study::least_drawn);
     }
     errors.title.clear();
+    study::add_model_differences(errors, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
+        std::vector<std::pair<double, double>> points;
+        if (!study::plane_model_decays(contact)) return points;
+        const rollbem::FrequencySweep<double> strip(rolling_system(states, kernel));
+        for (const double omega : omegas) {
+            if (omega > 20) continue;  // more than the states resolve
+            const Complex plane = exact_c11(contact, omega);
+            points.emplace_back(omega, std::abs(strip(omega).c11 / plane - 1.0));
+        }
+        return points;
+    });
     argand.beside.push_back(std::move(parts));
     if (can_be_drawn(errors)) argand.beside.push_back(std::move(errors));
     return argand;
@@ -268,17 +289,14 @@ int main(int argc, char** argv) {
         "points", "N",
         "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
         "61");
+    options.replaces("omega", {"omega-min", "omega-max", "points"});
     options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
     options.add(
         "order", "LIST",
         "with --method polynomial: its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis "
         "needs for machine precision at each frequency");
     options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
-    options.add_folder(
-        "state-space",
-        "also write the scheme, a single one, as linear differential equations: A.csv, B.csv, C.csv, D.csv "
-        "and state_space.toml in this folder, which is made if it does not exist (dimensionless)",
-        frequency::StateSpaceFiles::names());
+    study::StateSpaceFiles::add_options(options, "the scheme, a single one,");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
     options.footer(R"(Example: three meshes, with the Argand diagram and both parts over the frequency
   frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
@@ -293,30 +311,33 @@ without --unchecked. If status is not ok, c11 is empty, or wrong with --unchecke
 equations are singular to working precision; inconsistent if the scheme does not converge to full adhesion
 (alpha at or below 0, or above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half;
 not_converged if --order is too low for eight digits, or states are too few. exact and error are empty for
-contacts so narrow that the plane model does not decay. rcond: estimate of the equations' reciprocal condition;
-rounding contributes 2e-16/rcond to the error of c11. error_estimate: relative, of c11 by polynomials, truncation
-and rounding.
+contacts so narrow that the plane model does not decay. rcond: estimate of the reciprocal condition of the
+equations of elements or states; rounding contributes 2e-16/rcond to the error of c11. error_estimate: relative,
+of c11 by polynomials, truncation and rounding. not_finite, with empty cells: b/a is so small or large that G
+or G' is not finite.
 --method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
 up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 is empty if more states would
 change its steady value by more than 1e-2.
 --state-space: d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi, so that c11(s) = C (s I - A)^-1 B + D, s in V/a.
 Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements need a regular
-G. The table is written as well.
+G. The table is written as well, of the full system. With --states D is not zero; error_bound in state_space.toml
+holds for |c11| at every omega, and is twice the sum of the Hankel singular values left out.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each scene, or order, and frequency.
         const std::string method =
-            given.choice("method", {"collocation", "galerkin", "knothe-bc", "chebyshev", "polynomial"});
+            given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
         const std::vector<double> omegas = make_omegas(given);
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
+        if (!given.given("state-space")) given.ignored("states", "without --state-space");
         study::Table table;
         table.columns = columns;
         std::vector<study::Scene> scenes;
         std::vector<study::Row> polynomial;
-        std::optional<frequency::StateSpaceFiles> state_space;
+        std::optional<study::StateSpaceFiles> state_space;
         if (method == "polynomial") {
             polynomial = polynomial_rows(given, omegas);
             table.rows_of_task = {polynomial.size()};
@@ -328,7 +349,7 @@ G. The table is written as well.
                 given.ignored(name, "with --method " + method + "; it is for --method polynomial");
             }
             scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-            if (given.given("state-space")) state_space.emplace(given, scenes);
+            if (given.given("state-space")) state_space.emplace(frequency::state_space_files(given, scenes));
             table.rows_of_task.assign(scenes.size(), omegas.size());
             table.label = [&](std::size_t task) { return scenes[task].label(); };
             table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
@@ -342,7 +363,7 @@ G. The table is written as well.
 
         // 5. --plot.
         table.plot = [&](const std::vector<study::Row>& rows) {
-            return draw_response(rows, "Harmonic creepage, " + method, given.given("order"));
+            return draw_response(rows, given.given("order"), scenes, omegas);
         };
         study::write_table(given, table);
         return study::exit_ok;

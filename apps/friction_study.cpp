@@ -47,8 +47,9 @@ int main(int argc, char** argv) {
                      "fails");
     options.add_flag("transient", "roll in time from rest, one row per step");
     options.add("sine", "AMP,OMEGA",
-                "with --transient: creepage ratio AMP sin(OMEGA q/a), AMP finite, OMEGA in V/a above 0 "
+                "with --transient: creepage ratio AMP sin(OMEGA q/a), AMP finite and not 0, OMEGA in V/a above 0 "
                 "(dimensionless)");
+    options.replaces("creepage-ratio", {"sine"});
     options.add("shift", "W",
                 "with --transient: rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)");
     options.add("load-sine", "A,LENGTH",
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
     options.add_input("load",
                       "with --transient: CSV file with the columns q_over_a,load_ratio: N/N_0 over the distance rolled "
                       "in a_0, linear between its rows, which must cover the run (dimensionless)");
+    options.replaces("load-sine", {"load"});
     options.add_flag("breathing",
                      "with --load-sine or --load: the mesh follows the half-length of the contact, with --kernel "
                      "plane; otherwise it covers the largest contact");
@@ -65,7 +67,7 @@ int main(int argc, char** argv) {
     options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
     options.add_flag("unchecked",
                      "with --transient: step even a scheme that is, or may be, unstable, or that does not converge");
-    options.footer(friction::help);
+    options.footer(friction::help, friction::topics);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The pressure.

@@ -7,11 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <rollbem/accuracy/recommendation.hpp>
 
 #include "precision/front.hpp"
 #include "precision/plots.hpp"
@@ -213,6 +217,47 @@ private:
     std::vector<std::size_t> first_;  // of each task in points_
 };
 
+// --- --recommend
+
+/// The recommended command line for each purpose, for the plane kernel or a strip with b/a >= 10.
+void print_recommendations(const study::Options& options) {
+    const study::Rule open{[](double value) { return value > 0 && value < 1; }, "be above 0 and below 1"};
+    const double tolerance = options.number("recommend", open);
+    for (const auto& [name, value] : options.given_values()) {
+        if (name != "recommend") options.ignored(name, "with --recommend");
+    }
+    const auto print = [&](const char* purpose, const auto& line) {
+        std::cout << "# " << purpose << "\n";
+        try {
+            std::cout << line() << "\n";
+        } catch (const std::invalid_argument&) {
+            std::cout << "# none: so small an error was not measured\n";
+        }
+    };
+    const auto states = [&](rollbem::Purpose::Adhesion purpose) {
+        return "--method chebyshev --n " +
+               std::to_string(rollbem::recommended_scheme(tolerance, purpose).method.states);
+    };
+    const auto elements = [&](auto purpose) {
+        return std::to_string(rollbem::recommended_elements(tolerance, purpose).n);
+    };
+    using rollbem::Purpose;
+    print("steady rolling, c11", [&] { return "steady_study " + states(Purpose::steady); });
+    print("the same by elements, extrapolated from half as many and all",
+          [&] { return "precision_study --quantity c11 --schemes richardson-nodes --n " + elements(Purpose::steady); });
+    print("c11 at frequencies omega a/V up to 5",
+          [&] { return "frequency_study " + states(Purpose::frequency) + " --omega 5"; });
+    print("the same by elements", [&] {
+        return "precision_study --quantity c11_z5 --schemes richardson-nodes --n " + elements(Purpose::frequency);
+    });
+    print("force in time, from q/a = 1 on after a step",
+          [&] { return "transient_study --step 1 " + states(Purpose::time_loop); });
+    print("the same by elements",
+          [&] { return "transient_study --step 1 --mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop); });
+    print("friction, creepage ratios from 0.05",
+          [&] { return "friction_study --method nodes --nodes chebyshev --n " + elements(Purpose::friction); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -244,6 +289,9 @@ int main(int argc, char** argv) {
         "cheapest",
         "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "
         "stable one, the fastest stable one of elements and Chebyshev states, and the fastest of all");
+    options.add("recommend", "TOLERANCE",
+                "compute nothing: print command lines whose relative error stays below TOLERANCE, above 0 and below 1 "
+                "(dimensionless)");
     options.footer(R"(Example: everything, with the cheapest schemes and a picture
   precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
 
@@ -257,8 +305,8 @@ step_force: the largest relative error at q/a = 1, 2, ... 10 after a step of cre
 friction_force: creepage ratio 0.5. closed-form: the difference of two closed forms where there are two.
 combined_force: creepage ratio 0.5 at 45 degrees to the rolling direction; the error of the force as a vector,
 |F - reference| over |reference|. load_force: creepage ratio 0.5 from steady rolling over a period of a load
-N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation on
-graded meshes breathes with the half-length where the kernel is plane; all other meshes cover the largest
+N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation
+and node differences on graded meshes breathe with the half-length where the kernel is plane; all other meshes cover the largest
 contact. Neither force has a closed form: references are extrapolated from cosine meshes of 320 and 640 elements
 (160 and 320 that breathe, in 640 steps), to about 1e-5 and 4e-6.
 time_us: from the mesh to the result, the median of at least 5 runs; all schemes take turns. stable: no
@@ -273,6 +321,10 @@ Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
+        if (given.given("recommend")) {
+            print_recommendations(given);
+            return study::exit_ok;
+        }
         const std::vector<Quantity> quantities = chosen_quantities(given);
         if (given.given("shard") || !study::has_times(given)) {
             given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");

@@ -11,7 +11,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include <rollbem/adhesion/critical_alpha.hpp>
@@ -38,13 +37,13 @@ const std::vector<std::string> count_columns = study::joined(
 
 study::Row count_row(const study::Options& options, const study::Scene& scene) {
     // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
-    const rollbem::RollingSystem<double> system = study::system_of(scene);
-    const rollbem::StabilityResult<double> result =
-        rollbem::solve_stability<double>(system, {.settle_signs = true, .condition = true});
+    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
+    rollbem::StabilityResult<double> result;
+    if (system) result = rollbem::solve_stability<double>(*system, {.settle_signs = true, .condition = true});
 
     // 4. Time the bare count, unless other jobs would disturb it.
     study::Cell time_us;
-    if (study::has_times(options)) {
+    if (system && study::has_times(options)) {
         time_us = study::median_time_us(
             [&] { return rollbem::solve_stability<double>(study::system_of(scene)).spectral_abscissa; });
     }
@@ -57,7 +56,7 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
                     result.cond_G, time_us, result.spectral_radius, result.stiffness_ratio});
     }
     row.resize(count_columns.size() - study::setting_columns().size() - 1);
-    row.emplace_back(study::status_of(result.status, scene, system));
+    row.emplace_back(system ? study::status_of(result.status, scene, *system) : name(result.status));
     return study::joined(row, study::setting_cells(scene));
 }
 
@@ -109,7 +108,7 @@ const std::vector<std::string> critical_columns = study::joined(
 
 std::optional<double> critical_alpha_T(const study::Scene& scene) {
     return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) -> std::optional<double> {
-        if constexpr (std::is_same_v<std::decay_t<decltype(scheme)>, rollbem::KnotheBoundary>) {
+        if constexpr (!requires { scheme.alpha_T; }) {
             return std::nullopt;  // refused in main: it has no alpha_T
         } else {
             const auto scheme_of = [&scheme](double alpha_T) {
@@ -129,10 +128,12 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         const study::Scene& scene = scenes[task];
-        const std::optional<double> critical = critical_alpha_T(scene);
-        emit(study::joined({scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical,
-                            scene.lambda, critical ? study::ok : "all_stable"},
-                           study::setting_cells(scene)));
+        const bool finite = study::system_if_finite(scene).has_value();
+        const std::optional<double> critical = finite ? critical_alpha_T(scene) : std::nullopt;
+        const std::string status = !finite ? name(rollbem::Status::not_finite) : critical ? study::ok : "all_stable";
+        emit(study::joined(
+            {scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical, scene.lambda, status},
+            study::setting_cells(scene)));
     };
     table.plot = [](const std::vector<study::Row>& rows) {
         study::Plot plot{.title = "Smallest unstable α_T",
@@ -157,9 +158,10 @@ const std::vector<std::string> spectrum_columns = study::joined(
 
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
     // 3. The eigenvalues by ascending modulus; infinite ones come last.
-    const rollbem::RollingSystem<double> system = study::system_of(scene);
-    const rollbem::StabilityResult<double> result = rollbem::solve_stability<double>(system);
-    const std::string status = study::status_of(result.status, scene, system);
+    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
+    rollbem::StabilityResult<double> result;
+    if (system) result = rollbem::solve_stability<double>(*system);
+    const std::string status = system ? study::status_of(result.status, scene, *system) : name(result.status);
     std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
     if (result.status == rollbem::Status::ok) {
         const Eigen::VectorXcd computed = result.eigenvalues();
@@ -185,58 +187,72 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const study
     }
 }
 
+/// 5. --plot: the complex plane up to the highest wavenumber that the elements resolve, with a margin.
+study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+    Eigen::Index n = 0;
+    for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
+    const double height = std::numbers::pi / 2 * static_cast<double>(n);
+    const std::string mesh = scenes.front().mesh_name;
+    study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
+                     .x_label = "Re(ν a)",
+                     .y_label = "Im(ν a)",
+                     .series = {}};
+    study::add_series(
+        plot, spectrum_columns, rows,
+        {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
+    double left = -1, right = 0;
+    for (study::Series& series : plot.series) {
+        series.line = false;
+        if (plot.series.size() == 1) series.label = "computed";
+        for (const auto& [re, im] : series.points) {
+            if (std::abs(im) > height) continue;
+            left = std::min(left, std::max(re, -height / 4));
+            right = std::max(right, std::min(re, height));
+        }
+    }
+    study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
+    for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
+        const stability::ExactSpectrum known(contact, {Complex(0, height)});
+        for (const Complex& nu : known.upper_half()) {
+            exact.points.emplace_back(nu.real(), nu.imag());
+            if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
+            left = std::min(left, nu.real());
+        }
+    }
+    plot.series.push_back(exact);
+    const double margin = (right - left) / 20;
+    plot.x_range = {left - margin, right + margin};
+    plot.y_range = {-height, height};
+    std::size_t inside = 0;
+    for (const study::Series& series : plot.series) {
+        if (series.reference) continue;
+        inside += std::size_t(std::count_if(series.points.begin(), series.points.end(), [&](const auto& nu) {
+            return std::abs(nu.first - (left + right) / 2) <= (right - left) / 2 + margin &&
+                   std::abs(nu.second) <= height;
+        }));
+    }
+    if (inside < rows.size()) {
+        plot.title +=
+            "; " + std::to_string(rows.size() - inside) + " of " + std::to_string(rows.size()) + " are not shown";
+    }
+    return plot;
+}
+
 study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
     study::Table table;
     table.columns = spectrum_columns;
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     for (const study::Scene& scene : scenes) {
-        const Eigen::Index count = scene.visit([](const auto& mesh, const auto& scheme,
-                                                  const auto&) { return rollbem::unknown_count(scheme, mesh); },
-                                               [](const auto& method, const auto&) { return method.states; });
+        const Eigen::Index count = scene.visit(
+            [](const auto& mesh, const auto& scheme, const auto&) { return rollbem::unknown_count(scheme, mesh); },
+            [](const auto& method, const auto&) { return method.states; });
         table.rows_of_task.push_back(static_cast<std::size_t>(count));
     }
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         emit_spectrum(scenes[task], range, emit);
     };
 
-    // 5. --plot: the complex plane up to the highest wavenumber that the elements resolve, with a margin.
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        Eigen::Index n = 0;
-        for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
-        const double height = std::numbers::pi / 2 * static_cast<double>(n);
-        const std::string mesh = scenes.front().mesh_name;
-        study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
-                         .x_label = "Re(ν a)",
-                         .y_label = "Im(ν a)",
-                         .series = {}};
-        study::add_series(
-            plot, spectrum_columns, rows,
-            {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
-        double left = -1, right = 0;
-        for (study::Series& series : plot.series) {
-            series.line = false;
-            if (plot.series.size() == 1) series.label = "computed";
-            for (const auto& [re, im] : series.points) {
-                if (std::abs(im) > height) continue;
-                left = std::min(left, std::max(re, -height / 4));
-                right = std::max(right, std::min(re, height));
-            }
-        }
-        study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
-        for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
-            const stability::ExactSpectrum known(contact, {Complex(0, height)});
-            for (const Complex& nu : known.upper_half()) {
-                exact.points.emplace_back(nu.real(), nu.imag());
-                if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
-                left = std::min(left, nu.real());
-            }
-        }
-        plot.series.push_back(exact);
-        const double margin = (right - left) / 20;
-        plot.x_range = {left - margin, right + margin};
-        plot.y_range = {-height, height};
-        return plot;
-    };
+    table.plot = [&](const std::vector<study::Row>& rows) { return draw_spectrum(scenes, rows); };
     return table;
 }
 
@@ -263,7 +279,7 @@ time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spe
 the smallest. Both are empty if an eigenvalue is infinite. status: ok; inconsistent if steady rolling shows that
 the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
 coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev
-states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found.
+states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is not finite.
 --critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable eigenvalue whose
 sign rounding cannot change; it is empty, with the status all_stable, if there is none. Above it the scheme can
 be stable again. n = 320 takes half a minute.
@@ -272,7 +288,8 @@ closed form, also for the strip kernel, whose model differs by order (a/b)^2. In
 singular G has, are rows with empty re and im. exact cells are empty for them, for |nu a| > 3e4, which no mesh
 resolves, and for contacts so narrow that the plane model does not decay.
 --method chebyshev: columns that apply to elements only are empty. Few states give the first eigenvalues to
-rounding; the fastest, of about n^2/10, are artefacts of the method. There is no alpha_T, hence no --critical.
+rounding; the fastest, of about n^2/10, are artefacts of the method. There is no alpha_T, hence no --critical, as
+with --method nodes and knothe-bc.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -283,7 +300,7 @@ rounding; the fastest, of about n^2/10, are artefacts of the method. There is no
             given.ignored("alpha-T", "with --critical, which searches for it");
             given.ignored("alpha", "with --critical, which takes --alpha-L and searches for alpha_T");
             const std::string method = given.text("method");
-            if (method == "knothe-bc" || method == "chebyshev") {
+            if (method == "knothe-bc" || method == "nodes" || method == "chebyshev") {
                 throw study::BadInput(given.said("method") +
                                       " must be collocation or galerkin with --critical: it has no alpha_T");
             }

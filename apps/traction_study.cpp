@@ -89,6 +89,37 @@ study::Series carter_line(double nu, bool several, double largest) {
     return line;
 }
 
+/// 5. --plot: traction along the contact with Carter's line.
+study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+    study::Plot plot{.title = "Traction in steady rolling",
+                     .x_label = "x / a (leading edge at 1)",
+                     .y_label = "p / (G ξ)",
+                     .x_range = study::PlotRange{-1, 1},
+                     .series = {}};
+    study::add_series(
+        plot, columns, rows,
+        {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction", .apart = study::all_setting_columns()});
+    double largest = 0;
+    for (study::Series& series : plot.series) {
+        if (plot.series.size() == 1) series.label = "computed";
+        series.line = false;
+        series.open = true;
+        for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
+    }
+    std::set<double> poisson_ratios;
+    for (const study::Scene& scene : scenes) poisson_ratios.insert(scene.contact.poisson_ratio());
+    // on a fine mesh the singularity at the trailing edge exceeds all else by far
+    const double shown = 2 * std::abs(rollbem::carter_traction(-0.98, *poisson_ratios.rbegin()));
+    if (largest > shown) {
+        plot.title += "; down to -" + study::Cell(largest).text(3) + " at the trailing edge";
+        plot.y_range = study::PlotRange{-shown, 0};
+    }
+    for (const double nu : poisson_ratios) {
+        plot.series.push_back(carter_line(nu, poisson_ratios.size() > 1, 1.2 * largest));
+    }
+    return plot;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -121,38 +152,7 @@ change c11 by more than 1e-2, as in narrow strips, status is not_converged.
             (scenes[task].chebyshev ? emit_states : emit_elements)(scenes[task], rows, emit);
         };
 
-        // 5. --plot: traction along the contact with Carter's line.
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            study::Plot plot{.title = "Traction in steady rolling",
-                             .x_label = "x / a (leading edge at 1)",
-                             .y_label = "p / (G ξ)",
-                             .x_range = study::PlotRange{-1, 1},
-                             .series = {}};
-            study::add_series(plot, columns, rows,
-                              {.by = {"n", "alpha_L", "alpha_T"},
-                               .x = "x_over_a",
-                               .y = "traction",
-                               .apart = study::all_setting_columns()});
-            double largest = 0;
-            for (study::Series& series : plot.series) {
-                if (plot.series.size() == 1) series.label = "computed";
-                series.line = false;
-                series.open = true;
-                for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
-            }
-            std::set<double> poisson_ratios;
-            for (const study::Scene& scene : scenes) poisson_ratios.insert(scene.contact.poisson_ratio());
-            // on a fine mesh the singularity at the trailing edge exceeds all else by far
-            const double shown = 2 * std::abs(rollbem::carter_traction(-0.98, *poisson_ratios.rbegin()));
-            if (largest > shown) {
-                plot.title += "; down to -" + study::Cell(largest).text(3) + " at the trailing edge";
-                plot.y_range = study::PlotRange{-shown, 0};
-            }
-            for (const double nu : poisson_ratios) {
-                plot.series.push_back(carter_line(nu, poisson_ratios.size() > 1, 1.2 * largest));
-            }
-            return plot;
-        };
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_tractions(scenes, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

@@ -82,7 +82,7 @@ History make_history(const study::Options& options) {
     if (given[0] == "history") return history_from_file(options);
     History history{.knots = {}, .knot_values = {}};
     if (given[0] == "sine") {
-        const study::Sine sine = study::read_sine(options, {is_not_zero, "finite and not 0"});
+        const study::Sine sine = study::read_sine(options);
         history.kind = History::Kind::sine;
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
@@ -173,10 +173,23 @@ std::vector<study::Row> first_of_contacts(const std::vector<std::string>& column
     return first;
 }
 
+/// The creepage in the title of a plot.
+std::string shown_creepage(const History& history) {
+    switch (history.kind) {
+        case History::Kind::step: return "a step of creepage";
+        case History::Kind::ramp: return "a ramp of creepage";
+        case History::Kind::sine: return "a sine of creepage, ω a/V = " + study::Cell(history.omega).text(6);
+        default: return "creepage of a table";
+    }
+}
+
 /// The force over the distance, and the exact one if there is one.
-study::Plot draw_force(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    study::Plot plot{
-        .title = "Rolling from rest", .x_label = "distance rolled q/a", .y_label = "-F / (a G ξ_{ref})", .series = {}};
+study::Plot draw_force(const History& history, const std::vector<std::string>& columns,
+                       const std::vector<study::Row>& rows) {
+    study::Plot plot{.title = "Rolling from rest, " + shown_creepage(history),
+                     .x_label = "distance rolled q/a",
+                     .y_label = "-F / (a G ξ_{ref})",
+                     .series = {}};
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows,
                       {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});
@@ -236,6 +249,9 @@ int main(int argc, char** argv) {
         "history",
         "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
         "after the last; two rows at one q_over_a make a jump (dimensionless)");
+    options.replaces("step", {"ramp", "sine", "history"});
+    options.replaces("ramp", {"sine", "history"});
+    options.replaces("sine", {"history"});
     study::add_steps(options, "");
     options.add(
         "integrator", "NAME",
@@ -303,7 +319,7 @@ OMEGA --dq > 1: fewer than six steps in a period of --sine.
         };
 
         // 7. --plot.
-        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(table.columns, rows); };
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, table.columns, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

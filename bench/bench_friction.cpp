@@ -120,7 +120,7 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     const Contact<double> contact(
         {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
     const Friction<ExponentialFall<double>> friction{
-        {0.3, 0.18, 0.1}, {10e-6, 1e-3}, 495.169e6 * mean_hertz_pressure(mesh), with_tangents};
+        {0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
     const FrictionModel<ExponentialFall<double>> model(
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
         friction, integrator);
@@ -128,12 +128,12 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     FrictionState<> now = model.at_rest(), next = now;
     FrictionStep<> step;
     for (int i = 0; i < 2000; ++i) {
-        step = model.advance(now, 0.05 * a, 0.05 * a / speed, 1e-3, next, workspace);
+        step = model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
         std::swap(now, next);
     }
     double rounds = 0;
     for (auto _ : state) {
-        step = model.advance(now, 0.05 * a, 0.05 * a / speed, 1e-3, next, workspace);
+        step = model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
         rounds += step.rounds;
         std::swap(now, next);
         benchmark::DoNotOptimize(step);
@@ -357,9 +357,10 @@ BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // A creepage that varies in size and direction.
 void combined_steps(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
-    const FrictionModel<ConstantFriction<>, 2> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel),
-                                              rolling_system(scene.mesh, scene.scheme, scene.lateral), unchecked,
-                                              scene.friction, integrator);
+    const FrictionModel model(scene.contact,
+                              ElementSystem(rolling_system(scene.mesh, scene.scheme, scene.kernel),
+                                            rolling_system(scene.mesh, scene.scheme, scene.lateral)),
+                              unchecked, scene.friction, integrator);
     FrictionWorkspace<2> workspace = model.workspace();
     FrictionState<2> now = model.at_rest(), next = now;
     double q = 0, rounds = 0;
@@ -388,11 +389,9 @@ struct CombinedWheel {
           contact({.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28}),
           pressure(495.169e6 * mean_hertz_pressure(mesh)) {}
 
-    ElementSystem<double> along() const {
-        return rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact));
-    }
-    ElementSystem<double> across() const {
-        return rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::lateral(contact));
+    ElementSystem<double, 2> system() const {
+        return {rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)),
+                rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::lateral(contact))};
     }
     template <class Model, class Advance>
     void run(benchmark::State& state, const Model& model, const Advance& advance) const {
@@ -418,8 +417,8 @@ struct CombinedWheel {
 };
 void BM_CombinedStepUnchanged(benchmark::State& state) {
     const CombinedWheel wheel(state.range(0));
-    const FrictionModel<ConstantFriction<>, 2> model(wheel.contact, wheel.along(), wheel.across(), unchecked,
-                                              {0.3, wheel.pressure}, Integrator::implicit_euler);
+    const FrictionModel model(wheel.contact, wheel.system(), unchecked, {0.3, wheel.pressure},
+                              Integrator::implicit_euler);
     wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
         return model.advance(from, wheel.dq, wheel.creepage, to, workspace);
     });
@@ -428,11 +427,10 @@ BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void combined_falling_steps(benchmark::State& state, bool with_tangents) {
     using Law = ExponentialFall<double>;
     const CombinedWheel wheel(state.range(0));
-    const FrictionModel<Law, 2> model(wheel.contact, wheel.along(), wheel.across(), unchecked,
-                                          {{0.3, 0.18, 0.1}, {10e-6, 1e-3}, wheel.pressure, with_tangents},
-                                          Integrator::implicit_euler);
+    const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
+    const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);
     wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
-        return model.advance(from, wheel.dq, wheel.duration, wheel.creepage, to, workspace);
+        return model.advance(from, {wheel.dq, wheel.duration}, wheel.creepage, to, workspace);
     });
 }
 void BM_CombinedStepFalling(benchmark::State& state) { combined_falling_steps(state, false); }

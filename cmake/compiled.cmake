@@ -1,7 +1,8 @@
 # rollbem::compiled: the library's largest templates compiled once for double, so that a program that includes
 # rollbem/compiled/*.hpp instead of the headers themselves need not compile them. Optional: the headers suffice.
 # Each of these headers lists templates as `extern template ...;`; its source, made here, is the same list without
-# `extern`.
+# `extern`. It spares a unit the members that are defined outside their class: those inside are inline, and compilers
+# instantiate them in every unit that calls them.
 file(GLOB compiled_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/rollbem/compiled/*.hpp")
 list(FILTER compiled_headers EXCLUDE REGEX "/all\\.hpp$")
 set(compiled_sources "")

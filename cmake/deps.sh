@@ -1,20 +1,22 @@
 #!/bin/sh
-# deps.sh [--ci] [--docs] [--fmu]: installs what building rollbem and its programs, tests and benchmarks needs.
-# Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of continuous integration,
-# --docs Doxygen for the API reference; --fmu installs FMPy, which brings the headers of FMI 2.0 and runs the FMUs in
-# tests, into build-fmu/venv.
+# deps.sh [--ci] [--docs] [--fmu] [--simbody]: installs what building rollbem and its programs, tests and benchmarks
+# needs. Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of continuous
+# integration, --simbody Simbody for simbody_wheel (Debian and Ubuntu), --docs Doxygen for the API reference; --fmu
+# installs FMPy, which brings the headers of FMI 2.0 and runs the FMUs in tests, into build-fmu/venv.
 set -eu
 
 ci=no
 docs=no
 fmu=no
+simbody=no
 for option in "$@"; do
     case $option in
-    --ci) ci=yes ;;
+    --ci) ci=yes simbody=yes ;;
     --docs) docs=yes ;;
     --fmu) fmu=yes ;;
+    --simbody) simbody=yes ;;
     *)
-        echo "usage: sh cmake/deps.sh [--ci] [--docs] [--fmu]" >&2
+        echo "usage: sh cmake/deps.sh [--ci] [--docs] [--fmu] [--simbody]" >&2
         exit 2
         ;;
     esac
@@ -72,8 +74,9 @@ if have apt-get; then
     need_command gnuplot-nox gnuplot
     need_packages installed libeigen3-dev libgsl-dev catch2 libbenchmark-dev libcli11-dev
     if [ $ci = yes ]; then
-        need_packages installed clang-format-14 clang-14 libsimbody-dev
+        need_packages installed clang-format-14 clang-14
     fi
+    [ $simbody = no ] || need_packages installed libsimbody-dev
     [ $docs = no ] || need_command doxygen doxygen
     [ $fmu = no ] || have_venv || missing="$missing python3-venv"
     if [ -n "$missing" ]; then
@@ -124,4 +127,7 @@ else
     exit 1
 fi
 
+if [ $simbody = yes ] && [ $ci = no ] && ! have apt-get; then
+    echo "deps.sh: no package of Simbody is known here; please install Simbody 3.7 or later from source" >&2
+fi
 [ $fmu = no ] || install_fmpy

@@ -1,5 +1,6 @@
 # add_precompiled(target HEADERS header... LIBRARIES library...)
-# headers parsed once, for target_precompile_headers(... REUSE_FROM target). Sources still include what they need: with
+# headers parsed once, for target_precompile_headers(... REUSE_FROM target), whose optimisation must be the same: g++
+# accepts another and generates code that is as slow. Sources still include what they need: with
 # ccache, which does not cache units that use a precompiled header, and in the stricter presets there are none.
 if("${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER}" MATCHES ccache)
     set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
@@ -9,7 +10,7 @@ function(add_precompiled target)
     set(nothing "${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp")
     file(CONFIGURE OUTPUT "${nothing}" CONTENT "" @ONLY)
     add_library(${target} OBJECT "${nothing}")
-    target_link_libraries(${target} PRIVATE ${precompiled_LIBRARIES} rollbem_quick_to_compile)
+    target_link_libraries(${target} PRIVATE ${precompiled_LIBRARIES})
     target_precompile_headers(${target} PRIVATE ${precompiled_HEADERS})
 endfunction()
 

@@ -24,17 +24,9 @@ using Complex = std::complex<double>;
 using Contact = rollbem::Contact<double>;
 using Model = rollbem::AdhesionModel<>;
 
-/// The exact creep coefficient at s = (rate) a/V, from I_n(s) = (1/pi) integral of e^{s cos t} cos(n t) over 0 ... pi.
+/// The creep coefficient of the plane at s = (rate) a/V, exact to rounding.
 Complex exact_c11(Complex s, const Contact& contact) {
-    const double nu = contact.poisson_ratio();
-    Complex I0 = 0, both = 0;  // both = I0 + I1
-    const int points = 64;
-    for (int k = 0; k < points; ++k) {
-        const double cosine = std::cos(2 * std::numbers::pi * k / points);
-        I0 += std::exp(s * cosine) / double(points);
-        both += std::exp(s * cosine) * (1 + cosine) / double(points);
-    }
-    return rollbem::steady_c11(nu) * both / (I0 + s * rollbem::plane_lambda(nu, contact.aspect()) * both);
+    return rollbem::polynomial_c11<double>(s, contact.poisson_ratio(), contact.aspect()).c11;
 }
 
 /// Root of s + kappa c11(s) = 0, kappa = 2 a^2 b G (1/m + R^2/J) / V^2: the sliding speed V - R omega under the

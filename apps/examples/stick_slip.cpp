@@ -61,7 +61,7 @@ Model contact_model(Eigen::Index n) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
     const auto system = rollbem::rolling_system(mesh, rollbem::Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
                                                 rollbem::PlaneKernel<double>::longitudinal(contact));
-    return {contact, system, rollbem::judge_stability(system), {friction_law, memory, hertz.mean_pressure(mesh)}};
+    return {contact, system, rollbem::judge_stability(system), {friction_law, hertz.mean_pressure(mesh), memory}};
 }
 
 struct State {
@@ -83,7 +83,7 @@ Model::Step advance(const Model& model, double demand, double damping, double dq
     const double dt = dq / speed;
     for (int trial = 0; trial < 30; ++trial) {
         const auto motion = rollbem::RigidMotion<double>::linear(creepage(now.wheel), creepage(next.wheel));
-        const Model::Step step = model.advance(now.contact, dq, dt, motion, next.contact, workspace);
+        const Model::Step step = model.advance(now.contact, {dq, dt}, motion, next.contact, workspace);
         if (step.status != rollbem::StepStatus::ok) return step;
         next.force = step.force;
 
@@ -172,7 +172,7 @@ bool onset(Eigen::Index n) {
     const double slope = -step.tangent / speed;
     for (int k = 0; k < 200 && step.status == rollbem::StepStatus::ok; ++k) {  // steady rolling in steps of this length
         std::swap(now, next);
-        step = model.advance(now, dq, dq / speed, -slip / speed, next, workspace);
+        step = model.advance(now, {dq, dq / speed}, -slip / speed, next, workspace);
     }
     if (step.status != rollbem::StepStatus::ok) return false;
     const double limit = least_damping(slope);

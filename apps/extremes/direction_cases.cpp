@@ -38,7 +38,7 @@ struct Combined {
 
     /// -F/(mu N) in both directions at the creepage ratio delta; cosine and sine give the direction of the creepage.
     Vector force(double delta, double cosine, double sine) {
-        const rollbem::SteadyFrictionModel<ConstantFriction<>, 2> model(contact, slopes(false), slopes(true), mesh.widths(),
+        const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(contact, slopes(false), slopes(true), mesh.widths(),
                                                          {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const auto rest = model.at_rest();
         auto state = rest;

@@ -47,10 +47,7 @@ struct Rolling {
           load(hertz.at(full)) {}
 
     static HertzLoad<double> make_hertz(const Mesh<double>& mesh, double covered, double full) {
-        const double modulus = 4 * full / (pi / 2);  // p_0 over that of unit load, so that a_0 = 1 for every load
-        const rollbem::ElasticBody<double> body{.young_modulus = modulus, .poisson_ratio = 0};
-        const rollbem::HertzLine<double> line(
-            {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
+        const auto line = rollbem::HertzLine<double>::dimensionless(full / (pi / 2));
         return covered > 0 ? HertzLoad<double>::fixed(line, mesh, covered) : HertzLoad<double>::breathing(line, mesh);
     }
     static Model make_model(const Mesh<double>& mesh, double covered, double mu, const Eigen::ArrayXd& pressure) {

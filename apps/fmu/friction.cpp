@@ -192,9 +192,9 @@ public:
     }
 
 private:
-    using CombinedModel = rollbem::FrictionModel<ConstantFriction<Scalar>, 2, Scalar>;
-    using State = CombinedModel::State;
-    using Step = CombinedModel::LoadedStep;
+    using FrictionModel = rollbem::FrictionModel<rollbem::ConstantFriction<Scalar>, 2, Scalar>;
+    using State = FrictionModel::State;
+    using Step = FrictionModel::Step;
 
     // A step.
     struct Past {
@@ -225,10 +225,10 @@ private:
     template <class Kernel>
     void build(const rollbem::Contact<Scalar>& contact, const rollbem::Mesh<Scalar>& mesh) {
         const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-        const auto longitudinal = rolling_system(mesh, scheme, Kernel::longitudinal(contact));
-        const auto lateral = rolling_system(mesh, scheme, Kernel::lateral(contact));
-        model_.emplace(contact, longitudinal, judge_stability(longitudinal), lateral, judge_stability(lateral),
-                       rollbem::Friction<ConstantFriction<Scalar>, Scalar>{friction_coefficient_, end_load_.normal_pressure});
+        const rollbem::ElementSystem system(rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
+                                            rolling_system(mesh, scheme, Kernel::lateral(contact)));
+        model_.emplace(contact, system, judge_stability(system),
+                       rollbem::Friction{friction_coefficient_, end_load_.normal_pressure});
         workspace_.emplace(model_->workspace());
     }
 
@@ -248,7 +248,7 @@ private:
         Step failed;
         failed.status = hertz_->set(per_width(step.load), end_load_);
         if (failed.status != StepStatus::ok) return failed;
-        return model_->advance(from, step.distance, CombinedModel::Motion::shift(step.shift), end_load_, to,
+        return model_->advance(from, step.distance, FrictionModel::Motion::shift(step.shift), end_load_, to,
                                *workspace_);
     }
 
@@ -298,7 +298,7 @@ private:
 
     std::optional<rollbem::HertzLoad<Scalar>> hertz_;
     rollbem::NormalLoad<Scalar> end_load_;  // of the present step
-    std::optional<CombinedModel> model_;
+    std::optional<FrictionModel> model_;
     std::optional<rollbem::FrictionWorkspace<2, Scalar>> workspace_;
     State now_, from_, next_;  // from_: where the last step began
     Past past_;

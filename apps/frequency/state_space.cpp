@@ -1,9 +1,7 @@
 #include "state_space.hpp"
 
-#include <cstddef>
 #include <stdexcept>
-
-#include <Eigen/Core>
+#include <string>
 
 #include <rollbem/adhesion/state_space.hpp>
 
@@ -17,10 +15,11 @@ namespace {
 using Space = rollbem::StateSpace<double>;
 
 constexpr const char* conventions =
-    "\n[state_space]\n"
     "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
-    "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n"
-    "x = \"by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a\"\n";
+    "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n";
+
+constexpr const char* all_states =
+    "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a";
 
 Space state_space_of(const study::Options& options, const std::vector<study::Scene>& scenes) {
     const std::string said = options.said("state-space");
@@ -53,35 +52,10 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
     return scene.visit(of_elements, of_states);
 }
 
-/// Plain numbers, comma-separated, one row a line; no negative zeros.
-void write(study::OutputFile& file, const Eigen::MatrixXd& matrix) {
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        study::Row row;
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k) + 0.0);
-        file.write(study::csv_line(row));
-    }
-    file.close();
-}
-
 }  // namespace
 
-std::vector<std::string> StateSpaceFiles::names() { return {"A.csv", "B.csv", "C.csv", "D.csv", "state_space.toml"}; }
-
-StateSpaceFiles::StateSpaceFiles(const study::Options& options, const std::vector<study::Scene>& scenes)
-    : StateSpaceFiles(options, state_space_of(options, scenes)) {}
-
-StateSpaceFiles::StateSpaceFiles(const study::Options& options, const Space& space)
-    : folder_(options.text("state-space"), "--state-space") {
-    for (const std::string& name : names()) files_.emplace_back(folder_.file(name), "--state-space");
-    std::size_t next = 0;
-    for (const Eigen::MatrixXd* matrix : {&space.A, &space.B, &space.C, &space.D}) write(files_[next++], *matrix);
-    files_[next].write(study::sidecar_text(options) + conventions);
-    files_[next].close();
-}
-
-void StateSpaceFiles::commit() {
-    for (study::OutputFile& file : files_) file.commit();
-    folder_.keep();
+study::StateSpaceFiles state_space_files(const study::Options& options, const std::vector<study::Scene>& scenes) {
+    return {options, state_space_of(options, scenes), conventions, all_states, "c11"};
 }
 
 }  // namespace frequency

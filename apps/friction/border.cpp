@@ -10,6 +10,7 @@
 
 #include "creep_curve.hpp"
 #include "support/timing.hpp"
+#include "surface.hpp"
 
 namespace friction {
 
@@ -44,6 +45,8 @@ Profile profile_of(const study::Scene& scene, const CreepPoint& point,
 
 void border_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                  const study::Emit& emit) {
+    const bool finite = Surface{scene}.gradient(Direction::longitudinal).first.allFinite();
+    if (!finite) return rows_without(curve, scene, task, range, emit);
     for (std::size_t i = range.first; i < range.last; ++i) {
         const CreepPoint& point = curve.points[i];
         const auto solve = [&] {

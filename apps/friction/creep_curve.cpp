@@ -21,10 +21,6 @@ CreepCurve::Exact CreepCurve::exact(const study::Scene& scene, const CreepPoint&
     return {force * along / size, force * across / size};
 }
 
-std::string status_of(rollbem::StepStatus status, bool consistent) {
-    return status == rollbem::StepStatus::ok && !consistent ? name(rollbem::Status::inconsistent) : name(status);
-}
-
 const std::vector<std::string>& creep_columns() {
     static const std::vector<std::string> columns = study::joined({"method",
                                                                    "derivative",

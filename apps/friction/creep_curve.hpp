@@ -85,10 +85,10 @@ using CreepRows = void(const CreepCurve& curve, const study::Scene& scene, std::
                        const study::Emit& emit);
 CreepRows element_rows, border_rows, combined_rows, falling_rows;
 
+/// The same without results, where G' is not finite, as for b/a or a layer near the limits of double.
+CreepRows rows_without;
+
 /// One row per element of every profile, and the companion file.
 void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file);
-
-/// `consistent` is whether steady rolling of the same scheme in full adhesion is.
-std::string status_of(rollbem::StepStatus status, bool consistent);
 
 }  // namespace friction

@@ -49,6 +49,9 @@ LoadHistory load_of_table(const study::Options& options, double until, bool brea
         throw study::BadInput(said + " must have one row only at q_over_a = " + study::Cell(*twin).text(6));
     }
     for (const double ratio : history.ratios) {
+        if (ratio > 1e12) {
+            throw study::BadInput(said + ": load_ratio = " + study::Cell(ratio).text(6) + " must be at most 1e12");
+        }
         if (!(breathing ? ratio > 0 : ratio >= 0)) {
             throw study::BadInput(said + ": load_ratio = " + study::Cell(ratio).text(6) + " must be " +
                                   (breathing ? "positive where the mesh breathes" : "at least 0"));
@@ -101,10 +104,7 @@ std::optional<LoadHistory> read_load(const study::Options& options, double until
 }
 
 rollbem::HertzLoad<double> hertz_load(const LoadHistory& history, const rollbem::Mesh<double>& mesh) {
-    // E* = 2 and R = 1 give a_0 = p_0 = 1 under N_0 = pi/2
-    const rollbem::ElasticBody<double> body{.young_modulus = 4, .poisson_ratio = 0};
-    const rollbem::HertzLine<double> line(
-        {.load_per_width = mu_N, .combined_radius = 1, .body_1 = body, .body_2 = body});
+    const auto line = rollbem::HertzLine<double>::dimensionless();
     return history.breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
                              : rollbem::HertzLoad<double>::fixed(line, mesh, history.largest_half_length());
 }

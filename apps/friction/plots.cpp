@@ -50,8 +50,9 @@ const Profile* most_telling(const Profiles& profiles) {
 
 // What forces and tractions are drawn in units of.
 std::string coefficient(bool falling) { return falling ? "μ_0" : "μ"; }
-std::string creepage_label(bool falling) {
-    return "creepage ratio δ = ξ G / (2 (1 - ν) " + coefficient(falling) + " p_0)";
+std::string creepage_label(bool falling, bool both = false) {
+    return std::string(both ? "creepage ratio δ_x = ξ_x" : "creepage ratio δ = ξ") + " G / (2 (1 - ν) " +
+           coefficient(falling) + " p_0)";
 }
 std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N") {
     return force + " / (" + coefficient(falling) + " " + load + ")";
@@ -89,11 +90,39 @@ study::Plot draw_tractions(const Profile& shown, bool carter, bool falling) {
 
 }  // namespace
 
+std::string scene_in_title(const study::Options& options) {
+    std::string title;
+    const auto say = [&](const char* name, const std::string& before, const std::string& between = "",
+                         const std::string& after = "") {
+        if (!options.given(name)) return;
+        const std::string value = options.text(name);
+        const std::size_t comma = value.find(',');
+        title += ", " + before + value.substr(0, comma);
+        if (comma != std::string::npos) title += between + value.substr(comma + 1) + after;
+    };
+    if (options.given("pressure")) title += ", pressure of a table";
+    if (options.flag("transient")) {
+        const std::string delta = options.given("lateral-ratio") ? "δ_x = " : "δ = ";
+        say("creepage-ratio", delta);
+        say("sine", delta, " sin(", " q/a)");
+        say("lateral-ratio", "δ_y = ");
+        say("shift", "shift ");
+        say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
+        if (options.given("load")) title += ", load of a table";
+    }
+    say("falling", "μ falls to μ_0 times ", ", by half at a slip of ");
+    say("memory", "memory ", " and ");
+    say("layer", "layer ");
+    return title;
+}
+
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const CreepCurve& curve) {
     const bool falling = curve.falling.has_value();
-    study::Plot plot{
-        .title = "Creep curve", .x_label = creepage_label(falling), .y_label = force_label(falling), .series = {}};
+    study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
+                     .x_label = creepage_label(falling),
+                     .y_label = force_label(falling),
+                     .series = {}};
     study::add_series(plot, columns, rows,
                       {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"},
                        .x = "creepage_ratio",
@@ -123,17 +152,20 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                            const CreepCurve& curve) {
     const bool falling = curve.falling.has_value();
-    const auto panel = [&](const char* title, const char* force, const char* y) {
-        study::Plot plot{
-            .title = title, .x_label = creepage_label(falling), .y_label = force_label(falling, force), .series = {}};
+    const auto panel = [&](const std::string& title, const char* force, const char* y) {
+        study::Plot plot{.title = title,
+                         .x_label = creepage_label(falling, true),
+                         .y_label = force_label(falling, force),
+                         .series = {}};
         study::add_series(plot, columns, rows,
                           {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
                            .x = "creepage_ratio",
-                           .y = y});
+                           .y = y,
+                           .apart = study::setting_columns()});
         plot.y_range = force_range(plot);
         return plot;
     };
-    study::Plot plot = panel("Longitudinal force", "-F_x", "force_ratio");
+    study::Plot plot = panel("Longitudinal force" + scene_in_title(curve.options), "-F_x", "force_ratio");
     plot.beside.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
     return plot;
 }
@@ -166,7 +198,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
                     .text(3)
                     .empty();
     });
-    study::Plot plot{.title = "Rolling with friction",
+    study::Plot plot{.title = "Rolling with friction" + shown.scene,
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(shown.falling, "-F", shown.load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, shown.end},
@@ -187,6 +219,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         selection.x = "creepage_ratio";
         study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label, .series = {}};
         add(loop, "force_ratio", "");
+        loop.title = "Hysteresis";
         if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));
         if (!shown.load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));

@@ -6,9 +6,14 @@
 
 #include "creep_curve.hpp"
 #include "support/csv.hpp"
+#include "support/options.hpp"
 #include "support/plot.hpp"
 
 namespace friction {
+
+/// What options say of pressure, law, layer, load and, in time, creepage, for a title; empty for Hertz's pressure and
+/// a constant mu. Begins with ", " otherwise.
+std::string scene_in_title(const study::Options& options);
 
 /// The creep curve, and beside it the tractions at the creepage nearest to half of full sliding, for the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
@@ -21,10 +26,11 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
 /// What a picture of a run in time shows in addition to the force.
 struct TimePicture {
     bool creepage_changes, load_changes;
-    bool falling;  ///< mu falls with slip
-    bool carter;   ///< his force in steady rolling
-    double ratio;  ///< largest creepage ratio
-    double end;    ///< distance rolled in the run [a_0]
+    bool falling;         ///< mu falls with slip
+    bool carter;          ///< his force in steady rolling
+    double ratio;         ///< largest creepage ratio
+    double end;           ///< distance rolled in the run [a_0]
+    std::string scene{};  ///< for the title
 };
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.

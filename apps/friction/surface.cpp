@@ -1,6 +1,7 @@
 #include "surface.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 
 #include <rollbem/elasticity/layered_kernel.hpp>
@@ -36,54 +37,45 @@ rollbem::Contact<double> Surface::contact() const {
 }
 
 rollbem::ElementSystem<double> Surface::system(Direction direction) const {
+    try {
+        return visit(
+            *this,
+            [](const auto& mesh, const auto& scheme, const auto& kernel) {
+                return rollbem::rolling_system(mesh, scheme, kernel);
+            },
+            direction);
+    } catch (const std::invalid_argument&) {
+        if (gradient(direction).first.allFinite()) throw;
+        throw study::BadInput("--aspect = " + study::aspect_cell(scene.contact).text() +
+                              " and --layer = " + study::Cell(layer).text() + " must be such that G and G' are finite");
+    }
+}
+
+Eigen::MatrixXd Surface::gradient(Direction direction) const {
     return visit(
         *this,
-        [](const auto& mesh, const auto& scheme, const auto& kernel) {
-            return rollbem::rolling_system(mesh, scheme, kernel);
+        [](const auto& mesh, const auto& scheme, const auto& kernel) -> Eigen::MatrixXd {
+            return rollbem::assemble_G_prime(mesh, scheme, kernel);
         },
         direction);
 }
 
-std::pair<Eigen::MatrixXd, Eigen::ArrayXd> Surface::gradient(Direction direction) const {
-    return visit(
-        *this,
-        [](const auto& mesh, const auto& scheme, const auto& kernel) {
-            return std::pair<Eigen::MatrixXd, Eigen::ArrayXd>(rollbem::assemble_G_prime(mesh, scheme, kernel),
-                                                              rollbem::unknown_widths(mesh, scheme));
-        },
-        direction);
+template <int directions, class Law>
+rollbem::SteadyFrictionModel<Law, directions> Surface::steady_model(const rollbem::Friction<Law>& friction) const {
+    using Model = rollbem::SteadyFrictionModel<Law, directions>;
+    const auto make = [&](const auto&... parts) { return Model(contact(), parts..., friction); };
+    if constexpr (directions == 1) {
+        return visit(*this, make, Direction::longitudinal);
+    } else {
+        return visit(*this, make, Direction::longitudinal, Direction::lateral);
+    }
 }
-
-rollbem::SteadyFrictionModel<> Surface::steady_model(const rollbem::Friction<>& law) const {
-    return visit(
-        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<>(contact(), parts..., law); },
-        Direction::longitudinal);
-}
-
-SteadyFalling Surface::falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const {
-    return visit(
-        *this,
-        [&](const auto&... parts) {
-            return SteadyFalling(SteadyFalling::Model(contact(), parts..., {law.law, law.memory, pressure}));
-        },
-        Direction::longitudinal);
-}
-
-rollbem::SteadyFrictionModel<ConstantFriction<>, 2> Surface::combined_model(const rollbem::Friction<>& law) const {
-    return visit(
-        *this, [&](const auto&... parts) { return rollbem::SteadyFrictionModel<ConstantFriction<>, 2>(contact(), parts..., law); },
-        Direction::longitudinal, Direction::lateral);
-}
-
-SteadyCombinedFalling Surface::combined_falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const {
-    return visit(
-        *this,
-        [&](const auto&... parts) {
-            return SteadyCombinedFalling(
-                SteadyCombinedFalling::Model(contact(), parts..., {law.law, law.memory, pressure}));
-        },
-        Direction::longitudinal, Direction::lateral);
-}
+using Coulomb = rollbem::Friction<>;
+using Falling = rollbem::Friction<rollbem::ExponentialFall<>>;
+template rollbem::SteadyFrictionModel<> Surface::steady_model<1>(const Coulomb&) const;
+template rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> Surface::steady_model<2>(const Coulomb&) const;
+template rollbem::SteadyFrictionModel<rollbem::ExponentialFall<>> Surface::steady_model<1>(const Falling&) const;
+template rollbem::SteadyFrictionModel<rollbem::ExponentialFall<>, 2> Surface::steady_model<2>(const Falling&) const;
 
 double read_layer(const study::Options& options) {
     const double layer = options.number(

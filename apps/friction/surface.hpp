@@ -2,8 +2,6 @@
 // under the reference load.
 #pragma once
 
-#include <utility>
-
 #include <Eigen/Core>
 
 #include <rollbem/assembly/rolling_system.hpp>
@@ -11,7 +9,6 @@
 #include <rollbem/friction/steady.hpp>
 #include <rollbem/scene/contact.hpp>
 
-#include "falling.hpp"
 #include "support/options.hpp"
 #include "support/scenes.hpp"
 
@@ -29,13 +26,11 @@ struct Surface {
 
     rollbem::ElementSystem<double> system(Direction direction) const;
 
-    /// G' and the widths of its elements.
-    std::pair<Eigen::MatrixXd, Eigen::ArrayXd> gradient(Direction direction) const;
+    /// G'.
+    Eigen::MatrixXd gradient(Direction direction) const;
 
-    rollbem::SteadyFrictionModel<> steady_model(const rollbem::Friction<>& law) const;
-    SteadyFalling falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
-    rollbem::SteadyFrictionModel<ConstantFriction<>, 2> combined_model(const rollbem::Friction<>& law) const;
-    SteadyCombinedFalling combined_falling_model(const FallingLaw& law, const Eigen::ArrayXd& pressure) const;
+    template <int directions, class Law>
+    rollbem::SteadyFrictionModel<Law, directions> steady_model(const rollbem::Friction<Law>& friction) const;
 };
 
 /// --layer. Throws BadInput, also if a scene's scheme needs a derivative that does not exist with a layer.

@@ -84,7 +84,7 @@ History make_history(const study::Options& options, double until) {
     history.from_steady = options.choice("from", {"rest", "steady"}) == "steady";
     if (options.given("sine")) {
         options.ignored("creepage-ratio", "with --sine");
-        const study::Sine sine = study::read_sine(options, {study::finite().holds, "finite"});
+        const study::Sine sine = study::read_sine(options);
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
         return history;
@@ -309,7 +309,8 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
                               .falling = falling.has_value(),
                               .carter = pressure.hertz && layer == 0 && !falling && !history.lateral && !history.load,
                               .ratio = history.amplitude,
-                              .end = double(steps.count) * steps.dq});
+                              .end = double(steps.count) * steps.dq,
+                              .scene = scene_in_title(options)});
     };
     std::string undrawn;
     try {

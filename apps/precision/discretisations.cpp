@@ -22,6 +22,7 @@ using rollbem::Contact;
 using rollbem::Galerkin;
 using rollbem::MatrixX;
 using rollbem::Mesh;
+using rollbem::NodeDifference;
 using rollbem::RollingSystem;
 using rollbem::Topology;
 using Complex = std::complex<double>;
@@ -58,12 +59,12 @@ MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<
 
 double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()) * peak; }
 
-// A uniform mesh gains nothing from edges that move with those of the contact, and only collocation with the plane
-// kernel can change its half-length.
+// A uniform mesh gains nothing from edges that move with those of the contact, and only equations that hold at points,
+// with the plane kernel, can change the half-length.
 Cover cover_of(const Scene& scene, const Elements& elements) {
     const bool graded = elements.topology != Topology::uniform;
-    return graded && scene.plane && std::holds_alternative<Collocation>(elements.scheme) ? Cover::breathing
-                                                                                         : Cover::largest;
+    return graded && scene.plane && !std::holds_alternative<Galerkin>(elements.scheme) ? Cover::breathing
+                                                                                       : Cover::largest;
 }
 
 }  // namespace
@@ -79,7 +80,11 @@ const std::vector<std::pair<std::string, Elements>>& element_schemes() {
         {"galerkin-uniform", {Topology::uniform, Galerkin{.alpha_L = 0, .alpha_T = 0.63}}},
         {"galerkin-cosine", {Topology::cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}}},
         {"richardson-uniform", {Topology::uniform, halves, 1}},
-        {"richardson-cosine", {Topology::cosine, halves, 2}}};
+        {"richardson-cosine", {Topology::cosine, halves, 2}},
+        {"nodes-uniform", {Topology::uniform, NodeDifference{}}},
+        {"nodes-cosine", {Topology::cosine, NodeDifference{}}},
+        {"nodes-chebyshev", {Topology::cosine, NodeDifference{rollbem::Nodes::chebyshev}}},
+        {"richardson-nodes", {Topology::cosine, NodeDifference{}, 2}}};
     return all;
 }
 
@@ -138,7 +143,8 @@ Forces step_forces(const Scene& scene, RollingSystem<double> system) {
 
 double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel<> model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction);
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction,
+                                             rollbem::unchecked);
     const rollbem::FrictionState<> rest = model.at_rest();
     rollbem::FrictionState<> state = rest;
     rollbem::FrictionWorkspace<> workspace = model.workspace();
@@ -147,9 +153,9 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
 }
 
 std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel<ConstantFriction<>, 2> model(
-        scene.contact, slopes(scene, elements, mesh), slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
-        {1, peak * rollbem::mean_hertz_pressure(mesh)});
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh),
+                                             slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
+                                             {1, peak * rollbem::mean_hertz_pressure(mesh)}, rollbem::unchecked);
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();
@@ -162,16 +168,13 @@ std::vector<double> combined_force(const Scene& scene, const Elements& elements,
 
 std::vector<double> load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
                                 std::size_t parts) {
-    const double full = peak * std::numbers::pi / 2;
+    const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
+    const double full = line.load_per_width();
     const double half_length = cover == Cover::largest ? std::sqrt(1 + load_amplitude) : 1;
     scene.contact = Contact<double>({.half_length = half_length,
                                      .half_width = scene.contact.half_width(),
                                      .shear_modulus = 1,
                                      .poisson_ratio = scene.contact.poisson_ratio()});
-    // Hertz's contact of a_0 = 1 and p_0 = mu p_0 = peak under N_0
-    const rollbem::ElasticBody<double> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
-    const rollbem::HertzLine<double> line(
-        {.load_per_width = full, .combined_radius = 1, .body_1 = body, .body_2 = body});
     const auto hertz = cover == Cover::largest ? rollbem::HertzLoad<double>::fixed(line, mesh, half_length)
                                                : rollbem::HertzLoad<double>::breathing(line, mesh);
     const auto load_at = [&](double q) {

@@ -29,7 +29,7 @@ using Forces = std::array<double, steps>;
 /// A scheme with elements: a mesh for every n, and how its equations are set up.
 struct Elements {
     rollbem::Topology topology;
-    std::variant<rollbem::Collocation, rollbem::Galerkin> scheme;
+    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::NodeDifference> scheme;
     double order = 0;  ///< of the extrapolation from n/2 and n; 0: none
 };
 

@@ -49,6 +49,7 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
     bool below = false;
+    int left_out = 0;  // of the front: they serve for comparison
     double largest_error = floor;
     std::vector<double> times;
     for (const std::string& scheme : scheme_names()) {
@@ -63,7 +64,9 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
             times.push_back(*time);
             series.points.emplace_back(*time, std::max(std::abs(*error), floor));
         }
-        if (!series.points.empty()) plot.series.push_back(std::move(series));
+        if (series.points.empty()) continue;
+        plot.series.push_back(std::move(series));
+        if (!is_discretisation(scheme)) front.label += (left_out++ == 0 ? " without " : ", ") + scheme;
     }
     if (!front.points.empty()) plot.series.push_back(std::move(front));
     if (below) {

@@ -128,12 +128,14 @@ void detail::release_temporary(TemporaryPath* temporary) {
     if (temporary != nullptr) temporary->used = false;
 }
 
-std::string Cell::text(int digits) const {
+std::string Cell::text(std::optional<int> digits) const {
     if (const auto* text = std::get_if<std::string>(&value_)) return *text;
     std::array<char, 64> buffer;
     char* const end = buffer.data() + buffer.size();
     if (const auto* number = std::get_if<double>(&value_)) {
-        return {buffer.data(), std::to_chars(buffer.data(), end, *number, std::chars_format::general, digits).ptr};
+        return {buffer.data(), digits
+                                   ? std::to_chars(buffer.data(), end, *number, std::chars_format::general, *digits).ptr
+                                   : std::to_chars(buffer.data(), end, *number).ptr};
     }
     if (const auto* integer = std::get_if<long long>(&value_)) {
         return {buffer.data(), std::to_chars(buffer.data(), end, *integer).ptr};
@@ -279,8 +281,11 @@ std::string sidecar_text(const Options& options) {
     entry("command_line", shell_quoted(options.words()));
     entry("version", build_info::version);
     entry("git_revision", build_info::git_revision);
+    if (!options.replay_note().empty()) entry("replay", options.replay_note());
     text += "\n[given]\n";
     for (const auto& [name, value] : options.given_values()) entry(name, value);
+    if (!options.inputs().empty()) text += "\n[inputs]  # 64-bit FNV-1a of the contents\n";
+    for (const auto& [name, checksum] : options.inputs()) entry(name, checksum);
     text += "\n[options]  # with defaults; what mesh and method do not use has no effect\n";
     for (const auto& [name, value] : options.values()) entry(name, value);
     text += "\n[build]\n";
@@ -298,7 +303,7 @@ std::string sidecar_text(const Options& options) {
     entry("c11", "-force per width / (a G creepage); c11_exact = pi/(2(1-nu)), plane limit b >> a of a rectangle");
     entry("units", "dimensionless with a = G = V = 1; columns ending in _us in microseconds");
     entry("errors", "relative_error = value/exact - 1, signed, for real quantities; absolute value for complex ones");
-    entry("cells", "17 significant digits; an undefined value is an empty cell");
+    entry("cells", "the shortest text that is read back exactly; an undefined value is an empty cell");
     return text;
 }
 

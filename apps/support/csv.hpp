@@ -17,12 +17,12 @@
 
 namespace study {
 
-/// One cell: a number, a text, or nothing. Numbers that are not finite are nothing.
+/// One cell: a number, a text, or nothing. Numbers that are not finite are nothing, and zero has no sign.
 class Cell {
 public:
     Cell() = default;
     Cell(std::floating_point auto number) {
-        if (std::isfinite(number)) value_ = static_cast<double>(number);
+        if (std::isfinite(number)) value_ = static_cast<double>(number) + 0.0;
     }
     Cell(std::integral auto number) : value_(static_cast<long long>(number)) {}
     Cell(std::string text) : value_(std::move(text)) {}
@@ -30,8 +30,9 @@ public:
     template <class Value>
     Cell(const std::optional<Value>& value) : Cell(value ? Cell(*value) : Cell()) {}
 
-    /// Numbers with up to 17 significant digits (by default), which is what a double needs to be read back exactly.
-    std::string text(int digits = 17) const;
+    /// A number with up to that many significant digits; without `digits` it is the shortest text that is read back as
+    /// the same double.
+    std::string text(std::optional<int> digits = {}) const;
 
     std::optional<double> number() const {
         if (const auto* number = std::get_if<double>(&value_)) return *number;

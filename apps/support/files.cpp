@@ -49,6 +49,7 @@ std::string contents(const Options& options, const std::string& name) {
     const int error = errno;
     if (descriptor > STDERR_FILENO) ::close(descriptor);
     if (count < 0) throw BadInput(options.said(name) + " must be a file that can be read: " + std::strerror(error));
+    options.note_input(name, text);
     const std::string_view start = std::string_view(text).substr(0, 2);
     if (start == "\xFF\xFE" || start == "\xFE\xFF") throw BadInput(options.said(name) + " must be UTF-8, not UTF-16");
     if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
@@ -67,6 +68,15 @@ std::size_t character_length(std::string_view text) {
         if ((static_cast<unsigned char>(text[k]) & 0xC0) != 0x80) return 0;
     }
     return length;
+}
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t length = character_length(text);
+        if (length == 0) return false;
+        text.remove_prefix(length);
+    }
+    return true;
 }
 
 std::string printable(std::string_view text) {

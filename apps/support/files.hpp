@@ -18,6 +18,8 @@ std::string contents(const Options& options, const std::string& name);
 /// Bytes of the first character of a text in UTF-8, which must not be empty; 0 if it does not start with a character.
 std::size_t character_length(std::string_view text);
 
+bool is_utf8(std::string_view text);
+
 /// The text for a message: control characters and bytes that are not UTF-8 become \xNN.
 std::string printable(std::string_view text);
 

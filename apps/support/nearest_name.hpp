@@ -26,8 +26,22 @@ inline std::size_t edit_distance(const std::string& from, const std::string& to)
     return before.back();
 }
 
-/// The nearest of `names`, or the first that begins with `word`; empty if none is near.
+/// The letters and digits of `name` in lower case.
+inline std::string plain(const std::string& name) {
+    std::string result;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0) result += static_cast<char>(std::tolower(byte));
+    }
+    return result;
+}
+
+/// The nearest of `names`: one that differs in case, hyphens and underscores only, or by the fewest letters, or the
+/// first that begins with `word`; empty if none is near.
 inline std::string nearest_name(const std::string& word, const std::vector<std::string>& names) {
+    const auto same = [&](const std::string& name) { return plain(name) == plain(word); };
+    const auto spelled = std::find_if(names.begin(), names.end(), same);
+    if (spelled != names.end() && !plain(word).empty()) return *spelled;
     std::string nearest;
     std::size_t least = word.size() < 4 ? 2 : 3;  // fewer changes than that are near
     for (const std::string& name : names) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,13 +41,14 @@ std::vector<Scene> make_non_steady_scenes(const Options& options, Methods method
     return scenes;
 }
 
-Sine read_sine(const Options& options, const Rule& rule) {
+Sine read_sine(const Options& options) {
     const std::string text = options.text("sine");
     const std::size_t comma = text.find(',');
     const auto amplitude = detail::parse_number<double>(text.substr(0, comma));
     const auto omega = comma == std::string::npos ? std::nullopt : detail::parse_number<double>(text.substr(comma + 1));
-    if (!amplitude || !omega || !rule.holds(*amplitude) || !(*omega > 0) || !std::isfinite(*omega)) {
-        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP " + rule.text + " and OMEGA > 0");
+    if (!amplitude || !omega || !std::isfinite(*amplitude) || *amplitude == 0 || !(*omega > 0) ||
+        !std::isfinite(*omega)) {
+        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
     }
     return {*amplitude, *omega};
 }
@@ -84,11 +87,22 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
     return allowed[static_cast<std::size_t>(chosen - words.begin())];
 }
 
-rollbem::RollingSystem<double> system_of(const Scene& scene) {
+std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene) {
     using System = rollbem::RollingSystem<double>;
-    return scene.visit([](const auto& mesh, const auto& scheme,
-                          const auto& kernel) -> System { return rollbem::rolling_system(mesh, scheme, kernel); },
-                       [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
+    try {
+        return scene.visit(
+            [](const auto& mesh, const auto& scheme, const auto& kernel) -> System {
+                return rollbem::rolling_system(mesh, scheme, kernel);
+            },
+            [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
+    } catch (const std::invalid_argument&) {  // all else has been checked with the options
+        return std::nullopt;
+    }
+}
+
+rollbem::RollingSystem<double> system_of(const Scene& scene) {
+    if (std::optional<rollbem::RollingSystem<double>> system = system_if_finite(scene)) return *std::move(system);
+    throw BadInput("--aspect = " + aspect_cell(scene.contact).text() + " must be such that G and G' are finite");
 }
 
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {

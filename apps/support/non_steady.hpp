@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,8 @@ struct Sine {
 /// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
 inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
-/// --sine AMP,OMEGA. Throws BadInput unless OMEGA is positive and finite and AMP obeys the rule, whose text follows
-/// "must be AMP,OMEGA with AMP".
-Sine read_sine(const Options& options, const Rule& amplitude);
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
 
 /// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
 /// --help. Throws BadInput.
@@ -52,7 +52,11 @@ std::string word(rollbem::Integrator integrator);
 /// --integrator, one of those `allowed`. Throws BadInput.
 rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
 
-/// Of elements or Chebyshev states.
+/// Of elements or Chebyshev states; nothing if a matrix has entries that are not finite, as for b/a near the limits of
+/// double.
+std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene);
+
+/// The same, but throws BadInput, naming --aspect, if there is none.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
 /// Further words of columns called status.

@@ -1,8 +1,11 @@
 #include "options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <iterator>
 #include <sstream>
 
@@ -90,11 +93,10 @@ Options::Options(std::string program, const std::string& purpose)
     app_->set_version_flag("--version", version())->group("Program");
     app_->get_option("--version")->description("print version and git revision and exit");
     group("Program");
-    add_input(
-        "config",
-        "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; or from a "
-        "FILE.toml beside results, to repeat that run without its outputs, --jobs and --shard. The command line takes "
-        "precedence. Every input FILE may be -, standard input");
+    add_input("config",
+              "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; or from a "
+              "FILE.toml beside results, to repeat that run without its outputs and --jobs. The command line takes "
+              "precedence. Every input FILE may be -, standard input");
 
     group("Discretisation");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
@@ -108,8 +110,11 @@ Options::Options(std::string program, const std::string& purpose)
         join(mesh_names(rollbem::Grading::epsilon), ", ") +
             " mesh: size of the end element over that of an inner one, 1e-12 to 1e12 (dimensionless)",
         "0.4");
-    add("method", "NAME", "collocation, galerkin or knothe-bc (Knothe and Gross-Thebing's boundary conditions)",
+    add("method", "NAME",
+        "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions) or nodes (differences "
+        "between the --nodes of neighbouring elements)",
         "collocation");
+    add("nodes", "NAME", "with --method nodes: centres of elements, or chebyshev with --mesh cosine", "centres");
     add("quadrature", "N|exact", "galerkin: 1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact");
     add("alpha-L", "LIST",
         "position of the leading element's point ahead of its centre, in widths of the element, -2 to 2 "
@@ -119,6 +124,9 @@ Options::Options(std::string program, const std::string& purpose)
     add("alpha", "LIST", "sets alpha-L and alpha-T to the same values, -2 to 2 (dimensionless)");
     add("lambda", "LIST", "G is taken at lambda times these alphas, 0 to 1 (dimensionless)", "1");
     add("derivative", "NAME", "fd or analytic; default: fd, but analytic for galerkin with exact quadrature");
+
+    replaces("alpha", {"alpha-L", "alpha-T"});
+    replaces("edges", {"n", "mesh", "size-ratio", "epsilon"});
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
@@ -204,14 +212,28 @@ void Options::refuse_group(const std::string& heading, const std::string& reason
     for (const std::string& name : members(heading, allowed)) refuse(name, reason);
 }
 
-void Options::footer(const std::string& text) {
-    app_->footer(text +
-                 "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
-                 "3 --plot without\ngnuplot (the CSV is written); 4 error while writing; 130 interrupted.");
+void Options::footer(const std::string& text, std::vector<Topic> topics) {
+    topics_ = std::move(topics);
+    std::string listed = topics_.empty() ? "" : "\nMore by --help TOPIC:\n";
+    for (const Topic& topic : topics_) {
+        listed += "  " + topic.name + std::string(topic.name.size() < 11 ? 11 - topic.name.size() : 1, ' ') +
+                  topic.summary + "\n";
+    }
+    app_->footer(
+        text + listed +
+        "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
+        "3 no picture, as gnuplot\nis missing or fails or no row has a point to draw (the CSV is written); 4 error "
+        "while writing; 130 interrupted.");
+}
+
+void Options::replaces(const std::string& name, std::vector<std::string> others) {
+    alternatives_.emplace_back(name, std::move(others));
 }
 
 std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     words_.assign(argv, argv + argc);
+    if (std::optional<std::string> text = topic()) return text;
+    check_words();
     try {
         app_->parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -228,6 +250,7 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     if (given("config")) {
         check_inputs();
         read_config();
+        drop_replaced();
     }
     for (const auto& [name, reason] : refused_) {
         if (given(name)) throw BadInput(said(name) + " cannot be used here: " + reason);
@@ -359,6 +382,30 @@ std::vector<std::pair<std::string, std::string>> Options::values() const {
     return result;
 }
 
+std::string Options::replay_note() const {
+    for (const auto& [name, checksum] : inputs_) {
+        if (!is_utf8(text(name))) return "impossible: the name of the file of --" + name + " is not UTF-8";
+    }
+    for (const auto& [name, checksum] : inputs_) {
+        if (text(name) == "-") return "needs the file of --" + name + " on standard input again";
+    }
+    return "";
+}
+
+void Options::note_input(const std::string& name, std::string_view contents) const {
+    if (name == "config") return;
+    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+    for (const char c : contents) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
+    const auto expected = expected_.find(name);
+    if (expected != expected_.end() && entry(name).option->count() == 0 && expected->second != text.data()) {
+        throw BadInput(said(name) + " must be the file of the run that " + said("config") +
+                       " repeats, but its contents have changed: " + text.data() + " instead of " + expected->second);
+    }
+    inputs_[name] = text.data();
+}
+
 std::string Options::version() const {
     return program_ + " " + std::string(build_info::version) + " (" + std::string(build_info::git_revision) + ")";
 }
@@ -370,6 +417,7 @@ void Options::read_config() {
         if (replays_ && setting.section.empty() && setting.name == "program" && setting.values[0] != program_) {
             throw BadInput(setting.where + " must be " + program_ + ", whose run this is to repeat");
         }
+        if (replays_ && setting.section == "inputs") expected_[setting.name] = setting.values[0];
         if (replays_ && setting.section != "given") continue;
         const auto found = entries_.find(setting.name);
         if (found == entries_.end() || setting.name == "config") {
@@ -378,13 +426,56 @@ void Options::read_config() {
         }
         const Kind kind = found->second.kind;
         const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
-        if (replays_ && (writes || setting.name == "jobs" || setting.name == "shard")) continue;
+        if (replays_ && (writes || setting.name == "jobs")) continue;
         const bool one_word = setting.values.size() == 1;
         if (found->second.kind == Kind::flag && !(one_word && setting.values[0] == "true") &&
             !(one_word && setting.values[0] == "false")) {
             throw BadInput(setting.where + " must be true or false");
         }
         found->second.configured = std::move(setting.values);
+    }
+}
+
+std::optional<std::string> Options::topic() const {
+    const auto help = std::find_if(words_.begin(), words_.end(), [](const std::string& word) {
+        return word == "-h" || word == "--help" || word.rfind("--help=", 0) == 0;
+    });
+    if (topics_.empty() || help == words_.end()) return std::nullopt;
+    const std::size_t equals = help->find('=');
+    const bool follows = equals == std::string::npos && help + 1 != words_.end() && help[1].rfind('-', 0) != 0;
+    if (equals == std::string::npos && !follows) return std::nullopt;
+    const std::string name = follows ? help[1] : help->substr(equals + 1);
+    std::vector<std::string> names;
+    for (const Topic& topic : topics_) {
+        if (topic.name == name) return topic.text;
+        names.push_back(topic.name);
+    }
+    throw BadInput("--help = " + name + " must be one of " + join(names, ", "));
+}
+
+void Options::check_words() const {
+    for (std::size_t i = 1; i < words_.size(); ++i) {
+        const std::string& word = words_[i];
+        const std::size_t equals = std::min(word.find('='), word.size());
+        const auto found = word.rfind("--", 0) == 0 ? entries_.find(word.substr(2, equals - 2)) : entries_.end();
+        if (found == entries_.end() || found->second.kind == Kind::flag) continue;
+        if (equals + 1 == word.size()) throw BadInput(word.substr(0, equals) + " = '' must not be empty");
+        if (equals < word.size() || i + 1 == words_.size()) continue;
+        ++i;
+        if (words_[i].rfind("--", 0) == 0) {
+            throw BadInput(word + " must have a value: " + words_[i] + " is another option");
+        }
+    }
+}
+
+void Options::drop_replaced() {
+    const auto typed = [&](const std::string& name) { return entry(name).option->count() > 0; };
+    for (const auto& [name, others] : alternatives_) {
+        const bool drops = std::any_of(others.begin(), others.end(), typed);
+        for (const std::string& other : others) {
+            if (typed(name)) entries_.at(other).configured.clear();
+        }
+        if (drops) entries_.at(name).configured.clear();
     }
 }
 

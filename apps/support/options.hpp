@@ -51,6 +51,12 @@ std::optional<Number> parse_number(std::string_view text) {
 /// The words joined by `separator`.
 std::string join(const std::vector<std::string>& words, const std::string& separator);
 
+/// A part of the help that --help NAME prints instead of the options.
+struct Topic {
+    std::string name, summary;  ///< one line
+    std::string text;
+};
+
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
@@ -92,8 +98,12 @@ public:
     void refuse_group(const std::string& heading, const std::string& reason,
                       const std::vector<std::string>& allowed = {});
 
-    /// Text below the options in --help, exactly as given; the exit codes follow it.
-    void footer(const std::string& text);
+    /// Says that --name takes the place of `others`: a configuration file's values of one side give way to the other
+    /// side on the command line.
+    void replaces(const std::string& name, std::vector<std::string> others);
+
+    /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
+    void footer(const std::string& text, std::vector<Topic> topics = {});
 
     /// Reads the command line. Returns a text to print instead of running (--help, --version); throws BadInput.
     std::optional<std::string> parse(int argc, const char* const* argv);
@@ -142,6 +152,16 @@ public:
     /// Every option that takes a value, with the value used in this run, for the file beside the results.
     std::vector<std::pair<std::string, std::string>> values() const;
 
+    /// Every file read so far except that of --config, by option, with its checksum.
+    const std::map<std::string, std::string>& inputs() const { return inputs_; }
+
+    /// Why the file beside the results cannot repeat this run, or what else it takes; empty if nothing.
+    std::string replay_note() const;
+
+    /// To be called with the contents of each file that is read. Throws BadInput if this run repeats another one, whose
+    /// file was different.
+    void note_input(const std::string& name, std::string_view contents) const;
+
 private:
     enum class Kind { value, flag, input, output, table, folder };
 
@@ -166,7 +186,16 @@ private:
     /// The words that CLI11 did not expect, for a message.
     std::string unexpected() const;
 
+    /// The text of --help TOPIC, if that is what the words ask for. Throws BadInput for an unknown topic.
+    std::optional<std::string> topic() const;
+
+    /// Throws BadInput if an option that takes a value has none: the next word would be taken for it.
+    void check_words() const;
+
     void read_config();
+
+    /// Drops what a configuration file says in place of an option of the command line.
+    void drop_replaced();
 
     /// Throws BadInput if an output is also an input of this run or another output.
     void check_files() const;
@@ -188,7 +217,11 @@ private:
     std::map<std::string, Entry> entries_;
     std::vector<std::pair<std::string, std::string>> refused_;
     std::vector<std::string> words_;
-    bool replays_ = false;  ///< --config is the file beside a CSV file
+    std::vector<Topic> topics_;
+    std::vector<std::pair<std::string, std::vector<std::string>>> alternatives_;
+    bool replays_ = false;                         ///< --config is the file beside a CSV file
+    std::map<std::string, std::string> expected_;  ///< checksums of the run to repeat, by option
+    mutable std::map<std::string, std::string> inputs_;
 };
 
 }  // namespace study

@@ -40,6 +40,11 @@ inline Pairs read_pairs(const Options& options, const std::string& name, const s
             columns = cells_of(text, separator);
             const bool has_both = column(0) < columns.size() && column(1) < columns.size();
             if (!has_both) throw BadInput(where + " must be " + header);
+            for (const std::string& one : names) {
+                if (std::count(columns.begin(), columns.end(), one) > 1) {
+                    throw BadInput(where + " must have one column " + one + " only");
+                }
+            }
             continue;
         }
         const std::vector<std::string> cells = cells_of(text, separator);
@@ -56,6 +61,10 @@ inline Pairs read_pairs(const Options& options, const std::string& name, const s
         if (!place.holds(*x)) throw BadInput(where + ": " + names[0] + " must " + place.text);
         if (!pairs.places.empty() && *x < pairs.places.back()) {
             throw BadInput(where + " must not lie before the line above it");
+        }
+        const std::size_t count = pairs.places.size();
+        if (count > 1 && *x == pairs.places[count - 1] && *x == pairs.places[count - 2]) {
+            throw BadInput(where + " must not be the third row at one " + names[0] + ": two make a jump");
         }
         pairs.places.push_back(*x);
         pairs.values.push_back(*y);

@@ -92,8 +92,27 @@ std::string title_command(const std::string& title, std::ptrdiff_t widest) {
            gnuplot_string(title.substr(end + 2)) + ")\n";
 }
 
+/// Ticks of a linear x axis whose values hardly differ, where gnuplot's own would overlap: at the first and the last.
+/// Empty for gnuplot's ticks.
+std::string ticks_of_neighbours(const Plot& plot) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Series& series : plot.series) {
+        for (const auto& point : series.points) {
+            low = std::min(low, point.first);
+            high = std::max(high, point.first);
+        }
+    }
+    if (plot.x_range || !(high - low < 0.01 * std::max(std::abs(low), std::abs(high)))) return "";
+    const std::string first = Cell(low).text(6), last = Cell(high).text(6);
+    return first == last ? first : first + "," + last;
+}
+
 /// Colour, dashes and markers of a series. References are black.
-std::string style_of(const Series& series, std::size_t style) {
+std::string style_of(const Series& given, std::size_t style) {
+    Series series = given;
+    const bool single = given.points.size() == 1;
+    series.markers = given.markers || single;
+    series.open = given.open || (single && given.reference);  // it may lie on another
     constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
                                  "#332288", "#882255", "#999933", "#777777", "#8B4513", "#AA4499"};
     constexpr std::array dashes{"1", "(12,6)", "(3,4)", "(12,5,3,5)", "(20,6,6,6)"};
@@ -108,7 +127,8 @@ std::string style_of(const Series& series, std::size_t style) {
 }
 
 bool has_place(const Plot& plot, const std::pair<double, double>& point) {
-    return (!plot.log_x || point.first > 0) && (!plot.log_y || point.second > 0);
+    return std::isfinite(point.first) && std::isfinite(point.second) && (!plot.log_x || point.first > 0) &&
+           (!plot.log_y || point.second > 0);
 }
 
 std::string panel_script(const Plot& plot, bool alone) {
@@ -139,6 +159,8 @@ std::string panel_script(const Plot& plot, bool alone) {
     if (plot.log_x) {
         const std::string ticks = logarithmic_ticks(plot);
         if (!ticks.empty()) script += "set xtics (" + ticks + ")\n";
+    } else if (const std::string ticks = ticks_of_neighbours(plot); !ticks.empty()) {
+        script += "set xtics (" + ticks + ")\n";
     }
     std::vector<std::string> commands;
     std::size_t curves = 0, drawn = 0, references = 0;  // drawn: of those with a label
@@ -149,8 +171,12 @@ std::string panel_script(const Plot& plot, bool alone) {
         if (is_counted(series) && ++drawn > most_curves) continue;
         const std::string data = "$data" + std::to_string(k);
         script += data + " << EOD\n";
-        for (const auto& point : series.points) {
-            if (usable(point)) script += number_text(point.first) + " " + number_text(point.second) + "\n";
+        for (const auto& point : series.points) {  // an empty line interrupts the curve, two would end it
+            if (usable(point)) {
+                script += number_text(point.first) + " " + number_text(point.second) + "\n";
+            } else if (script.rfind("\n\n") != script.size() - 2) {
+                script += "\n";
+            }
         }
         script += "EOD\n";
         commands.push_back(data + " with " + style_of(series, style) +
@@ -262,8 +288,9 @@ void keep_spaces(std::string& svg) {
 
 std::string shown_name(const std::string& column) {
     static const std::map<std::string, std::string> names{
-        {"alpha_L", "α_L"},          {"alpha_T", "α_T"}, {"lambda", "λ"},  {"epsilon", "ε"},
-        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},  {"poisson", "ν"}, {"lateral_ratio", "δ_y"}};
+        {"alpha_L", "α_L"}, {"alpha_T", "α_T"},          {"lambda", "λ"},
+        {"epsilon", "ε"},   {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},
+        {"poisson", "ν"},   {"lateral_ratio", "δ_y"},    {"creepage_ratio", "δ"}};
     const auto found = names.find(column);
     return found == names.end() ? column : found->second;
 }
@@ -294,17 +321,27 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
             series.emplace_back();
         }
         const std::optional<double> x = row[column(selection.x)].number(), y = row[column(selection.y)].number();
-        if (x && y) series[position->second].points.emplace_back(*x, selection.absolute ? std::abs(*y) : *y);
+        const double value = y.value_or(std::nan(""));
+        if (x) series[position->second].points.emplace_back(*x, selection.absolute ? std::abs(value) : value);
+    }
+    for (Series& each : series) {
+        const auto& points = each.points;
+        if (std::none_of(points.begin(), points.end(), [](const auto& point) { return std::isfinite(point.second); })) {
+            each.points.clear();
+        }
     }
     const auto append = [](std::string& text, const std::string& name, const std::string& value) {
         if (value.empty()) return;
-        const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos;
-        text += (text.empty() ? "" : ", ") + (speaks ? value : shown_name(name) + " = " + value);
+        const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos && name != "aspect";
+        text += (text.empty() ? "" : ", ") + (name == "kernel"       ? value + " kernel"
+                                              : name == "quadrature" ? "quadrature " + value
+                                              : speaks               ? value
+                                                                     : shown_name(name) + " = " + value);
     };
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool shared =
             std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key[i] == keys[0][i]; });
-        if (shared && !keys.empty() && i < selection.by.size()) append(plot.title, names[i], keys[0][i]);
+        if (shared && !keys.empty()) append(plot.title, names[i], keys[0][i]);
         for (std::size_t k = 0; k < keys.size() && !shared; ++k) append(series[k].label, names[i], keys[k][i]);
     }
     if (series.size() == 1) series[0].label = plot.y_label;

@@ -13,7 +13,8 @@
 
 namespace study {
 
-/// A line of the plot. Labels use gnuplot's enhanced text: x_1 is a subscript.
+/// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. A line of one
+/// point gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
 struct Series {
     std::string label;
     std::vector<std::pair<double, double>> points;
@@ -50,12 +51,12 @@ struct Plot {
 bool can_be_drawn(const Plot& plot);
 
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
-/// their label, what they share is appended to the title. Undefined points are left out.
+/// their label, what they share is appended to the title. Where y is undefined the line is interrupted.
 struct Selection {
     std::vector<std::string> by;
     std::string x, y;
     bool absolute = false;             ///< |y|
-    std::vector<std::string> apart{};  ///< as `by`, but where all rows have the same the title does not say so
+    std::vector<std::string> apart{};  ///< as `by`, behind those in titles and labels
 };
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,

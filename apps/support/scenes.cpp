@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "errors.hpp"
@@ -135,7 +136,8 @@ std::vector<Scene> make_chebyshev_scenes(const Options& options,
 }  // namespace
 
 const std::vector<std::string>& setting_columns() {
-    static const std::vector<std::string> columns{"kernel", "aspect", "poisson", "size_ratio", "epsilon", "quadrature"};
+    static const std::vector<std::string> columns{"kernel",  "aspect",     "poisson", "size_ratio",
+                                                  "epsilon", "quadrature", "nodes"};
     return columns;
 }
 
@@ -151,7 +153,8 @@ Row setting_cells(const Scene& scene) {
             scene.contact.poisson_ratio(),
             scene.size_ratio,
             scene.epsilon,
-            scene.quadrature};
+            scene.quadrature,
+            scene.nodes};
 }
 
 Row all_setting_cells(const Scene& scene) {
@@ -196,14 +199,15 @@ void offer_chebyshev(Options& options, const std::string& further) {
     options.set_help(
         "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 (dimensionless)");
     options.set_help("method",
-                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), or chebyshev: "
-                     "n states in place of elements, to which no other option of this group applies" +
+                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), nodes "
+                     "(differences between the --nodes of neighbouring elements), or chebyshev: n states in place of "
+                     "elements, to which no other option of this group applies" +
                          further);
 }
 
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
     using rollbem::Derivative;
-    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc"};
+    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
     if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
     if (methods == Methods::elements && options.text("method") == "chebyshev") {
         throw BadInput(options.said("method") + " must be one of " + join(names, ", ") +
@@ -211,18 +215,25 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     }
     const std::string method = options.choice("method", names);
     if (method == "chebyshev") return make_chebyshev_scenes(options, make_contacts(options, problem));
-    const bool has_alphas = method != "knothe-bc";
+    const bool by_nodes = method == "nodes", has_alphas = !by_nodes && method != "knothe-bc";
     if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
     if (!has_alphas) {
         for (const char* name : {"alpha-L", "alpha-T", "alpha", "lambda"}) {
-            options.ignored(name, "with --method knothe-bc, which takes the centres of the elements");
+            options.ignored(name, by_nodes ? "with --method nodes, which takes differences between --nodes"
+                                           : "with --method knothe-bc, which takes the centres of the elements");
         }
+    }
+    if (by_nodes) {
+        options.ignored("derivative", "with --method nodes, which takes differences");
+    } else {
+        options.ignored("nodes", "with --method " + method + "; it is for nodes");
     }
     const int quadrature =
         options.text("quadrature") == "exact" ? rollbem::exact_quadrature : int(options.integer("quadrature", 1, 1000));
     const std::string usual = method == "galerkin" && quadrature == rollbem::exact_quadrature ? "analytic" : "fd";
-    const std::string derivative_name =
-        options.given("derivative") ? options.choice("derivative", {"fd", "analytic"}) : usual;
+    const std::string derivative_name = by_nodes                      ? ""
+                                        : options.given("derivative") ? options.choice("derivative", {"fd", "analytic"})
+                                                                      : usual;
     const Derivative derivative = derivative_name == "fd" ? Derivative::finite_difference : Derivative::analytic;
 
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
@@ -230,6 +241,10 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
     const auto [mesh_name, meshes] = make_meshes(options);
+    const std::string nodes = by_nodes ? options.choice("nodes", {"centres", "chebyshev"}) : "";
+    if (nodes == "chebyshev" && mesh_name != "cosine") {
+        throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
+    }
 
     std::vector<Scene> scenes;
     for (const std::vector<GradedMesh>& graded : meshes) {
@@ -245,12 +260,17 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
                             .kernel = make_kernel(options, contacts.front())};
                 const std::string n = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
                                       std::to_string(mesh->size()) + " must be at least 2 ";
-                if (!has_alphas && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
+                if (method == "knothe-bc" && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
                 if (has_alphas) {
                     if (mesh->size() < 2 && alpha_L != alpha_T) throw BadInput(n + "where alpha-L and alpha-T differ");
                     scene.alpha_L = alpha_L;
                     scene.alpha_T = alpha_T;
                     scene.lambda = lambda;
+                }
+                if (by_nodes) {
+                    scene.scheme = rollbem::NodeDifference{nodes == "centres" ? rollbem::Nodes::centres
+                                                                              : rollbem::Nodes::chebyshev};
+                    scene.nodes = nodes;
                 }
                 if (method == "collocation") scene.scheme = rollbem::Collocation{alpha_L, alpha_T, derivative, lambda};
                 if (method == "galerkin") {
@@ -280,6 +300,33 @@ std::string steady_status(const Scene& scene, rollbem::Status status, double c11
     if (scene.chebyshev || scene.n() >= 10 || !(plane || scene.contact.aspect() >= wide)) return name(status);
     const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
     return std::abs(c11 / exact - 1) > 0.5 ? coarse : name(status);
+}
+
+void add_model_differences(
+    Plot& plot, const std::vector<Scene>& scenes,
+    const std::function<std::vector<std::pair<double, double>>(
+        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference) {
+    constexpr Eigen::Index states = 64;  // exact to rounding for b/a down to 0.3
+    double least = HUGE_VAL;
+    for (const Series& series : plot.series) {
+        for (const auto& [x, error] : series.points) least = error > 0 ? std::min(least, error) : least;
+    }
+    std::vector<Scene> strips;
+    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(strips), [](const Scene& scene) {
+        return std::holds_alternative<rollbem::StripKernel<double>>(scene.kernel) && scene.contact.aspect() >= 0.3;
+    });
+    const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
+    for (const rollbem::Contact<double>& contact : contacts) {
+        const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
+        Series line{.label = "strip against plane", .points = {}, .markers = false, .reference = true};
+        if (contacts.size() > 1) {
+            line.label +=
+                ", b/a = " + Cell(contact.aspect()).text(6) + ", ν = " + Cell(contact.poisson_ratio()).text(6);
+        }
+        line.points = difference(rollbem::Chebyshev{states}, kernel, contact);
+        const auto is_near = [&](const auto& point) { return point.second > least / 10; };
+        if (std::any_of(line.points.begin(), line.points.end(), is_near)) plot.series.push_back(std::move(line));
+    }
 }
 
 }  // namespace study

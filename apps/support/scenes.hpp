@@ -2,9 +2,11 @@
 // kernel. n is the outermost loop, then lambda, alpha_L, alpha_T, the mesh's grading, the aspect and Poisson's ratio.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,6 +19,7 @@
 
 #include "csv.hpp"
 #include "options.hpp"
+#include "plot.hpp"
 
 namespace study {
 
@@ -28,14 +31,15 @@ enum class Methods { elements, elements_and_states };
 
 /// One case to compute, and its names in the columns.
 struct Scene {
-    std::string method, derivative{}, mesh_name{};         ///< the latter two empty for Chebyshev states
+    std::string method, derivative{}, mesh_name{};         ///< the latter two empty where the method has none
     std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
     std::optional<double> size_ratio{}, epsilon{};         ///< [-]; empty where the mesh has none
     std::string quadrature{};                              ///< a number of points or exact; empty except for galerkin
+    std::string nodes{};                                   ///< empty except for nodes
     rollbem::Contact<double> contact;                      ///< a = G = 1
     std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
-    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary> scheme{};
+    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference> scheme{};
     std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>> kernel;
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh->size(); }
@@ -62,7 +66,7 @@ struct Scene {
 };
 
 /// Columns that tell scenes apart after those of method, n, alphas and lambda: kernel, aspect, poisson, size_ratio,
-/// epsilon, quadrature. And the same after method, derivative and mesh.
+/// epsilon, quadrature, nodes. And the same after method, derivative and mesh.
 const std::vector<std::string>& setting_columns();
 const std::vector<std::string>& all_setting_columns();
 
@@ -102,5 +106,13 @@ inline constexpr const char* coarse = "coarse";  ///< few elements, and an error
 /// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
 /// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
+
+/// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
+/// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,
+/// contact) are the points (x, |strip/plane - 1|). Left out where the curves lie far above.
+void add_model_differences(
+    Plot& plot, const std::vector<Scene>& scenes,
+    const std::function<std::vector<std::pair<double, double>>(
+        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference);
 
 }  // namespace study

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <variant>
 
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
@@ -93,30 +94,36 @@ TEST_CASE("Values that differ by round-off have converged", "[richardson]") {
 
 TEST_CASE("Recommended elements follow the measured table, and tolerances beyond it are rejected", "[recommendation]") {
     const auto elements = [](double tolerance, auto purpose) { return recommended_elements(tolerance, purpose).n; };
-    CHECK(elements(1e-3, Purpose::steady) == 8);
-    CHECK(elements(1e-4, Purpose::steady) == 16);
-    CHECK(elements(1e-5, Purpose::steady) == 34);
-    CHECK(elements(1e-6, Purpose::steady) == 58);
-    CHECK(elements(1e-8, Purpose::steady) == 220);
-    CHECK(recommended_elements(1e-5, Purpose::steady).topology == Topology::uniform);
-    CHECK(recommended_elements(1e-6, Purpose::steady).topology == Topology::cosine);
+    CHECK(elements(1e-3, Purpose::steady) == 6);
+    CHECK(elements(1e-4, Purpose::steady) == 10);
+    CHECK(elements(1e-5, Purpose::steady) == 18);
+    CHECK(elements(1e-6, Purpose::steady) == 30);
+    CHECK(elements(1e-8, Purpose::steady) == 96);
+    const auto nodes = [](const RecommendedElements& best) { return std::get<NodeDifference>(best.scheme.kind).nodes; };
+    for (const double tolerance : {0.1, 1e-6}) {
+        CHECK(nodes(recommended_elements(tolerance, Purpose::steady)) == Nodes::centres);
+        CHECK(nodes(recommended_elements(tolerance, Purpose::frequency)) == Nodes::centres);
+        CHECK(nodes(recommended_scheme(tolerance > 0.01 ? 0.1 : 1e-4, Purpose::friction)) == Nodes::chebyshev);
+        CHECK(std::holds_alternative<Collocation>(recommended_elements(tolerance, Purpose::time_loop).scheme.kind));
+        CHECK(recommended_elements(tolerance, Purpose::steady).topology == Topology::cosine);
+    }
     CHECK(elements(1e-2, Purpose::frequency) == 16);
     CHECK(elements(1e-4, Purpose::frequency) == 70);
     CHECK(elements(1e-6, Purpose::frequency) == 322);
     CHECK(elements(1e-2, Purpose::time_loop) == 5);
     CHECK(elements(1e-4, Purpose::time_loop) == 43);
     CHECK(elements(1e-6, Purpose::time_loop) == 425);
-    CHECK(elements(1e-2, Purpose::friction) == 15);
-    CHECK(elements(1e-3, Purpose::friction) == 51);
-    CHECK(elements(1e-4, Purpose::friction) == 175);
+    CHECK(elements(1e-2, Purpose::friction) == 12);
+    CHECK(elements(1e-3, Purpose::friction) == 37);
+    CHECK(elements(1e-4, Purpose::friction) == 115);
     // the smallest counts measured
     CHECK(elements(0.5, Purpose::steady) == 6);
     CHECK(elements(0.9, Purpose::frequency) == 4);
     CHECK(elements(0.5, Purpose::time_loop) == 4);
     CHECK(elements(0.5, Purpose::friction) == 4);
     // the bound is that of the recommended number of elements
-    CHECK(recommended_elements(0.5, Purpose::steady).error_bound == Approx(0.19 * std::pow(6, -2.8)).epsilon(1e-14));
-    CHECK(recommended_elements(0.5, Purpose::friction).error_bound == Approx(1.4 * std::pow(4, -1.85)).epsilon(1e-14));
+    CHECK(recommended_elements(0.5, Purpose::steady).error_bound == Approx(0.8 * std::pow(6, -4)).epsilon(1e-14));
+    CHECK(recommended_elements(0.5, Purpose::friction).error_bound == Approx(1.3 * std::pow(4, -2)).epsilon(1e-14));
     const auto refused = [&](auto purpose) {
         for (const double bad : {1.0, 0.0, -1e-3, nan, 1e-12})
             CHECK_THROWS_AS(elements(bad, purpose), std::invalid_argument);
@@ -143,7 +150,7 @@ TEST_CASE("States are recommended in full adhesion, elements with friction", "[r
     static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::frequency)), RecommendedStates>);
     static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::time_loop)), RecommendedStates>);
     static_assert(std::is_same_v<decltype(recommended_scheme(0.1, Purpose::friction)), RecommendedElements>);
-    CHECK(recommended_scheme(1e-3, Purpose::friction).n == 51);
+    CHECK(recommended_scheme(1e-3, Purpose::friction).n == 37);
 
     const auto states = [](double tolerance, Purpose::Adhesion purpose, double aspect = 10) {
         return recommended_scheme(tolerance, purpose, aspect).method.states;
@@ -192,16 +199,15 @@ TEST_CASE("A recommendation passes its method, or its mesh and scheme, to a solv
         if constexpr (sizeof...(method) == 1) {
             return (static_cast<double>(method.states), ...);
         } else {
-            return [](const Mesh<double>& mesh, const Collocation& scheme) {
-                CHECK(scheme.alpha_L == 0.5);
-                CHECK(scheme.alpha_T == 0.5);
+            return [](const Mesh<double>& mesh, const RecommendedRows& scheme) {
+                CHECK(unknown_count(scheme, mesh) == mesh.size());
                 return 1 + std::pow(static_cast<double>(mesh.size()), -2);
             }(method...);
         }
     };
     CHECK(recommended_scheme(1e-6, Purpose::frequency).evaluate(solve) == 11);
     CHECK(calls == 1);
-    CHECK(recommended_scheme(1e-3, Purpose::friction).evaluate(solve) == 1 + std::pow(51, -2));
+    CHECK(recommended_scheme(1e-3, Purpose::friction).evaluate(solve) == 1 + std::pow(37, -2));
     CHECK(calls == 2);
     CHECK(std::abs(recommended_elements(1e-4, Purpose::frequency).evaluate(solve) - 1) < 1e-15);  // extrapolated
     CHECK(calls == 4);

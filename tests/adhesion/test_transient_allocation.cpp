@@ -267,7 +267,7 @@ TEST_CASE("A step with friction that falls with slip does not allocate, however 
                 const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
                 const FrictionModel<Law> model(
                     contact, rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel), unchecked,
-                    {{0.3, 0.18, 0.1}, {distance, 1e-3}, 495e6 * mean_hertz_pressure(mesh)}, integrator);
+                    {{0.3, 0.18, 0.1}, 495e6 * mean_hertz_pressure(mesh), {distance, 1e-3}}, integrator);
                 FrictionState<> now = model.at_rest(), next = now;
                 FrictionWorkspace<> workspace = model.workspace();
                 NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
@@ -280,8 +280,8 @@ TEST_CASE("A step with friction that falls with slip does not allocate, however 
                     const auto motion = dq == 0 ? RigidMotion<double>::shift(1e-6) : RigidMotion<double>(creepage);
                     const FrictionStep<> step = k % 30 == 20 ? model.steady(now, creepage, 45, next, workspace)
                                                 : k % 3 == 0 && dq > 0
-                                                    ? model.advance(now, dq, duration, motion, load, next, workspace)
-                                                    : model.advance(now, dq, duration, motion, next, workspace);
+                                                    ? model.advance(now, {dq, duration}, motion, load, next, workspace)
+                                                    : model.advance(now, {dq, duration}, motion, next, workspace);
                     ok = ok && step.status == StepStatus::ok;
                     most_rounds = std::max(most_rounds, step.rounds);
                     std::swap(now, next);
@@ -289,7 +289,7 @@ TEST_CASE("A step with friction that falls with slip does not allocate, however 
                 int cheap = 0;  // steps in which nothing changes any more
                 for (int k = 0; k < 120 && distance > 0; ++k) {
                     const double dq = 0.4 * 4e-3;
-                    const FrictionStep<> step = model.advance(now, dq, dq / 45, 1e-3, load, next, workspace);
+                    const FrictionStep<> step = model.advance(now, {dq, dq / 45}, 1e-3, load, next, workspace);
                     ok = ok && step.status == StepStatus::ok;
                     cheap += now.solver.unchanged_steps > 1 + n / 2 ? 1 : 0;
                     std::swap(now, next);
@@ -310,7 +310,8 @@ TEST_CASE("A steady solution with friction does not allocate, even in its fallba
     for (const Eigen::Index n : {20, 200}) {
         const Mesh<double> mesh = cosine_mesh<double>(n);
         const SteadyFrictionModel<> model(contact, mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5},
-                                          PlaneKernel<double>::longitudinal(contact), {1, mean_hertz_pressure(mesh)});
+                                          PlaneKernel<double>::longitudinal(contact), {1, mean_hertz_pressure(mesh)},
+                                          unchecked);
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();
@@ -336,9 +337,10 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
             const Mesh<double> mesh = cosine_mesh<double>(c.n);
             const Collocation scheme{.alpha_L = c.alpha_L, .alpha_T = c.alpha_T};
             const FrictionModel<ConstantFriction<>, 2> model(
-                contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-                rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact)), unchecked,
-                {0.3, mean_hertz_pressure(mesh)}, integrator);
+                contact,
+                {rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
+                 rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
+                unchecked, {0.3, mean_hertz_pressure(mesh)}, integrator);
             FrictionState<2> now = model.at_rest(), next = now;
             const FrictionWorkspace<2> made = model.workspace();
             FrictionWorkspace<2> workspace = made;  // a copy serves as well
@@ -370,21 +372,28 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
 
 TEST_CASE("The combined solver does not allocate, whichever of its attempts succeeds", "[friction]") {
     constexpr Eigen::Index n = 6;
-    detail::CombinedSolver<double> solver(n);
+    detail::CombinedSolver<double> uncoupled(n), coupled(n, true);
+    const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
     const std::vector<Zone> zones(n, Zone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
     std::mt19937 generator(11);
     std::normal_distribution<double> normal;
     int several = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
-        for (const std::size_t direction : {0, 1}) {
-            for (double& entry : solver.new_matrix(direction).reshaped()) entry = normal(generator);
+        detail::CombinedSolver<double>& solver = problem % 2 == 0 ? uncoupled : coupled;
+        for (const std::size_t slip : {0, 1}) {
+            for (const std::size_t by : {0, 1}) {
+                if (slip != by && !solver.coupled()) continue;
+                for (double& entry : solver.new_matrix(slip, by).reshaped()) entry = normal(generator);
+            }
         }
         for (double& entry : solver.constant().reshaped()) entry = normal(generator);
         VectorX<double> bound(n);
         for (double& entry : bound) entry = std::abs(normal(generator));
         const long before = allocations;
+        if (problem % 4 > 1) solver.turn_slip(behind);
         const auto outcome = solver.solve(bound, start, zones);
+        solver.turn_slip({});
         const long after = allocations;
         CAPTURE(problem, outcome.rounds);
         CHECK(after == before);
@@ -407,9 +416,10 @@ TEST_CASE("Friction that falls with slip in two directions does not allocate, wh
                 const Mesh<double> mesh = cosine_mesh<double>(n);
                 const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
                 const FrictionModel<Law, 2> model(
-                    contact, rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-                    rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact)), unchecked,
-                    {{0.3, 0.18, 0.1}, {distance, 1e-3}, 495e6 * mean_hertz_pressure(mesh)}, integrator);
+                    contact,
+                    {rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
+                     rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
+                    unchecked, {{0.3, 0.18, 0.1}, 495e6 * mean_hertz_pressure(mesh), {distance, 1e-3}}, integrator);
                 FrictionState<2> now = model.at_rest(), next = now;
                 FrictionWorkspace<2> workspace = model.workspace();
                 NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
@@ -425,9 +435,9 @@ TEST_CASE("Friction that falls with slip in two directions does not allocate, wh
                     if (k % 30 == 20) {
                         step = model.steady(now, creepage, 45, next, workspace);
                     } else if (k % 3 == 0 && dq > 0) {
-                        step = model.advance(now, dq, duration, motion, load, next, workspace);
+                        step = model.advance(now, {dq, duration}, motion, load, next, workspace);
                     } else {
-                        step = model.advance(now, dq, duration, motion, next, workspace);
+                        step = model.advance(now, {dq, duration}, motion, next, workspace);
                     }
                     ok = ok && step.status == StepStatus::ok;
                     most_rounds = std::max(most_rounds, step.rounds);

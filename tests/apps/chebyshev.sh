@@ -23,7 +23,7 @@ near() {
 for study in steady traction stability frequency 'transient --step 1'; do
     s="$programs/${study%% *}_study --method chebyshev --output x.csv"
     case $study in *' '*) s="$s ${study#* }" ;; esac
-    for option in mesh=cosine edges=e size-ratio=2 epsilon=0.4 quadrature=exact derivative=fd alpha=0.5 alpha-L=0 \
+    for option in mesh=cosine edges=e size-ratio=2 epsilon=0.4 quadrature=exact nodes=centres derivative=fd alpha=0.5 alpha-L=0 \
         alpha-T=0.63; do
         bad "--${option%=*} = ${option#*=} has no effect with --method chebyshev" $s --$option
     done
@@ -42,9 +42,10 @@ for study in stability frequency 'transient --step 1'; do
     bad '--aspect = 0.1 must be larger than' $s --kernel plane --aspect 0.1
 done
 bad '--method = chebyshev must be collocation or galerkin with --critical' $stability --critical
+bad '--method = nodes must be collocation or galerkin with --critical' ${stability%% *} --method nodes --critical
 bad 'has too few states for so narrow a strip' $transient --step 1 --n 4 --aspect 0.3 --output x.csv
 for options in '' '--transient --creepage-ratio 0.5'; do
-    bad '--method = chebyshev must be one of collocation, galerkin, knothe-bc: friction' \
+    bad '--method = chebyshev must be one of collocation, galerkin, knothe-bc, nodes: friction' \
         "$programs/friction_study" --method chebyshev --output x.csv $options
 done
 
@@ -127,6 +128,9 @@ bad '--shard = 1/2 cannot go with --state-space' $f --n 8 --shard 1/2 --state-sp
 bad 'rcond of G = ' $f --n 300 --state-space d --output x.csv
 bad 'does not converge to full adhesion' $f --n 20 --alpha 1.5 --state-space d
 bad 'has too few states' $f --method chebyshev --n 4 --aspect 0.3 --state-space d
+bad '--states = 3 has no effect without --state-space' $f --n 8 --states 3
+bad '--states = 9 must be an integer in [1, 8]' $f --method chebyshev --n 8 --state-space d --states 9
+bad '--states = 0 must be an integer in [1, 8]' $f --method chebyshev --n 8 --state-space d --states 0
 f="$f --method chebyshev --n 8"
 bad "--state-space = '' must not be empty" $f --state-space ''
 bad '--state-space = - must be a folder that can be written' $f --state-space -
@@ -184,6 +188,17 @@ done
 $f $plane --state-space exact >out
 awk -F, 'NR == 3 { exit !($7 < 1e-13 && $7 != "") }' out || fail 'the table beside the files'
 grep -q ',-0\|^-0$' exact/*.csv && fail 'negative zeros'
+# reduced: the steady state of the table, and elsewhere within the bound
+$frequency --n 24 --omega 0,0.7,5 $plane --state-space reduced --states 5 >out
+[ "$(wc -l <reduced/A.csv)" -eq 5 ] && grep -q '^states = 5$' reduced/state_space.toml || fail 'number of states'
+value() { sed -n "s/^$1 = \([^ ]*\).*/\1/p" reduced/state_space.toml; }
+tail -n +2 out | while IFS=, read -r _ z re im _; do
+    c11 "$z" reduced | awk -v z="$z" -v re="$re" -v im="$im" -v bound="$(value error_bound)" \
+        -v left="$(value largest_hankel_singular_value_left_out)" '{ error = sqrt(($1 - re) ^ 2 + ($2 - im) ^ 2)
+            read = left > 0 && bound >= 2 * left && bound < 0.02
+            exit z == 0 ? error > 1e-13 : error > bound || error < bound / 1000 } END { if (!read) exit 1 }' || echo "$z"
+done >wrong
+[ ! -s wrong ] || fail "the reduced system at omega = $(cat wrong)"
 if command -v python3 >/dev/null && python3 -c 'import numpy, tomllib' 2>/dev/null; then
     python3 - <<'END' || fail 'numpy does not read the files'
 import numpy as np, tomllib

@@ -48,6 +48,13 @@ bad '--quiet = 3 must be true or false' "$steady" --quiet=3
 bad '--foo' "$steady" --foo
 bad 'foo' "$steady" foo
 bad '--n' "$steady" --n
+# an option without its value does not take the next one for it
+bad "--output = '' must not be empty" "$steady" --output= --quiet
+bad "--n = '' must not be empty" "$steady" --n= 20
+bad '--output must have a value: --quiet is another option' "$steady" --output --quiet
+bad '--alphaT is not an option; did you mean --alpha-T?' "$steady" --alphaT 0.5
+bad '--alphal is not an option; did you mean --alpha-L?' "$steady" --alphal 0.5
+bad '--sizeratio is not an option; did you mean --size-ratio?' "$steady" --sizeratio 2
 bad '--alpha-t is not an option; did you mean --alpha-T?; see --help' "$steady" --alpha-t 0.5
 bad '--alpah-T is not an option; did you mean --alpha-T?; see' "$steady" --alpah-T=0.5
 bad '-n is not an option; did you mean --n?' "$steady" -n 20
@@ -67,6 +74,12 @@ bad '--size-ratio = 2 has no effect with --mesh cosine; it is for --mesh geometr
 bad '--quadrature = 3 has no effect with --method collocation' "$steady" --quadrature 3
 bad '--alpha-T = 0.5 has no effect with --alpha' "$steady" --alpha 0.5 --alpha-T 0.5
 bad '--alpha-T = 0.5 has no effect with --method knothe-bc' "$steady" --method knothe-bc --alpha-T 0.5
+for option in alpha-L=0 alpha-T=0.5 alpha=0.5 lambda=1 derivative=fd quadrature=3; do
+    bad "--${option%=*} = ${option#*=} has no effect with --method nodes" "$steady" --method nodes --$option
+done
+bad '--nodes = centres has no effect with --method collocation' "$steady" --nodes centres
+bad '--nodes = edges must be one of centres, chebyshev' "$steady" --method nodes --nodes edges
+bad '--nodes = chebyshev must be centres unless --mesh is cosine' "$steady" --method nodes --nodes chebyshev
 bad '--lambda = 0.4' "$steady" --lambda 0.4
 bad '--n = 10 has no effect with --edges' "$steady" --edges "$scratch/edges" --n 10
 bad '--mesh = uniform has no effect with --edges' "$steady" --edges "$scratch/edges" --mesh uniform
@@ -95,7 +108,7 @@ good 2 "$steady" --n 10 --alpha-T -0.2
 good 2 "$steady" --n 10 --aspect inf
 good 2 "$steady" --edges "$scratch/edges"
 for mesh in uniform geometric knothe modified-knothe cosine; do
-    for method in collocation galerkin knothe-bc; do
+    for method in collocation galerkin knothe-bc nodes; do
         good 2 "$steady" --n 12 --mesh $mesh --method $method
     done
 done
@@ -103,15 +116,15 @@ good 2 "$steady" --n 12 --method galerkin --quadrature 7 --derivative analytic -
 "$steady" --help | grep -q 'Example' || fail "--help has no example"
 "$steady" --version | grep -q '^steady_study [0-9]' || fail "--version"
 
+good 2 "$steady" --n 40 --mesh cosine --kernel plane --method nodes --nodes chebyshev
+check 'nodes' '$1 == "nodes" && $2 $5 $6 $21 == "" && $22 == "chebyshev" && ($10 / 1.908e-4 - 1) ^ 2 < 1e-6'
+
 # everything that is varied has a column, and every empty cell a reason
 good 9 "$steady" --n 12 --mesh knothe --epsilon 0.3,0.4 --aspect 10,inf --poisson 0.1,0.2 --alpha 0.5
-[ "$(head -n 1 out | cut -d, -f15-)" = status,kernel,aspect,poisson,size_ratio,epsilon,quadrature ] || fail "settings"
+[ "$(head -n 1 out | cut -d, -f15-)" = status,kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes ] || fail "settings"
 check 'settings of a steady row' '$15 == "ok" && $16 == ($17 == "inf" ? "plane" : "strip") && $19 == "" && $21 == ""'
-[ "$(tail -n +2 out | cut -d, -f17,18,20 | tr '\n' ' ')" = "10,0.10000000000000001,0.29999999999999999 \
-10,0.20000000000000001,0.29999999999999999 inf,0.10000000000000001,0.29999999999999999 \
-inf,0.20000000000000001,0.29999999999999999 10,0.10000000000000001,0.40000000000000002 \
-10,0.20000000000000001,0.40000000000000002 inf,0.10000000000000001,0.40000000000000002 \
-inf,0.20000000000000001,0.40000000000000002 " ] || fail "order of settings"
+[ "$(tail -n +2 out | cut -d, -f17,18,20 | tr '\n' ' ')" = "10,0.1,0.3 10,0.2,0.3 inf,0.1,0.3 inf,0.2,0.3 \
+10,0.1,0.4 10,0.2,0.4 inf,0.1,0.4 inf,0.2,0.4 " ] || fail "order of settings"
 check 'each Poisson ratio has its own exact value' '($8 * (1 - $18) - 1.5707963267948966) ^ 2 < 1e-28'
 [ "$(cut -d, -f7 out | sort -u | wc -l)" -eq 9 ] || fail "settings that make no difference"
 good 3 "$steady" --n 12 --mesh geometric --size-ratio 2,3
@@ -143,9 +156,8 @@ for shard in 1 2 3; do "$steady" --n 8,9 --aspect 1,10 --poisson 0,0.5 --no-timi
 
 # order of rows: n, then alpha_L, then alpha_T
 "$steady" --n 20,10 --alpha-L 0,0.1 --alpha-T 0.6,0.5 >out
-[ "$(cut -d, -f4-6 out | tail -n +2 | tr '\n' ' ')" = "20,0,0.59999999999999998 20,0,0.5 \
-20,0.10000000000000001,0.59999999999999998 20,0.10000000000000001,0.5 10,0,0.59999999999999998 10,0,0.5 \
-10,0.10000000000000001,0.59999999999999998 10,0.10000000000000001,0.5 " ] || fail "order of rows"
+[ "$(cut -d, -f4-6 out | tail -n +2 | tr '\n' ' ')" = "20,0,0.6 20,0,0.5 20,0.1,0.6 20,0.1,0.5 \
+10,0,0.6 10,0,0.5 10,0.1,0.6 10,0.1,0.5 " ] || fail "order of rows"
 
 # c11 itself: within 1e-4 of Carter's at n = 20
 "$steady" --n 20 --aspect inf --poisson 0.25 | awk -F, '

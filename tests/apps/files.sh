@@ -57,22 +57,60 @@ check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 ==
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
 
-# the file beside the rows repeats a run: the same rows, without its outputs, jobs and shard
+# also where it takes one of two options that exclude each other
+printf 'alpha-T = 0.5\nalpha-L = 0.1\nn = 10\n' >c.toml
+good 2 "$steady" --config c.toml --alpha 0.4
+check 'alpha in place of a configured alpha-T' '$5 == 0.4 && $6 == 0.4'
+printf 'alpha = 0.4\nn = 10\n' >c.toml
+good 2 "$steady" --config c.toml --alpha-T 0.5
+check 'alpha-T in place of a configured alpha' '$5 == 0 && $6 == 0.5'
+printf 'n = 10\nmesh = cosine\nedges = none\n' >c.toml
+good 2 "$steady" --config c.toml --mesh uniform
+printf 'n = 10\nmesh = knothe\nepsilon = 0.3\n' >c.toml
+good 2 "$steady" --config c.toml --edges "$scratch/edges"
+printf 'n = 10\nomega = 3\n' >c.toml
+good 6 "$programs/frequency_study" --config c.toml --points 5
+printf 'n = 10\nstep = 1\nuntil = 1\n' >c.toml
+good 21 "$programs/transient_study" --config c.toml --ramp 1
+printf 'alpha = 0.4\nalpha-T = 0.5\n' >"$scratch/both.toml"
+bad '--alpha-T = 0.5 has no effect with --alpha' "$steady" --config "$scratch/both.toml"
+
+# the file beside the rows repeats a run: the same rows, without its outputs and jobs
 printf '%s\n' -1 -0.2 0.5 1 >own
 "$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv || fail run.csv
 sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
 [ "$(cut -d' ' -f1 given | tr '\n' ' ')" = '[given] quiet alpha-T alpha-L jobs no-timing edges shard output  ' ] ||
     fail "options in the order typed: $(cat given)"
-good 3 "$steady" --config run.csv.toml
+good 1 "$steady" --config run.csv.toml
+cmp -s out run.csv || fail "the part of a run that is repeated"
+good 3 "$steady" --config run.csv.toml --shard 1/1
 "$steady" --alpha-T 0.5,0.6 --no-timing --edges own | cmp -s - out || fail "rows of a run that is repeated"
-good 2 "$steady" --config run.csv.toml --alpha-T 0.5
+good 2 "$steady" --config run.csv.toml --alpha-T 0.5 --shard 1/1
 cp run.csv before
 "$steady" --config run.csv.toml --shard 2/2 --output run.csv && cmp -s before run.csv || fail "a run over itself"
 grep -q '^edges = "own"' run.csv.toml || fail "the options of a run that is repeated are lost"
-good 3 "$steady" --config run.csv.toml
+good 1 "$steady" --config run.csv.toml
 mkdir parts
 (cd parts && "$steady" --config ../run.csv.toml --edges ../own >../out) && [ -z "$(ls -A parts)" ] ||
     fail "a run that is repeated writes its files again"
+# a table that has changed does not repeat the run; another one may be given
+printf '%s\n' -1 -0.2 0.6 1 >own
+"$steady" --config run.csv.toml >out 2>err
+[ $? -eq 2 ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] &&
+    grep -q -e '--edges = own must be the file of the run that --config = run.csv.toml repeats' err ||
+    fail "a table that has changed: $(cat out err)"
+good 1 "$steady" --config run.csv.toml --edges own
+"$steady" --quiet --edges - --output stdin.csv <"$scratch/edges" || fail stdin.csv
+grep -q '^replay = "needs the file of --edges on standard input again"' stdin.csv.toml || fail "standard input: $(cat stdin.csv.toml)"
+"$steady" --config stdin.csv.toml <"$scratch/edges" | cut -d, -f1-11 >again
+cut -d, -f1-11 stdin.csv | cmp -s - again || fail "standard input again"
+"$steady" --config stdin.csv.toml <own >out 2>err
+[ $? -eq 2 ] && grep -q 'contents have changed' err || fail "another standard input: $(cat out err)"
+odd=$(printf 'odd\377')
+cp own "$odd" && "$steady" --quiet --edges "$odd" --output odd.csv || fail odd.csv
+grep -q '^replay = "impossible: the name of the file of --edges is not UTF-8"' odd.csv.toml || fail "$(cat odd.csv.toml)"
+! grep -q '^replay' run.csv.toml || fail "a note without a reason"
+rm -f "$odd" odd.csv* stdin.csv*
 bad 'program = "steady_study" must be traction_study' "$programs/traction_study" --config "$scratch/run.csv.toml"
 cp run.csv.toml run.svg
 "$steady" --config run.svg --plot run.svg 2>err

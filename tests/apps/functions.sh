@@ -41,6 +41,10 @@ bad_pairs() {
     done
     printf '%s\n0.5,1\n0,1\n' "$columns" >"$scratch/pairs"
     bad 'line 3 = 0,1 must not lie before' "$@" "$scratch/pairs"
+    printf '%s\n0,1\n0.5,1\n0.5,2\n0.5,1\n' "$columns" >"$scratch/pairs"
+    bad "line 5 = 0.5,1 must not be the third row at one ${columns%,*}" "$@" "$scratch/pairs"
+    printf '%s,%s\n0,1,2\n' "$columns" "${columns#*,}" >"$scratch/pairs"
+    bad "line 1 = $columns,${columns#*,} must have one column ${columns#*,} only" "$@" "$scratch/pairs"
     printf '%s\n' "$columns" >"$scratch/pairs"
     bad 'must have at least one row below its header' "$@" "$scratch/pairs"
 }

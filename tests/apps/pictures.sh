@@ -12,6 +12,8 @@ draws() {
     sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' p.svg | sed 's/<[^>]*>//g' >words
 }
 says() { grep -qxF -e "$1" words || fail "no '$1' in: $(tr '\n' ';' <words)"; }
+# title TEXT: in one line or two
+title() { tr '\n' ' ' <words | grep -qF -e "$1" || fail "no title '$1' in: $(tr '\n' ';' <words)"; }
 says_not() { ! grep -qF -e "$1" words || fail "'$1' in: $(tr '\n' ';' <words)"; }
 curves() { [ "$(grep -c 'id="gnuplot_plot_' p.svg)" -eq "$1" ] || fail "not $1 curves: $(tr '\n' ';' <words)"; }
 
@@ -35,7 +37,7 @@ for omega in 0.01 0.1 1 10; do says $omega; done
 # at most twelve curves, and a note; exact values are always drawn
 alphas=$(seq -s, 0.4 0.02 0.68)
 draws $traction --n 10 --alpha-T "$alphas"
-says 'Traction in steady rolling, n = 10, αL = 0: the first 12 of 15 curves'
+title 'Traction in steady rolling, n = 10, αL = 0, collocation, fd, uniform, strip kernel, b/a = 1000, ν = 0.28: the first 12 of 15 curves'
 curves 13
 says 'αT = 0.62' && says_not 'αT = 0.64' && says Carter
 draws $traction --n 10 --alpha-T 0.5,0.6
@@ -58,7 +60,7 @@ grep -q 'font-family="sans-serif"' p.svg && ! grep -q Symbol p.svg || fail 'font
 [ "$(grep -c 'xml:space="preserve"' p.svg)" -gt 10 ] || fail 'texts with xml:space'
 # no legend for a single curve, a long title in two lines
 draws $steady --n 10,20
-says 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63'
+title 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
 [ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
 draws "$programs/friction_study" --transient --n 10 --sine 1,1 --until 2 --derivative analytic --mesh modified-knothe
 grep -q '^Rolling with friction, .*,$' words && says_not 'analytic, modified-knothe, n = 10, αL = 0.5, αT = 0.5, λ = 1' ||
@@ -72,8 +74,37 @@ draws "$programs/frequency_study" --n 10 --omega 0.1,1,5 --aspect 0.1
 says_not 'c11,exact'
 # tractions near the trailing edge do not dwarf all others, and the title says so
 draws $traction --n 80 --mesh cosine --alpha 0.5
-says 'Traction in steady rolling, n = 80, αL = 0.5, αT = 0.5; down to -64.4 at the trailing edge'
+title 'Traction in steady rolling, n = 80, αL = 0.5, αT = 0.5, collocation, fd, cosine, strip kernel, b/a = 1000, ν = 0.28; down to -64.4 at the trailing edge'
 says_not '-20'
+
+# the difference between strip and plane beside errors that come near it, and only there
+draws $steady --n 20,40 --mesh cosine --alpha 0.5 --aspect 10
+says 'strip against plane'
+draws $steady --n 20,40 --mesh cosine --alpha 0.5 --aspect 1000
+says_not 'strip against plane'
+draws $steady --n 20,40 --mesh cosine --alpha 0.5 --aspect 10 --kernel plane
+says_not 'strip against plane'
+draws "$programs/frequency_study" --n 10,20 --omega 0.1,1,5 --mesh cosine --alpha 0.5 --aspect 10
+says 'strip against plane'
+# no line across a point without a value
+draws $steady --n 40 --alpha-T 0.1,0.4,-0.03,0.6,0.9
+[ "$(cut -d, -f15 out | tr '\n' ' ')" = 'status ok ok inconsistent ok ok ' ] || fail "no gap: $(cat out)"
+grep "^.<path stroke='rgb(  0, 114, 178)'" p.svg | grep -o 'M[^M]*L' | wc -l | grep -qw 2 || fail 'a line across a gap'
+# ticks of one frequency do not overlap, and its exact value is a point
+draws "$programs/frequency_study" --n 20 --omega 1
+says 0.0238524 && says 0.0238849 && says_not 0.023855
+# eigenvalues outside the picture are counted
+draws "$programs/stability_study" --spectrum --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --n 40
+title '; 13 of 40 are not shown'
+# what the creepage, the law and the load are; one symbol for the creepage ratio in axis and legend
+draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3
+says 'δy = 0.3' && says 'creepage ratio δx = ξx G / (2 (1 - ν) μ p0)'
+draws "$programs/friction_study" --transient --n 10 --creepage-ratio 0.5 --load-sine 0.5,8 --until 1
+title 'Rolling with friction, δ = 0.5, N/N0 = 1 + 0.5 sin(2π q/8), collocation'
+draws "$programs/friction_study" --n 10 --falling 0.6,1.2 --layer 0.5 --creepage-ratio 0.5,1
+title 'Creep curve, μ falls to μ0 times 0.6, by half at a slip of 1.2, layer 0.5, collocation'
+draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
+title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 
 # several panels as PNG, too
 for study in "friction_study --n 10" "precision_study --n 4,8" "frequency_study --n 10"; do

@@ -7,7 +7,7 @@ precision=$programs/precision_study
 
 # --- bad input
 p="$precision --output x.csv --n 4"
-for option in --mesh --edges --method --quadrature --alpha --alpha-L --alpha-T --lambda --derivative; do
+for option in --mesh --edges --method --nodes --quadrature --alpha --alpha-L --alpha-T --lambda --derivative; do
     bad "$option = 1 cannot be used here" $p $option 1
 done
 bad '--schemes = foo must be all, or some of uniform-0.5/0.5' $p --schemes cosine,foo
@@ -45,8 +45,17 @@ bad 'line 2 must name a scheme: sine' "$precision" --front ../wrong
 bad '--n = 4 has no effect with --front' "$precision" --front ../wrong --n 4
 bad '--schemes = all has no effect with --front' "$precision" --front ../wrong --schemes all
 
+# --- --recommend
+bad '--recommend = 1 must be above 0 and below 1' "$precision" --recommend 1
+bad '--n = 4 has no effect with --recommend' "$precision" --recommend 1e-4 --n 4
+"$precision" --recommend 1e-4 >lines || fail '--recommend'
+grep -q '^precision_study --quantity c11 --schemes richardson-nodes --n 10$' lines &&
+    grep -q '^friction_study --method nodes --nodes chebyshev --n 115$' lines || fail "--recommend: $(cat lines)"
+good 2 "$precision" --quantity c11 --schemes richardson-nodes --n 10
+check 'what is recommended meets its tolerance' '$4 < 1e-4 && $4 > -1e-4'
+
 # --- columns, rows, numbers
-good 47 "$precision" --n 20 --quantity c11,traction,c11_z1,friction_force --cheapest cheapest.csv
+good 63 "$precision" --n 20 --quantity c11,traction,c11_z1,friction_force --cheapest cheapest.csv
 header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status,kernel,aspect,poisson,size_ratio,epsilon
 check 'status and settings' '($9 == "ok") == ($4 != "") && $10 == "plane" && $11 == 1000 && $12 > 0.27'
 check 'gradings' '($13 == "") == ($1 != "geometric") && ($14 == "") == ($1 != "knothe")'
@@ -56,6 +65,10 @@ is uniform-0/0.63 c11 '($4 / -3.1e-5 - 1) ^ 2 < 1e-3 && $6 == 1'
 is cosine c11 '($4 / 4.304e-4 - 1) ^ 2 < 1e-6'
 is galerkin-cosine c11 '($4 / 4.304e-4 - 1) ^ 2 < 1e-6'
 is richardson-uniform c11 '($4 / -4.07e-5 - 1) ^ 2 < 1e-4'
+is nodes-cosine c11 '($4 / 1.213e-4 - 1) ^ 2 < 1e-6 && $6 == 1'
+is nodes-chebyshev c11 '($4 / 7.627e-4 - 1) ^ 2 < 1e-6 && $6 == 1'
+is richardson-nodes c11 '($4 / -4.73e-6 - 1) ^ 2 < 1e-4'
+is nodes-chebyshev friction_force '($4 / 3.5e-4 - 1) ^ 2 < 1e-3'
 is cosine friction_force '($4 / 3.0e-3 - 1) ^ 2 < 1e-3'
 is chebyshev-states c11 '$4 < 1e-14 && $4 > -1e-14 && $6 == 1 && $7 != ""'
 is chebyshev-states traction '$4 < 1e-13 && $7 != ""'

@@ -148,6 +148,21 @@ check 'each contact has its own exact value' '$7 < 1e-3 && $18 == "plane"'
 good 5 "$frequency" --method polynomial --aspect 10,100 --poisson 0,0.3 --omega 1
 check 'the same by polynomials' '$7 < 1e-12'
 bad '--aspect = 0.1 must be larger than' $f --n 20 --aspect 100,0.1 --omega 1
+# matrices that are not finite lose their row only, and name the option where there can be no row
+wide='--aspect 1000,1e-308'
+good 3 "$stability" --n 6 $wide
+check 'stability with an aspect that is too small' '$16 == ($18 == 1000 ? "ok" : "not_finite") && ($8 == "") == ($18 != 1000)'
+good 3 "$stability" --n 6 $wide --critical
+check 'critical alpha_T with an aspect that is too small' '$8 == ($10 == 1000 ? "ok" : "not_finite") && ($6 == "") == ($10 != 1000)'
+good 9 "$stability" --n 4 $wide --spectrum
+check 'eigenvalues with an aspect that is too small' '($9 == "not_finite") == ($14 != 1000) && ($2 == "") == ($14 != 1000)'
+good 5 "$frequency" --n 6 $wide --omega 0,1
+check 'c11 with an aspect that is too small' '($12 == "") == ($3 == "") && $14 == ($19 == 1000 ? "ok" : "not_finite") && ($3 == "") == ($19 != 1000)'
+bad '--aspect = 1e-308 must be such that G and G'"'"' are finite' "$programs/transient_study" --step 1 --n 6 $wide
+good 2 "$frequency" --method polynomial --omega 1 --aspect 1e308
+check 'the largest aspect' '$3 > 0 && $7 < 1e-12'
+good 2 "$frequency" --method polynomial --basis monomial --order 200 --omega 1
+check 'an estimate that is not zero' '$14 == "ok" && $12 == "" && $13 >= $7 && $13 < 1e-14'
 shards $f --n 7,9 --omega 0.1,1,3
 shards "$frequency" --method polynomial --order 10,20 --omega 0.1,1,3
 

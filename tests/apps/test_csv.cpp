@@ -67,6 +67,15 @@ TEST_CASE("A cell with a comma, a quote or a line break is quoted, and its own q
     CHECK(study::csv_line({"two\nlines", "r\rr"}) == "\"two\nlines\",\"r\rr\"\n");
 }
 
+TEST_CASE("A number is the shortest text that is read back exactly, and zero has no sign", "[csv]") {
+    CHECK(study::csv_line({0.55, -0.0, 1.0 / 3, 20.0, 1e300}) == "0.55,0,0.3333333333333333,20,1e+300\n");
+    CHECK(study::Cell(-0.0f).text() == "0");
+    CHECK(study::Cell(2.0 / 3).text(6) == "0.666667");
+    for (const double number : {0.1 + 0.2, 5e-324, 1.7976931348623157e308, -1e-5, 123456789.0}) {
+        CHECK(std::strtod(study::Cell(number).text().c_str(), nullptr) == number);
+    }
+}
+
 TEST_CASE("A TOML reader and a shell recover the command line from a sidecar", "[csv]") {
     const std::vector<std::vector<std::string>> lines{
         {"study", "--output", "plain.csv", "--n", "10,20"},

@@ -16,16 +16,14 @@ int main() {
     const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
     const FrequencySweep<double> sweep(system);
     const AdhesionModel<> model(contact, system, judge_stability(system));
-    const SteadyFrictionModel<> friction(
-        contact, mesh, scheme, kernel,
-        {.friction_coefficient = 0.3, .normal_pressure = 1e9 * mean_hertz_pressure(mesh)});
+    const SteadyFrictionModel friction(contact, mesh, scheme, kernel, {0.3, 1e9 * mean_hertz_pressure(mesh)});
     const auto rest = friction.at_rest();
     auto rolling = rest;
     auto workspace = friction.workspace();
-    const double creepage = 1e-9, force = friction.solve(rest, creepage, rolling, workspace).force;
+    const double creepage = 1e-9, force = friction.steady(rest, creepage, rolling, workspace).force;
     const SteadyFrictionModel falling(
         contact, mesh, scheme, kernel,
-        Friction<ExponentialFall<double>>{{0.3, 0.2, 1}, {}, 1e9 * mean_hertz_pressure(mesh)});
+        Friction<ExponentialFall<double>>{{0.3, 0.2, 1}, 1e9 * mean_hertz_pressure(mesh)});
     auto falling_to = falling.at_rest();
     auto falling_workspace = falling.workspace();
     const double falling_force = falling.steady(falling.at_rest(), creepage, 20, falling_to, falling_workspace).force;

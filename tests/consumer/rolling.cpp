@@ -17,8 +17,7 @@ int main() {
     const auto verdict = judge_stability(system);
     const AdhesionModel<> model(contact, system, verdict);
     const double force = model.force(model.steady(creepage)) / (2 * contact.half_width());
-    const FrictionModel<> friction(contact, system, verdict,
-                                   {.friction_coefficient = 0.3, .normal_pressure = 1e9 * mean_hertz_pressure(mesh)});
+    const FrictionModel friction(contact, system, verdict, {0.3, 1e9 * mean_hertz_pressure(mesh)});
     auto workspace = friction.workspace();
     auto rolling = friction.at_rest();
     const auto step = friction.steady(friction.at_rest(), creepage, rolling, workspace);

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
 
 TEMPLATE_TEST_CASE("Alpha is linear in the centre and exact at both ends", "[scheme]", float, double, long double) {
     using Scalar = TestType;
@@ -117,8 +118,8 @@ TEST_CASE("Chebyshev nodes require the cosine mesh", "[scheme]") {
     CHECK_NOTHROW(check_scheme(chebyshev, mesh_from_edges<double>(cosine_mesh(40).edges())));
     CHECK_NOTHROW(check_scheme(chebyshev, uniform_mesh(2)));  // both are the same
     CHECK_THROWS_WITH(check_scheme(chebyshev, uniform_mesh(3)),
-                      "NodeDifference: width of an element over that of the cosine mesh = 1.3333333333333333 must be "
-                      "1: Chebyshev nodes require the cosine mesh");
+                      ContainsSubstring("NodeDifference: width of an element over that of the cosine mesh = 1.333333") &&
+                          ContainsSubstring("must be 1: Chebyshev nodes require the cosine mesh"));
     CHECK_THROWS_AS(check_scheme(chebyshev, geometric_mesh(8, 1.5)), std::invalid_argument);
 }
 

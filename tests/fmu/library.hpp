@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    using Model = rollbem::FrictionModel<ConstantFriction<>, 2>;
+    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<>, 2>;
 
     static rollbem::HertzLine<double> line() {
         const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
@@ -58,9 +58,10 @@ private:
         const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
         const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
         using Kernel = rollbem::PlaneKernel<double>;
-        return Model(contact, rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
-                     rolling_system(mesh, scheme, Kernel::lateral(contact)), rollbem::unchecked,
-                     {friction_coefficient, load.normal_pressure});
+        return Model(contact,
+                     {rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
+                      rolling_system(mesh, scheme, Kernel::lateral(contact))},
+                     rollbem::unchecked, {friction_coefficient, load.normal_pressure});
     }
 
     static double length_of(const rollbem::HertzLine<double>& line, bool fixed) {

@@ -77,7 +77,7 @@ struct LoadedRide {
                    .poisson_ratio = nu}),
           along(rolling_system(mesh, half, PlaneKernel<double>::longitudinal(contact))),
           one(contact, along, unchecked, {1, load.normal_pressure}, integrator),
-          both(contact, along, rolling_system(mesh, half, PlaneKernel<double>::lateral(contact)), unchecked,
+          both(contact, {along, rolling_system(mesh, half, PlaneKernel<double>::lateral(contact))}, unchecked,
                {1, load.normal_pressure}, integrator) {}
 
     static HertzLine<double> line() {
@@ -94,8 +94,8 @@ struct LoadedRide {
             FrictionState<> next = now;
             FrictionState<2> both_next = both_now;
             if (k % 4 == 2) {
-                static_cast<FrictionStep<>&>(result) = one.advance(now, dq, xi.longitudinal, next, workspace);
-                static_cast<FrictionStep<2>&>(both_result) = both.advance(both_now, dq, xi, both_next, both_workspace);
+                result = one.advance(now, dq, xi.longitudinal, next, workspace);
+                both_result = both.advance(both_now, dq, xi, both_next, both_workspace);
             } else {
                 hertz.set(full_force * (1 + 0.5 * std::sin(0.1 * k)), load);
                 result = one.advance(now, dq, xi.longitudinal, load, next, workspace);

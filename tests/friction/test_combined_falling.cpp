@@ -226,7 +226,7 @@ TEST_CASE("Without lateral creepage two directions are one", "[friction]") {
     }
 }
 
-TEST_CASE("Where both directions are alike, nothing tells how the axes lie", "[friction]") {
+TEST_CASE("Where both directions are alike, the solution is invariant under rotation", "[friction]") {
     // nu = 0. The path turns by an angle as a whole: so do forces and tractions, at the same coefficients.
     for (const double distance : {0.0, 5e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -379,7 +379,7 @@ TEST_CASE("Random motions in two directions: each implicit step obeys kinematics
     CHECK(remembering > steps);
 }
 
-TEST_CASE("Tangents by both creepages and by the load against central differences", "[friction]") {
+TEST_CASE("Tangents by both creepages, the load and the half-length against central differences", "[friction]") {
     for (const double distance : {0.0, 10e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const Scene scene(cosine_mesh<double>(30), distance);
@@ -388,16 +388,16 @@ TEST_CASE("Tangents by both creepages and by the load against central difference
             State now = model.at_rest(), next = now, probe = now;
             const ArrayX<double>& pressure = scene.friction.normal_pressure;
             NormalLoad<double> load{pressure, a, pressure};
-            double worst = 0, worst_by_load = 0;
+            double worst = 0, worst_by_load = 0, worst_by_length = 0;
             int compared = 0;
             for (int k = 1; k <= 80; ++k) {
                 const Creepage<double> at{1.2e-3 + 8e-4 * std::sin(0.3 * k), 1.5e-3 * std::cos(0.17 * k)};
                 const bool shift = k % 4 == 0, steady = k % 20 == 10;
                 const double half_length = a * (1 + 0.05 * std::sin(0.4 * k));
-                const auto advance = [&](double x, double y, double more, State& to) {
+                const auto advance = [&](double x, double y, double more, double longer, State& to) {
                     const Creepage<double> end{at.longitudinal + x, at.lateral + y};
                     load.normal_pressure = pressure * (1 + 0.1 * std::sin(0.2 * k) + more);
-                    load.half_length = shift ? now.half_length : half_length;
+                    load.half_length = (shift ? now.half_length : half_length) + longer;
                     if (steady) return model.steady(now, end, rolling_speed, load, to, workspace);
                     const Motion motion = shift ? Motion::shift({1e-3 * a * end.longitudinal, 1e-3 * a * end.lateral})
                                           : k % 3 == 0 ? Motion::linear({1e-3, -5e-4}, end)
@@ -405,23 +405,25 @@ TEST_CASE("Tangents by both creepages and by the load against central difference
                     return model.advance(now, {shift ? 0 : 0.1 * a, 0.1 * a / rolling_speed}, motion, load, to,
                                          workspace);
                 };
-                const Step step = advance(0, 0, 0, next);
+                const Step step = advance(0, 0, 0, 0, next);
                 REQUIRE(step.status == StepStatus::ok);
                 constexpr double h = 1e-8, unit = 1e-6;
                 bool same = true;
-                const auto force = [&](double x, double y, double more) {
-                    const TangentialForce<double> at_probe = advance(x, y, more, probe).force_per_width;
+                const auto force = [&](double x, double y, double more, double longer) {
+                    const TangentialForce<double> at_probe = advance(x, y, more, longer, probe).force_per_width;
                     same = same && probe.zones == next.zones;
                     return at_probe;
                 };
-                const auto slope = [&](double x, double y, double more, double size) {
-                    const auto high = force(x, y, more), low = force(-x, -y, -more);
+                const auto slope = [&](double x, double y, double more, double longer, double size) {
+                    const auto high = force(x, y, more, longer), low = force(-x, -y, -more, -longer);
                     return TangentialForce<double>{(high.longitudinal - low.longitudinal) / (2 * size),
                                                    (high.lateral - low.lateral) / (2 * size)};
                 };
                 const double scale = shift ? 1e-3 * a : 1;
-                const auto by_x = slope(h, 0, 0, h * scale), by_y = slope(0, h, 0, h * scale);
-                const auto by_load = slope(0, 0, unit, unit);
+                const auto by_x = slope(h, 0, 0, 0, h * scale), by_y = slope(0, h, 0, 0, h * scale);
+                const auto by_load = slope(0, 0, unit, 0, unit);
+                const bool breathes = !shift && !steady;
+                const auto by_length = breathes ? slope(0, 0, 0, unit * a, unit * a) : TangentialForce<double>{};
                 if (same && step.stick_count > 3 && step.stick_count < 29) {
                     const auto& tangent = step.tangent_per_width;
                     const double size = std::abs(by_x.longitudinal) + std::abs(by_y.lateral);
@@ -436,7 +438,14 @@ TEST_CASE("Tangents by both creepages and by the load against central difference
                         const double off = std::hypot(load_tangent.longitudinal - by_load.longitudinal,
                                                       load_tangent.lateral - by_load.lateral);
                         worst_by_load = std::max(worst_by_load, off / full_force);
-                        CHECK(std::isnan(step.tangent_by_half_length_per_width.longitudinal));
+                    }
+                    const auto& length_tangent = step.tangent_by_half_length_per_width;
+                    if (breathes) {
+                        const double off = std::hypot(length_tangent.longitudinal - by_length.longitudinal,
+                                                      length_tangent.lateral - by_length.lateral);
+                        worst_by_length = std::max(worst_by_length, off * a / full_force);
+                    } else {
+                        CHECK(std::isnan(length_tangent.longitudinal));
                     }
                     ++compared;
                 }
@@ -445,6 +454,7 @@ TEST_CASE("Tangents by both creepages and by the load against central difference
             CAPTURE(distance, name(integrator));
             CHECK(worst < 1e-6);
             CHECK(worst_by_load < 1e-7);
+            CHECK(worst_by_length < 1e-6);
             CHECK(compared > 40);
         }
     }
@@ -657,7 +667,7 @@ TEST_CASE("In two directions a law that is no number, or has no solution, ends i
     const Scene scene(cosine_mesh<double>(20));
     const ArrayX<double>& pressure = scene.friction.normal_pressure;
     const FrictionModel<decltype(broken), 2> model(scene.contact, {scene.along(), scene.across()}, unchecked,
-                                                       {broken, pressure, {}});
+                                                       {broken, pressure});
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
@@ -674,7 +684,7 @@ TEST_CASE("In two directions a law that is no number, or has no solution, ends i
     const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene one(uniform_mesh<double>(1));
     const FrictionModel<decltype(torn), 2> without_solution(one.contact, {one.along(), one.across()}, unchecked,
-                                                                {torn, one.friction.normal_pressure, {}},
+                                                                {torn, one.friction.normal_pressure},
                                                                 Integrator::implicit_euler);
     Workspace small = without_solution.workspace();
     const State rest = without_solution.at_rest();

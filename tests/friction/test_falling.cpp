@@ -137,7 +137,7 @@ TEST_CASE("Each implicit step of random motions obeys law and memory", "[frictio
                     scene_number % 3 == 0 ? 0 : std::pow(10, uniform(-6.5, -4.5)));
         if (scene_number % 4 == 0) scene.scheme = {.alpha_L = 0.3, .alpha_T = 0.5};
         const Friction<Law> friction{
-            {0.3, uniform(0.05, 0.3), uniform(0.05, 1)}, {scene.distance, uniform(0, 2e-3)}, scene.pressure()};
+            {0.3, uniform(0.05, 0.3), uniform(0.05, 1)}, scene.pressure(), {scene.distance, uniform(0, 2e-3)}};
         const ElementSystem<double> system = scene.system();
         const FrictionModel<Law> model(scene.contact, system, unchecked, friction, Integrator::implicit_euler);
         auto workspace = model.workspace();
@@ -323,7 +323,7 @@ TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[fr
     const Law steep{.mu_0 = 0.3, .mu_k = 0, .half_velocity = 0.002};
     const Scene scene(cosine_mesh<double>(40));
     const SteadyFrictionModel<Law> model(scene.contact, scene.mesh, scene.scheme, scene.kernel,
-                                        {steep, scene.pressure(), {}});
+                                        {steep, scene.pressure()});
     auto workspace = model.workspace();
     constexpr int count = 31;
     const auto curve = [&](bool down) {
@@ -354,7 +354,7 @@ TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(scene.contact);
     const Law weak{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
     const FrictionModel<Law> model(scene.contact, rolling_system(scene.mesh, scene.scheme, kernel), unchecked,
-                                          {weak, {10e-6, 0}, scene.pressure() / 1000}, Integrator::sdirk2);
+                                          {weak, scene.pressure() / 1000, {10e-6, 0}}, Integrator::sdirk2);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.02 * a, creepage = 2e-3;
@@ -529,7 +529,7 @@ TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
     const auto broken = [](double v) { return v > 0.05 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(20));
     const FrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked,
-                                                       {broken, scene.pressure(), {}});
+                                                       {broken, scene.pressure()});
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
@@ -544,7 +544,7 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
     const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene scene(uniform_mesh<double>(1));
     const FrictionModel<decltype(torn)> model(scene.contact, scene.system(), unchecked,
-                                                     {torn, scene.pressure(), {}}, Integrator::implicit_euler);
+                                                     {torn, scene.pressure()}, Integrator::implicit_euler);
     auto workspace = model.workspace();
     State rest = model.at_rest(), next = rest;
     int failed = 0;
@@ -566,7 +566,7 @@ TEST_CASE("A law that is no number in between is not overlooked", "[friction]") 
     const auto gap = [](double v) { return v > 0.02 && v < 0.04 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(40));
     const FrictionModel<decltype(gap)> model(scene.contact, scene.system(), unchecked,
-                                                    {gap, scene.pressure(), {}}, Integrator::implicit_euler);
+                                                    {gap, scene.pressure()}, Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.05 * a, duration = dq / speed;
@@ -592,7 +592,7 @@ TEST_CASE("A law may rise from nothing", "[friction]") {
     const auto rising = [](double v) { return std::min(0.3, v); };
     const Scene scene(cosine_mesh<double>(40));
     const FrictionModel<decltype(rising)> model(scene.contact, scene.system(), unchecked,
-                                                       {rising, scene.pressure(), {}}, Integrator::implicit_euler);
+                                                       {rising, scene.pressure()}, Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     REQUIRE(model.steady(now, 5e-3, speed, next, workspace).status == StepStatus::ok);

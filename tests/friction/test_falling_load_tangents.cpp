@@ -15,7 +15,6 @@
 namespace {
 
 using namespace falling_tests;
-using LoadedStep = FrictionStep<>;
 
 constexpr double mean_load = std::numbers::pi / 2 * peak_pressure * a;  // [N/m]
 
@@ -40,7 +39,7 @@ struct LoadedScene {
           hertz(breathing ? HertzLoad<double>::breathing(line(), scene.mesh)
                           : HertzLoad<double>::fixed(line(), scene.mesh, half_length)),
           model(contact, rolling_system(scene.mesh, scene.scheme, PlaneKernel<double>::longitudinal(contact)),
-                unchecked, {law, {distance, least_velocity}, hertz.at(mean_load).normal_pressure}, integrator) {}
+                unchecked, {law, hertz.at(mean_load).normal_pressure, {distance, least_velocity}}, integrator) {}
 
     Scene scene;
     double half_length;
@@ -62,7 +61,7 @@ struct Trial {
     std::optional<By> by;
     double part = 0;
 
-    LoadedStep run(State& to, FrictionWorkspace<>& workspace) const {
+    Step run(State& to, FrictionWorkspace<>& workspace) const {
         const double change = by ? part * size_of(*by) : 0;
         NormalLoad<double> load = loaded.hertz.at(P + (by == By::load_and_half_length ? change : 0));
         if (by == By::load) load.normal_pressure += change * load.pressure_rate;
@@ -90,7 +89,7 @@ TEST_CASE("Tangents under a varying load agree with central differences", "[fric
                                 .end = 1.2e-3 + 7e-4 * std::sin(0.3 * k),
                                 .P = mean_load * (1 + 0.3 * std::sin(0.17 * k)),
                                 .by = std::nullopt};
-                    const LoadedStep step = trial.run(next, workspace);
+                    const Step step = trial.run(next, workspace);
                     REQUIRE(step.status == StepStatus::ok);
                     const double rate = breathing ? loaded.hertz.half_length_rate(trial.P) : 0;
                     const double tangents[4] = {step.tangent_per_width, step.tangent_by_load_per_width,
@@ -105,7 +104,7 @@ TEST_CASE("Tangents under a varying load agree with central differences", "[fric
                         const auto force = [&](double part) {
                             trial.by = by;
                             trial.part = part;
-                            const LoadedStep moved = trial.run(probe, workspace);
+                            const Step moved = trial.run(probe, workspace);
                             unchanged = unchanged && probe.zones == next.zones && moved.status == StepStatus::ok;
                             return moved.force_per_width / full_force;
                         };
@@ -143,7 +142,7 @@ TEST_CASE("Tangents that do not exist are NaN", "[friction][load]") {
     State to = rest;
     NormalLoad<double> load = loaded.hertz.at(mean_load);
     const double dq = 0.1 * a, duration = dq / speed;
-    LoadedStep step = loaded.model.advance(rest, {dq, duration}, 1e-3, load, to, workspace);
+    Step step = loaded.model.advance(rest, {dq, duration}, 1e-3, load, to, workspace);
     CHECK(std::isfinite(step.tangent_by_load));
     CHECK(std::isfinite(step.tangent_by_half_length));
     // a rigid shift knows no other half-length

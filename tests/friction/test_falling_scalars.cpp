@@ -35,7 +35,7 @@ std::vector<double> ride(double distance, Integrator integrator) {
     const FrictionMemory<Scalar> memory{static_cast<Scalar>(distance), static_cast<Scalar>(falling_tests::least_velocity)};
     const FrictionModel<ExponentialFall<Scalar>, 1, Scalar> model(
         contact, system, unchecked,
-        {falling, memory, static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh)}, integrator);
+        {falling, static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh), memory}, integrator);
     auto workspace = model.workspace();
     FrictionState<1, Scalar> now = model.at_rest(), next = now;
     std::vector<double> forces;

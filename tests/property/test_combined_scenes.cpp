@@ -47,7 +47,7 @@ void ride(Draw& draw, double aspect, Tally& tally) {
         }
         return result;
     };
-    const FrictionModel<ConstantFriction<>, 2> model(contact, along, across, unchecked, {mu, pressures(false)},
+    const FrictionModel<ConstantFriction<>, 2> model(contact, {along, across}, unchecked, {mu, pressures(false)},
                                               Integrator::implicit_euler);
     FrictionState<2> now = model.at_rest(), next = now;
     FrictionWorkspace<2> workspace = model.workspace();

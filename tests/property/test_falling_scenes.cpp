@@ -62,7 +62,7 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
         if (!(result.maxCoeff() > 0)) result[0] = peak;
         return result;
     };
-    const FrictionModel<AnyLaw> model(contact, system, unchecked, {law, memory, pressures(false)},
+    const FrictionModel<AnyLaw> model(contact, system, unchecked, {law, pressures(false), memory},
                                              Integrator::implicit_euler);
     FrictionState<> now = model.at_rest(), next = now;
     FrictionWorkspace<> workspace = model.workspace();

@@ -2,6 +2,6 @@
 
 namespace rollbem {
 
-ROLLBEM_SCALARS(, long double)
+ROLLBEM_LONG_DOUBLE()
 
 }  // namespace rollbem

@@ -20,8 +20,8 @@
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages, the outputs forces over a G per unit width (of
-/// a patch G a b), as of the system from which it was made; q = V t is the distance rolled, x are the system's unknowns,
+/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages, the outputs forces over a G per unit width
+/// (of a patch G a b), as of the system from which it was made; q = V t is the distance rolled, x are its unknowns,
 /// x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B + D; c11 if k = 1.
 template <class Scalar>
 struct StateSpace {

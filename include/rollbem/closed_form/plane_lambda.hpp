@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <numbers>
 #include <string>
 
 #include "../detail/finite.hpp"
@@ -24,7 +25,7 @@ void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
 /// Lambda = ln(4b/a) + c2/c1, with c2/c1 = nu/(1-nu) for longitudinal creepage and -nu for lateral; not checked.
 template <std::floating_point Scalar>
 Scalar plane_lambda_of(Scalar aspect, Scalar c2_over_c1) {
-    return std::log(4 * aspect) + c2_over_c1;
+    return std::log(aspect) + 2 * std::numbers::ln2_v<Scalar> + c2_over_c1;  // 4 aspect could overflow
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 #include "chebyshev.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
+#include "patch.hpp"
 #include "polynomial.hpp"
 #include "stability.hpp"
 #include "steady.hpp"

@@ -74,6 +74,16 @@ public:
                         "be positive and finite");
     }
 
+    /// The line contact with a = 1 and p0 = `peak`, under P = pi/2 peak. Throws std::invalid_argument unless peak is
+    /// positive and finite.
+    static HertzLine dimensionless(Scalar peak = 1) {
+        const ElasticBody<Scalar> body{.young_modulus = 4 * peak, .poisson_ratio = 0};
+        return HertzLine({.load_per_width = std::numbers::pi_v<Scalar> / 2 * peak,
+                          .combined_radius = 1,
+                          .body_1 = body,
+                          .body_2 = body});
+    }
+
     Scalar load_per_width() const { return parameters_.load_per_width; }  ///< P [N/m]
     Scalar half_length() const { return half_length_; }                   ///< a [m]
     Scalar peak_pressure() const {                                        ///< p0 [Pa]

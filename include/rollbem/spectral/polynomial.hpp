@@ -360,7 +360,7 @@ PolynomialSolution<Scalar> solve_monomial_once(
 
 /// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which
 /// determines the order: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error estimate is the
-/// difference from order + 10 with the exact B. The status is ill_conditioned or not_converged according to `options`;
+/// difference from order + 10 with the exact B, plus rounding. The status is ill_conditioned or not_converged according to `options`;
 /// monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless B is
 /// square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
 template <std::floating_point Scalar>
@@ -374,7 +374,8 @@ PolynomialSolution<Scalar> solve_monomial(
     PolynomialSolution<Scalar> solution = detail::solve_monomial_once<Scalar>(s, b);
     const PolynomialSolution<Scalar> higher =
         detail::solve_monomial_once<Scalar>(s, displacement_matrix(order + 10, poisson_ratio, aspect));
-    solution.error_estimate = std::abs(solution.c11 - higher.c11) / std::abs(solution.c11);
+    const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();  // both orders may round alike
+    solution.error_estimate = std::abs(solution.c11 - higher.c11) / std::abs(solution.c11) + rounding;
     solution.status = detail::polynomial_status(solution.c11, solution.error_estimate, options.tolerance);
     if (solution.status != Status::not_finite &&
         !(detail::is_finite(solution.condition) && solution.condition <= options.largest_condition)) {

@@ -15,7 +15,7 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 #include "combined_partition.hpp"
 #include "released_equations.hpp"
 #include "slip_turn.hpp"
@@ -373,7 +373,7 @@ private:
 
     Index size_;
     bool coupled_;
-    std::array<Side, 2> side_;      // empty if coupled,
+    std::array<Side, 2> side_;     // empty if coupled,
     std::array<Matrix, 4> block_;  // and these if not
     ReleasedEquations<Scalar> released_;
     Matrix factors_, whole_;

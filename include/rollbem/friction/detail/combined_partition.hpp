@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 
 namespace rollbem::detail {
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,7 +16,7 @@
 #include "../../detail/finite.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 #include "combined_equations.hpp"
 #include "combined_partition.hpp"
 #include "combined_split.hpp"
@@ -44,7 +45,7 @@ public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
-    using Zones = std::vector<CombinedZone>;
+    using Zones = std::vector<Zone>;
 
     struct Outcome {
         int rounds = 0;  ///< Newton steps, of all attempts
@@ -58,7 +59,7 @@ public:
     /// `coupled`: traction in one direction causes slip in the other, too.
     explicit CombinedSolver(Index n, bool coupled = false)
         : equations_(n, coupled),
-          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          zones_(static_cast<std::size_t>(n), Zone::stick),
           part_(n),
           reach_(Vector::Zero(n)),
           traction_(Vectors::Zero(n, 2)),
@@ -70,7 +71,7 @@ public:
           best_(n, 2),
           against_slip_(Vectors::Zero(n, 2)),
           begin_(n, 2),
-          begin_zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          begin_zones_(static_cast<std::size_t>(n), Zone::stick),
           turn_(n),
           split_(n) {}
 
@@ -110,14 +111,14 @@ public:
         turn_.stop();
         Outcome outcome;
         bool settled = search(bound, traction, zones, outcome);
-        outcome.residual = publish(bound);
-        if (settled && turn_.find(slip_, part_.slide)) {
+        if (settled && (turn_.turns() || turn_.find(slip_, part_.stick, part_.slide))) {
             begin_ = traction_;
-            begin_zones_ = zones_;
+            for (Index i = 0; i < size(); ++i) begin_zones_[static_cast<std::size_t>(i)] = zone(i);
             settled = search(bound, begin_, begin_zones_, outcome);
-            outcome.residual = publish(bound);
         }
-        outcome.tangent_exists = settled && equations_.factorise(part_, turn_);
+        outcome.residual = publish(bound);
+        if (has_tangent_) equations_.aim(part_, turn_);
+        outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
         const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
         outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
         return outcome;
@@ -156,6 +157,9 @@ private:
     static constexpr int longest = 60;  // steps of an attempt; rolling takes at most 16
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
+    // Residual over the sum of bounds from which on another step would not change the angles of the turn.
+    inline static const Scalar nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
+
     Scalar rounding() const { return static_cast<Scalar>(size() + 10) * epsilon; }
 
     // rho: from the largest influence on an element, as its own may vanish (central differences about its centre).
@@ -169,13 +173,20 @@ private:
         reach_is_known_ = true;
     }
 
+    Zone zone(Index i) const { return part_.stick[i] != 0 ? Zone::stick : Zone::slip; }
+
     // All attempts for the present turn of the slip. False if none succeeds; then the best point remains.
     bool search(const Vector& bound, const Vectors& traction, const Zones& zones, Outcome& outcome) {
         least_ = std::numeric_limits<Scalar>::max();
+        slip_is_known_ = false;
         for (const Start start : {Start::given, Start::sliding, Start::split}) {
             if (start == Start::split) find_split(bound);
             for (const bool careful : {true, false}) {
-                if (start == Start::given) start_from(bound, traction, zones);
+                if (start == Start::given && careful && turn_.turns()) {
+                    start_turned();
+                } else if (start == Start::given) {
+                    start_from(bound, traction, zones);
+                }
                 if (start == Start::sliding) start_sliding(bound);
                 if (start == Start::split) start_from(bound, split_.traction(), split_.zones());
                 if (settle(bound, careful, outcome)) return true;
@@ -212,23 +223,37 @@ private:
         traction_ = traction;
         for (Index i = 0; i < size(); ++i) {
             const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
-            if (zones[static_cast<std::size_t>(i)] == CombinedZone::slip && norm > 0)
+            if (zones[static_cast<std::size_t>(i)] == Zone::slip && norm > 0)
                 traction_.row(i) *= bound[i] / norm;
         }
         find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
-            const Scalar x = traction_(i, 0), y = traction_(i, 1), norm = std::hypot(x, y);
+            const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
             if (bound[i] == 0) {
                 let_go(i);
-            } else if (zones[static_cast<std::size_t>(i)] == CombinedZone::stick) {
+            } else if (zones[static_cast<std::size_t>(i)] == Zone::stick) {
                 part_.let_stick(i);
             } else if (norm > 0) {
-                const Scalar against = -(x * slip_(i, 0) + y * slip_(i, 1));
-                part_.let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
+                slide_on(i, norm);
             } else {
                 place(i, bound[i]);
             }
         }
+    }
+
+    // At the solution with slip as it is.
+    void start_turned() {
+        trial_slip_ = slip_;
+        slip_is_known_ = true;
+        turn_.apply(slip_);
+        for (Index i = 0; i < size(); ++i) {
+            if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)));
+        }
+    }
+    // along the present traction, of size `norm`
+    void slide_on(Index i, Scalar norm) {
+        const Scalar x = traction_(i, 0), y = traction_(i, 1), against = -(x * slip_(i, 0) + y * slip_(i, 1));
+        part_.let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
     }
 
     void start_sliding(const Vector& bound) {
@@ -262,7 +287,8 @@ private:
     // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
-        bool keeps_factors = false;
+        bool keeps_factors = false;  // of the step before
+        has_tangent_ = false;
         for (int step = 0; step < longest; ++step) {
             if (keeps_factors) {
                 equations_.aim(part_, turn_);
@@ -280,8 +306,12 @@ private:
             slip_ = trial_slip_;
             note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
+            const bool is_close = residual < nearly * bound.sum();
+            if (is_close && !turn_.turns() && turn_.find(slip_, part_.stick, part_.slide)) return true;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
-            keeps_factors = coupled() && residual < Scalar(1e-3) * before && equations_.slips_as(part_);
+            const bool contracts = coupled() && residual < Scalar(1e-3) * before;
+            keeps_factors = (contracts || (is_close && turn_.turns())) && equations_.slips_as(part_);
+            has_tangent_ = keeps_factors && is_close;
             before = residual;
         }
         return false;
@@ -290,10 +320,12 @@ private:
     // The full step, into trial_: slipping elements return to their circles.
     void take_step(const Vector& bound) {
         trial_ = traction_;
-        for (Index i = 0; i < size(); ++i) {
-            if (part_.slide[i] != 0) trial_.row(i) = bound[i] * part_.direction.row(i);
+        if (!std::exchange(slip_is_known_, false)) {
+            for (Index i = 0; i < size(); ++i) {
+                if (part_.slide[i] != 0) trial_.row(i) = bound[i] * part_.direction.row(i);
+            }
+            find_slip(trial_, trial_slip_);
         }
-        find_slip(trial_, trial_slip_);
         equations_.solve(trial_slip_, change_);
         trial_ += change_;
         for (Index i = 0; i < size(); ++i) {
@@ -339,7 +371,7 @@ private:
         stick_count_ = 0;
         against_slip_.setZero();
         for (Index i = 0; i < size(); ++i) {
-            zones_[static_cast<std::size_t>(i)] = part_.stick[i] != 0 ? CombinedZone::stick : CombinedZone::slip;
+            zones_[static_cast<std::size_t>(i)] = zone(i);
             const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
             const Scalar norm = std::hypot(x, y);
             excess = std::max(excess, norm - bound[i]);
@@ -374,6 +406,8 @@ private:
     Zones begin_zones_;
     SlipTurn<Scalar> turn_;
     CombinedSplit<Scalar> split_;  // where the last attempts start
+    bool has_tangent_ = false;     // the factors are those of the solution
+    bool slip_is_known_ = false;   // trial_slip_ is that of traction_, not turned
     Scalar imposed_ = 0;           // max |c|
     Scalar slip_scale_ = 0;        // rounding of the slip
     Scalar least_ = 0;             // residual of the natural map at best_

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 #include "complementary_path.hpp"
 
 namespace rollbem::detail {
@@ -26,12 +26,12 @@ public:
     explicit CombinedSplit(Index n)
         : path_(n),
           traction_(ElementVectors<Scalar>::Zero(n, 2)),
-          zones_(static_cast<std::size_t>(n), CombinedZone::stick),
+          zones_(static_cast<std::size_t>(n), Zone::stick),
           share_(VectorX<Scalar>::Zero(n)),
           column_(VectorX<Scalar>::Zero(n)) {}
 
     const ElementVectors<Scalar>& traction() const { return traction_; }
-    const std::vector<CombinedZone>& zones() const { return zones_; }
+    const std::vector<Zone>& zones() const { return zones_; }
 
     /// `margin`: round-off relative to a bound.
     void find(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral,
@@ -47,14 +47,14 @@ public:
         }
         for (Index i = 0; i < bound.size(); ++i) {
             const bool at_bound = std::hypot(traction_(i, 0), traction_(i, 1)) >= (1 - margin) * bound[i];
-            zones_[static_cast<std::size_t>(i)] = at_bound ? CombinedZone::slip : CombinedZone::stick;
+            zones_[static_cast<std::size_t>(i)] = at_bound ? Zone::slip : Zone::stick;
         }
     }
 
 private:
     ComplementaryPath<Scalar> path_;
     ElementVectors<Scalar> traction_;
-    std::vector<CombinedZone> zones_;
+    std::vector<Zone> zones_;
     VectorX<Scalar> share_, column_;
 };
 

@@ -126,8 +126,9 @@ public:
         };
         const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
                              workspace.fits(n, slip_dependent, coupled_);
-        if (!belongs || !are_coefficients(from.friction_coefficient) ||
-            !are_coefficients(from.solver.stage_coefficient)) {
+        const Eigen::Index kept = from.solver.stage_coefficient.size();
+        if (!belongs || (kept != 0 && kept != from.friction_coefficient.size()) ||
+            !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
             return StepStatus::wrong_state;
         }
         const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);

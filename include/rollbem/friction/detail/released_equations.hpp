@@ -13,7 +13,7 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 
 namespace rollbem::detail {
 
@@ -68,7 +68,7 @@ public:
     void add(Index element, const Row& tangent, const Row& test, Scalar stiffness) {
         elements_[at(count_)] = element;
         const Scalar ratio = 1 / (1 + stiffness * compliance_);
-        kappa_[count_] = stiffness < std::numeric_limits<Scalar>::infinity() ? stiffness * compliance_ * ratio : Scalar(1);
+        kappa_[count_] = 1 - ratio;
         sigma_[count_] = compliance_ * ratio;
         aim(count_++, tangent, test);
     }

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "../../types.hpp"
-#include "../combined_state.hpp"
+#include "../state.hpp"
 
 namespace rollbem::detail {
 
@@ -44,23 +44,21 @@ public:
 
     bool turns() const { return turns_; }
     void stop() { turns_ = false; }
-    /// Finds the angles for slip that has not been turned, `slides` is 1 where elements slip. False if there is nothing
-    /// to turn.
-    bool find(const Vectors& slip, const VectorX<Scalar>& slides) {
+    /// Finds the angles of a solution whose slip has not been turned; `stick` and `slide` are 1 where elements do. False
+    /// if there is nothing to turn.
+    bool find(const Vectors& slip, const VectorX<Scalar>& stick, const VectorX<Scalar>& slide) {
         turns_ = false;
+        if (behind_.empty()) return false;
         rotation_.col(0).setOnes();
         rotation_.col(1).setZero();
         for (std::size_t k = 0; k < behind_.size(); ++k) {
             const auto i = static_cast<Index>(k);
-            if (slides[i] == 0) continue;
-            Scalar x = 0, y = 0;
-            if (behind_[k] >= 0) {
-                x = slip(i, 0) + slip(behind_[k], 0);
-                y = slip(i, 1) + slip(behind_[k], 1);
-            } else if (ahead_[k] >= 0) {
-                x = 3 * slip(i, 0) - slip(ahead_[k], 0);
-                y = 3 * slip(i, 1) - slip(ahead_[k], 1);
-            }
+            if (slide[i] == 0) continue;
+            const bool trails = behind_[k] < 0;
+            const Index other = trails ? ahead_[k] : behind_[k];
+            if (other < 0) continue;
+            const Scalar own = trails ? Scalar(3) : Scalar(1), share = stick[other] != 0 ? 0 : trails ? -1 : 1;
+            const Scalar x = own * slip(i, 0) + share * slip(other, 0), y = own * slip(i, 1) + share * slip(other, 1);
             const Scalar product = std::hypot(slip(i, 0), slip(i, 1)) * std::hypot(x, y);
             const Scalar across = slip(i, 0) * y - slip(i, 1) * x;
             if (!(product > 0) || across == 0) continue;

@@ -1,0 +1,181 @@
+#include "patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include <Eigen/Core>
+
+#include "support/errors.hpp"
+#include "support/files.hpp"
+
+namespace patch {
+
+namespace {
+
+using Numbers = std::vector<double>;
+using Contact = rollbem::PatchContact<double>;
+using Mesh = rollbem::Mesh<double>;
+using Outline = rollbem::Outline<double>;
+
+constexpr std::ptrdiff_t most_elements = 10000;
+
+Eigen::ArrayXd array(const Numbers& numbers) {
+    return Eigen::Map<const Eigen::ArrayXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+/// The columns of a CSV file that --name gives, by the names in its first line.
+std::vector<Numbers> read_columns(const study::Options& options, const std::string& name,
+                                  const std::vector<std::string>& names) {
+    study::Lines lines(options, name);
+    std::vector<std::string> present;
+    std::vector<Numbers> columns(names.size());
+    const std::string header = study::join(names, ",");
+    char separator = ',';
+    while (lines.next()) {
+        const std::string where = lines.where() + " = " + lines.text();
+        if (lines.number() == 1) {
+            separator = study::separator_of(lines.text());
+            present = study::cells_of(lines.text(), separator);
+            for (const std::string& one : names) {
+                if (std::count(present.begin(), present.end(), one) != 1) {
+                    throw study::BadInput(where + " must be " + header);
+                }
+            }
+            continue;
+        }
+        const std::vector<std::string> cells = study::cells_of(lines.text(), separator);
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const auto place = std::size_t(std::find(present.begin(), present.end(), names[k]) - present.begin());
+            const auto value =
+                cells.size() == present.size() ? study::number_of(cells[place], separator) : std::nullopt;
+            if (!value || !std::isfinite(*value)) {
+                throw study::BadInput(where + " must be finite numbers under " + study::join(present, ","));
+            }
+            columns[k].push_back(*value);
+        }
+    }
+    return columns;
+}
+
+Outline read_outline(const study::Options& options) {
+    const std::vector<Numbers> columns = read_columns(options, "outline", {"y", "x_trailing", "x_leading"});
+    try {
+        return {array(columns[0]), array(columns[1]), array(columns[2])};
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(options.said("outline") + ": " + error.what() + " (lines below the header)");
+    }
+}
+
+/// The strips across the height low ... high: --strip-edges, or one mesh for each of `counts`.
+std::vector<Mesh> make_strips(const study::Options& options, double low, double high,
+                              const std::vector<std::ptrdiff_t>& counts) {
+    if (options.given("strip-edges")) {
+        study::Lines lines(options, "strip-edges");
+        Numbers edges;
+        while (lines.next()) {
+            const auto edge = study::number_of(lines.text(), '\n');
+            const std::string where = lines.where() + " = " + lines.text();
+            if (!edge || !std::isfinite(*edge)) throw study::BadInput(where + " must be a finite number");
+            edges.push_back((*edge - (low + high) / 2) / ((high - low) / 2));
+            const double end = edges.size() == 1 ? -1 : 1;
+            if (std::abs(edges.back() - end) < 1e-12) edges.back() = end;
+            if (edges.size() == 1 && edges[0] != -1) {
+                throw study::BadInput(where + " must be " + study::Cell(low).text(12) + ", the smallest y");
+            }
+            if (edges.size() > 1 && !(edges.back() > edges[edges.size() - 2] && edges.back() <= 1)) {
+                throw study::BadInput(where + " must be larger than the line before and at most " +
+                                      study::Cell(high).text(12) + ", the largest y");
+            }
+        }
+        if (edges.size() < 2 || edges.back() != 1) {
+            throw study::BadInput(options.said("strip-edges") + " must end with " + study::Cell(high).text(12) +
+                                  ", the largest y");
+        }
+        return {rollbem::mesh_from_edges(array(edges))};
+    }
+    const bool cosine = options.choice("strip-grading", {"cosine", "uniform"}) == "cosine";
+    std::vector<Mesh> strips;
+    for (const std::ptrdiff_t m : counts) {
+        strips.push_back(cosine ? rollbem::cosine_mesh(m) : rollbem::uniform_mesh(m));
+    }
+    return strips;
+}
+
+}  // namespace
+
+std::string Patch::label() const {
+    return "n = " + std::to_string(mesh.elements_per_strip()) + ", strips = " + std::to_string(mesh.strip_count());
+}
+
+void add_options(study::Options& options) {
+    options.group("Patch");
+    options.add("a-over-b", "LIST",
+                "ellipses of these ratios of semi-axes, a along the rolling direction, above 0 (dimensionless)", "1");
+    options.add_input("outline",
+                      "instead: any patch, as CSV y,x_trailing,x_leading in any unit of length, y increasing, straight "
+                      "between the lines; a, b and c below are then sqrt(area/pi)");
+    options.replaces("outline", {"a-over-b"});
+    options.add("strips", "LIST", "strips along the rolling direction, 1 to 10000 (dimensionless); default: --n");
+    options.add("strip-grading", "NAME", "edges of strips at -cos(pi j/m) of the half height: cosine; or uniform",
+                "cosine");
+    options.add_input("strip-edges",
+                      "instead of --strips: edges of strips, one per line, y/b from -1 to 1, or y of the outline");
+    options.replaces("strip-edges", {"strips", "strip-grading"});
+
+    options.set_default("n", "8,12,16");
+    options.set_help("n", "number of elements of each strip, 1 to 10000 (dimensionless)");
+    options.set_default("method", "nodes");
+    options.set_help("method", "nodes: differences between the --nodes of neighbouring elements");
+    options.set_default("nodes", "chebyshev");
+    options.set_help("nodes", "chebyshev, or centres of elements");
+    options.refuse_group("Discretisation", "each strip has the cosine mesh, and rows between nodes",
+                         {"n", "method", "nodes"});
+    options.refuse("kernel", "the bodies are half-spaces");
+    options.refuse("aspect", "a patch is wide and long: --a-over-b");
+}
+
+std::vector<Patch> make_patches(const study::Options& options) {
+    options.choice("method", {"nodes"});
+    const bool chebyshev = options.choice("nodes", {"centres", "chebyshev"}) == "chebyshev";
+    const rollbem::NodeDifference scheme{chebyshev ? rollbem::Nodes::chebyshev : rollbem::Nodes::centres};
+    const Numbers poisson = options.numbers("poisson", study::between(0, 0.5));
+    std::optional<Outline> outline;
+    std::vector<Contact> contacts;
+    if (options.given("outline")) outline = read_outline(options);
+    for (const double ratio : outline ? Numbers{1} : options.numbers("a-over-b", study::between(1e-6, 1e6))) {
+        for (const double nu : poisson) {
+            contacts.push_back(outline ? Contact(*outline, 1, nu) : Contact::dimensionless(ratio, nu));
+        }
+    }
+    const std::vector<std::ptrdiff_t> numbers = options.integers("n", 1, most_elements);
+    std::vector<std::ptrdiff_t> counts;
+    if (options.given("strips")) counts = options.integers("strips", 1, most_elements);
+    std::vector<Patch> patches;
+    const double low = outline ? outline->low() : -1, high = outline ? outline->high() : 1;
+    for (const std::ptrdiff_t n : numbers) {
+        for (const Mesh& across : make_strips(options, low, high, counts.empty() ? std::vector{n} : counts)) {
+            if (n * across.size() > most_elements) {
+                throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(across.size()) +
+                                      " strips must be at most " + std::to_string(most_elements));
+            }
+            for (const Contact& contact : contacts) {
+                patches.push_back({contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), scheme});
+            }
+        }
+    }
+    return patches;
+}
+
+const std::vector<std::string>& columns() {
+    static const std::vector<std::string> names{"a_over_b", "poisson", "n", "strips"};
+    return names;
+}
+
+study::Row cells(const Patch& patch) {
+    return {patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b()),
+            patch.contact.poisson_ratio(), patch.mesh.elements_per_strip(), patch.mesh.strip_count()};
+}
+
+}  // namespace patch

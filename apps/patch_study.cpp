@@ -1,0 +1,213 @@
+// Contact patches in three dimensions: Kalker's creep coefficients of ellipses and other outlines in full adhesion,
+// steady or over the frequency, whether they are stable in time, and the patch as linear differential equations:
+//
+//     ./patch_study --a-over-b 0.5,1,2 --n 12
+//     ./patch_study --n 12 --omega 0.1,1,3
+//     ./patch_study --outline wheel.csv --n 16 --stability
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <rollbem/adhesion/patch_frequency.hpp>
+#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/state_space.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/stability.hpp>
+
+#include "patch/patches.hpp"
+#include "patch/plots.hpp"
+#include "support/options.hpp"
+#include "support/program.hpp"
+#include "support/state_space_files.hpp"
+#include "support/table.hpp"
+#include "support/timing.hpp"
+
+namespace {
+
+using patch::Patch;
+using Kernel = rollbem::HalfSpace<double>;
+
+template <class Item>
+std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
+
+/// A coefficient, left out where it cannot be trusted.
+double trusted(rollbem::Status status, double value) {
+    return status == rollbem::Status::ok ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+// --- steady rolling ------------------------------------------------------------------------------------------------
+
+std::vector<std::string> steady_columns(const study::Options& options) {
+    std::vector<std::string> names =
+        joined(patch::columns(), {"c11", "c22", "c23", "c32", "c33", "residual", "assembly_us", "solve_us"});
+    if (options.flag("stability")) {
+        names = joined(names, {"unstable_count", "uncertain_count", "spectral_abscissa"});
+    }
+    return joined(names, {"status", "nodes"});
+}
+
+study::Cell nodes_cell(const Patch& patch) {
+    return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
+}
+
+study::Row steady_row(const study::Options& options, const Patch& patch) {
+    // 3. G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
+    const Kernel kernel = kernel_of(patch);
+    const auto solve = [&] { return rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel); };
+    const rollbem::PatchSteadySolution<double> steady = solve();
+    std::string status = name(steady.status);
+    std::optional<double> assembly_us, solve_us;
+    if (study::has_times(options)) {
+        assembly_us = study::median_time_us(
+            [&] { return rollbem::assemble_G_prime(patch.mesh, patch.scheme, kernel)[0][0](0, 0); });
+        solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11; }) - *assembly_us);
+    }
+    study::Row row = patch::cells(patch);
+    for (const double value : {steady.c11, steady.c22, steady.c23, steady.c32, steady.c33}) {
+        row.emplace_back(trusted(steady.status, value));
+    }
+    row.insert(row.end(), {steady.residual, assembly_us, solve_us});
+
+    // 4. All eigenvalues of G' p = nu G p.
+    if (options.flag("stability")) {
+        const rollbem::StabilityVerdict verdict =
+            rollbem::judge_stability(rollbem::patch_parts(patch.mesh, patch.scheme, kernel));
+        if (verdict.status == rollbem::Status::ok) {
+            row.insert(row.end(), {verdict.unstable_count, verdict.uncertain_count, verdict.spectral_abscissa});
+        } else {
+            row.insert(row.end(), {study::Cell(), study::Cell(), study::Cell()});
+            if (steady.status == rollbem::Status::ok) status = name(verdict.status);
+        }
+    }
+    row.insert(row.end(), {status, nodes_cell(patch)});
+    return row;
+}
+
+// --- frequency response --------------------------------------------------------------------------------------------
+
+const std::vector<std::string>& response_columns() {
+    static const std::vector<std::string> names =
+        joined(patch::columns(), {"omega", "c11_re", "c11_im", "c22_re", "c22_im", "c23_re", "c23_im", "c32_re",
+                                  "c32_im", "c33_re", "c33_im", "status", "nodes"});
+    return names;
+}
+
+void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range, const study::Emit& emit) {
+    // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
+    const rollbem::PatchFrequencySweep<double> sweep(patch.contact,
+                                                     rollbem::patch_parts(patch.mesh, patch.scheme, kernel_of(patch)));
+    for (std::size_t i = range.first; i < range.last; ++i) {
+        const rollbem::PatchSweepPoint<double> point = sweep(omegas[i]);
+        study::Row row = patch::cells(patch);
+        row.emplace_back(omegas[i]);
+        for (const std::complex<double>& c : {point.c11, point.c22, point.c23, point.c32, point.c33}) {
+            row.emplace_back(trusted(point.status, c.real()));
+            row.emplace_back(trusted(point.status, c.imag()));
+        }
+        row.insert(row.end(), {name(point.status), nodes_cell(patch)});
+        emit(std::move(row));
+    }
+}
+
+// --- differential equations ----------------------------------------------------------------------------------------
+
+study::StateSpaceFiles state_space_files(const study::Options& options, const std::vector<Patch>& patches) {
+    const std::string said = options.said("state-space");
+    if (patches.size() != 1) {
+        throw study::BadInput(said +
+                              " must go with one patch; the values of --n, --strips, --a-over-b and --poisson make " +
+                              std::to_string(patches.size()));
+    }
+    const Patch& patch = patches.front();
+    rollbem::StateSpace<double> space;
+    try {
+        space = rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, kernel_of(patch)).whole());
+    } catch (const std::invalid_argument& singular) {
+        throw study::BadInput(said + " must go with a patch that has one: " + singular.what());
+    }
+    // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
+    const double force = patch.contact.a_over_b(), length = std::sqrt(force);
+    space.B.col(2) *= length;
+    space.C *= force;
+    space.C.row(2) *= length;
+    return {options, space,
+            "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi "
+            "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
+            "response = \"(c11 0 0; 0 c22 c23; 0 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
+            "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
+            "the matrix of coefficients"};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("patch_study", "Creep coefficients of contact patches in three dimensions, full adhesion.");
+    patch::add_options(options);
+    options.group("Result");
+    options.add_flag("stability", "also count growing modes (the eigenvalues of G' p = nu G p)");
+    options.add("omega", "LIST", "instead: response to creepages at frequencies omega a/V, at least 0 (dimensionless)");
+    study::StateSpaceFiles::add_options(options, "one patch");
+    options.footer(R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
+  patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
+
+x is the rolling direction, y lies across it, z points into body 2 (the rail). Creepages xi, eta along x and y,
+spin phi about z: F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi), M_z = -G a b c (c32 eta + c c33 phi)
+about the origin of the outline, c = sqrt(a b); c32 = -c23 in the limit of small elements if the patch is
+symmetric fore and aft. Bodies are equal half-spaces; a line y = const cuts the patch in one interval.
+The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
+outline. With n = strips = 12 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2.5 % at nu = 0.5 or a/b >= 5).
+assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
+the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is not ok the
+coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
+and the largest Re(nu) a. More than 2 elements of a strip for each strip may be unstable in time.
+--state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
+)");
+
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        // 2. One row for each patch, or for each patch and frequency.
+        const bool harmonic = given.given("omega");
+        std::vector<double> omegas;
+        if (harmonic) {
+            given.ignored("stability", "with --omega");
+            given.ignored("state-space", "with --omega");
+            omegas = given.numbers("omega",
+                                   {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
+        }
+        if (!given.given("state-space")) given.ignored("states", "without --state-space");
+        if (given.given("state-space") && given.given("shard")) {
+            throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
+        }
+        const std::vector<Patch> patches = patch::make_patches(given);
+        std::optional<study::StateSpaceFiles> state_space;
+        if (given.given("state-space")) state_space.emplace(state_space_files(given, patches));
+
+        study::Table table;
+        table.columns = harmonic ? response_columns() : steady_columns(given);
+        table.rows_of_task.assign(patches.size(), harmonic ? omegas.size() : 1);
+        table.label = [&](std::size_t task) { return patches[task].label(); };
+        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+            if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
+            emit(steady_row(given, patches[task]));
+        };
+        table.written = [&] {
+            if (state_space) state_space->commit();
+        };
+        table.plot = [&](const std::vector<study::Row>& rows) {
+            return harmonic ? patch::draw_responses(response_columns(), rows)
+                            : patch::draw_coefficients(steady_columns(given), rows);
+        };
+        study::write_table(given, table);
+        return study::exit_ok;
+    });
+}

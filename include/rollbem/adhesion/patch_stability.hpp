@@ -1,0 +1,34 @@
+// Whether a contact patch in full adhesion is stable in time.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "../assembly/patch_system.hpp"
+#include "../status.hpp"
+#include "stability.hpp"
+#include "stability_verdict.hpp"
+
+namespace rollbem {
+
+/// The verdict on all parts of a patch, whose 2 n m eigenvalues are those of its whole system: two halves cost a quarter
+/// of the whole.
+template <class Scalar>
+StabilityVerdict judge_stability(const std::vector<PatchPart<Scalar>>& parts) {
+    StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
+    for (const PatchPart<Scalar>& part : parts) {
+        const StabilityVerdict own = judge_stability(part.system);
+        all.n += own.n;
+        all.unstable_count += own.unstable_count;
+        all.settled_unstable_count += own.settled_unstable_count;
+        all.uncertain_count += own.uncertain_count;
+        all.spectral_abscissa = std::max(all.spectral_abscissa, own.spectral_abscissa);
+        if (all.status == Status::ok) all.status = own.status;
+    }
+    return all;
+}
+
+}  // namespace rollbem

@@ -1,0 +1,115 @@
+// Steady rolling of a contact patch in full adhesion: Kalker's creep coefficients, by halves where the strips are
+// mirrored.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "../assembly/patch_system.hpp"
+#include "../detail/finite.hpp"
+#include "../discretisation/patch_mesh.hpp"
+#include "../elasticity/rectangle_kernel.hpp"
+#include "../scene/patch_contact.hpp"
+#include "../status.hpp"
+#include "../types.hpp"
+#include "response.hpp"
+
+namespace rollbem {
+
+/// Kalker's creep coefficients: F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi),
+/// M_z = -G a b c (c32 eta + c c33 phi) about the origin, with creepages xi, eta [-], spin phi [1/m] and c = sqrt(a b);
+/// of an outline, c stands for a and b. In the limit of small elements c32 = -c23 if the patch is symmetric fore and
+/// aft. Real for steady rolling, complex for harmonic creepage.
+template <class Value>
+struct CreepCoefficients {
+    Value c11 = 0, c22 = 0, c23 = 0, c32 = 0, c33 = 0;
+};
+
+/// From the 3 x 3 coefficients of a system in units of a, entry (i, j) minus the force F_x, F_y, M_z per xi, eta, phi.
+template <class Value, class Scalar>
+CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact, const MatrixX<Value>& coefficients) {
+    const Scalar force = contact.a_over_b(), spin = std::sqrt(force);  // a^2/(a b), a/c
+    return {force * coefficients(0, 0), force * coefficients(1, 1), force * spin * coefficients(1, 2),
+            force * spin * coefficients(2, 1), force * force * coefficients(2, 2)};
+}
+
+/// Solution for unit creepages: columns xi, eta, phi; lengths in units of a (outlines: c).
+template <class Scalar>
+struct PatchSteadySolution : CreepCoefficients<Scalar> {
+    MatrixX<Scalar> traction_x, traction_y;  ///< N x 3: p_x, p_y over G of each element; phi times a for 1
+    MatrixX<Scalar> coefficients;            ///< 3 x 3: -F_x, -F_y over G a^2, -M_z over G a^3
+    Scalar residual = 0;                     ///< |G' p - slip| / (|G'| |p| + |slip|) in the maximum norm [-]
+    Scalar rcond = 1;                        ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm [-]
+    /// inconsistent: a force or moment that assists its own creepage
+    Status status = Status::ok;
+};
+
+namespace detail {
+
+template <class Scalar>
+void add_part(const Response<Scalar>& part, Eigen::Index first, PatchSteadySolution<Scalar>& solution) {
+    const Eigen::Index count = part.coefficients.cols();
+    solution.coefficients.block(first, first, count, count) = part.coefficients;
+    solution.residual = std::max(solution.residual, part.residual);
+    solution.rcond = std::min(solution.rcond, part.rcond);
+    if (solution.status == Status::ok) solution.status = part.status;
+}
+
+}  // namespace detail
+
+/// Creep coefficients and tractions for unit creepages; needs no G. `mesh` must be in units of the contact's a, as
+/// patch_mesh makes it. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+PatchSteadySolution<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
+                                         const Scheme& scheme, const Kernel& kernel) {
+    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count(), size = mesh.size();
+    const Elements<Scalar> elements = patch_elements(mesh, scheme);
+    const MatrixX<Scalar> inputs = rigid_slip(elements), outputs = force_weights(elements);
+    PatchSteadySolution<Scalar> solution;
+    solution.coefficients = MatrixX<Scalar>::Zero(3, 3);
+    solution.traction_x = solution.traction_y = MatrixX<Scalar>::Zero(size, 3);
+    if (mesh.is_mirrored()) {
+        const detail::InfluenceRows<Scalar> rows = detail::patch_rows(
+            mesh, detail::strip_rows(mesh.along(), scheme, Quantity::slope), kernel, Quantity::slope, (m + 1) / 2);
+        for (const Scalar sign : {Scalar(1), Scalar(-1)}) {
+            const Eigen::Index first = sign > 0 ? 0 : 1, count = sign > 0 ? 1 : 2;
+            const Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
+            const Response<Scalar> half = solve_steady_response<Scalar>(detail::half_matrix(rows, n, m, sign),
+                                                                        detail::half_columns(inputs, n, m, sign),
+                                                                        detail::half_outputs(outputs, n, m, sign));
+            detail::add_part(half, first, solution);
+            const auto unfold = [&](Eigen::Index from, Eigen::Index strips, Scalar parity, MatrixX<Scalar>& traction) {
+                for (Eigen::Index j = 0; j < strips; ++j) {
+                    const auto own = half.unknowns.middleRows((from + j) * n, n);
+                    traction.block(j * n, first, n, count) = own;
+                    if (m - 1 - j != j) traction.block((m - 1 - j) * n, first, n, count) = parity * own;
+                }
+            };
+            unfold(0, x, sign, solution.traction_x);
+            unfold(x, y, -sign, solution.traction_y);
+        }
+    } else {
+        const Response<Scalar> whole = solve_steady_response<Scalar>(
+            detail::joined(detail::patch_blocks(mesh, scheme, kernel, Quantity::slope)), inputs, outputs);
+        detail::add_part(whole, 0, solution);
+        solution.traction_x = whole.unknowns.topRows(size);
+        solution.traction_y = whole.unknowns.bottomRows(size);
+    }
+    static_cast<CreepCoefficients<Scalar>&>(solution) = creep_coefficients(contact, solution.coefficients);
+    const bool opposes = solution.c11 > 0 && solution.c22 > 0 && solution.c33 > 0;
+    if (solution.status == Status::ok && !opposes) solution.status = Status::inconsistent;
+    return solution;
+}
+
+/// The same for the half-space.
+template <class Scalar, RollingScheme<Scalar> Scheme>
+PatchSteadySolution<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
+                                         const Scheme& scheme) {
+    return solve_steady(contact, mesh, scheme, HalfSpace<Scalar>(contact.poisson_ratio()));
+}
+
+}  // namespace rollbem

@@ -1,0 +1,168 @@
+// The system of a contact patch: G and G' between all its elements, and the parts it falls into where strips at y and -y
+// are mirror images.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../discretisation/patch_mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../elasticity/rectangle_kernel.hpp"
+#include "../types.hpp"
+#include "detail/patch_rows.hpp"
+#include "element_blocks.hpp"
+#include "elements.hpp"
+#include "rolling_system.hpp"
+
+namespace rollbem {
+
+/// Where the elements of a patch and their equations are. The scheme is that of each strip, stretched to its length.
+/// Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+template <class Scalar, RollingScheme<Scalar> Scheme>
+Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& scheme) {
+    const detail::StripRows<Scalar> rows = detail::strip_rows(mesh.along(), scheme, Quantity::slope);
+    const Eigen::Index n = mesh.elements_per_strip(), size = mesh.size();
+    Elements<Scalar> elements;
+    for (ArrayX<Scalar>* places : {&elements.x, &elements.y, &elements.centre_x, &elements.centre_y, &elements.areas}) {
+        places->resize(size);
+    }
+    for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
+        const Scalar middle = mesh.middles_x()[j], scale = mesh.half_lengths()[j];
+        elements.x.segment(j * n, n) = middle + scale * rows.points;
+        elements.centre_x.segment(j * n, n) = middle + scale * mesh.along().centres();
+        elements.y.segment(j * n, n).setConstant(mesh.middles_y()[j]);
+        elements.areas.segment(j * n, n) = scale * mesh.widths()[j] * mesh.along().widths();
+        for (Eigen::Index i = 0; i < n; ++i) elements.behind.push_back(i == 0 ? -1 : j * n + i - 1);
+    }
+    elements.centre_y = elements.y;
+    elements.half_element_ahead = detail::rows_lie_half_an_element_ahead(scheme, mesh.along());
+    return elements;
+}
+
+namespace detail {
+
+/// All blocks of G or G'.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+DirectionBlocks<Scalar> patch_blocks(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
+                                     Quantity quantity) {
+    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
+    const Eigen::Index computed = mesh.is_mirrored() ? (m + 1) / 2 : m;
+    InfluenceRows<Scalar> rows =
+        patch_rows(mesh, strip_rows(mesh.along(), scheme, quantity), kernel, quantity, computed);
+    const auto all = [&](MatrixX<Scalar>& first, Scalar sign) {
+        MatrixX<Scalar> block(m * n, m * n);
+        block.topRows(computed * n) = first;
+        for (Eigen::Index j = computed; j < m; ++j) {
+            for (Eigen::Index k = 0; k < m; ++k) {
+                block.block(j * n, k * n, n, n) = sign * first.block((m - 1 - j) * n, (m - 1 - k) * n, n, n);
+            }
+        }
+        return block;
+    };
+    DirectionBlocks<Scalar> blocks;
+    blocks[0][0] = all(rows.xx, 1);
+    blocks[1][1] = all(rows.yy, 1);
+    if (kernel.couples()) blocks[0][1] = blocks[1][0] = all(rows.xy, -1);
+    return blocks;
+}
+
+/// What tractions of the strips at y <= 0 and their mirror images cause in the strips at y <= 0: `count` strips of rows
+/// and columns, tractions at -y `sign` times those at y.
+template <class Scalar>
+MatrixX<Scalar> folded(const MatrixX<Scalar>& rows, Eigen::Index n, Eigen::Index m, Eigen::Index row_strips,
+                       Eigen::Index column_strips, Scalar sign) {
+    MatrixX<Scalar> result = rows.topLeftCorner(row_strips * n, column_strips * n);
+    for (Eigen::Index k = 0; k < m / 2 && k < column_strips; ++k) {
+        result.middleCols(k * n, n) += sign * rows.block(0, (m - 1 - k) * n, row_strips * n, n);
+    }
+    return result;
+}
+
+/// G or G' of mirrored strips at y <= 0, with tractions of which p_x is even in y and p_y odd (sign = 1) or p_x odd and
+/// p_y even (sign = -1). The odd one vanishes on a strip in the middle, so that there are always n m unknowns.
+template <class Scalar>
+MatrixX<Scalar> half_matrix(const InfluenceRows<Scalar>& rows, Eigen::Index n, Eigen::Index m, Scalar sign) {
+    const Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
+    MatrixX<Scalar> result(m * n, m * n);
+    result.topLeftCorner(x * n, x * n) = folded(rows.xx, n, m, x, x, sign);
+    result.topRightCorner(x * n, y * n) = folded(rows.xy, n, m, x, y, -sign);
+    result.bottomLeftCorner(y * n, x * n) = folded(rows.xy, n, m, y, x, sign);
+    result.bottomRightCorner(y * n, y * n) = folded(rows.yy, n, m, y, y, -sign);
+    return result;
+}
+
+/// The rows of a 2N x 3 matrix (rigid slip, weights of forces) that belong to half_matrix.
+template <class Scalar>
+MatrixX<Scalar> half_columns(const MatrixX<Scalar>& whole, Eigen::Index n, Eigen::Index m, Scalar sign) {
+    const Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
+    MatrixX<Scalar> result(m * n, sign > 0 ? 1 : 2);
+    const Eigen::Index first = sign > 0 ? 0 : 1;
+    result.topRows(x * n) = whole.block(0, first, x * n, result.cols());
+    result.bottomRows(y * n) = whole.block(m * n, first, y * n, result.cols());
+    return result;
+}
+
+/// The weights of forces: those of both halves.
+template <class Scalar>
+MatrixX<Scalar> half_outputs(MatrixX<Scalar> whole, Eigen::Index n, Eigen::Index m, Scalar sign) {
+    const Eigen::Index pairs = (m / 2) * n;  // without a strip in the middle
+    whole.topRows(pairs) *= 2;
+    whole.middleRows(m * n, pairs) *= 2;
+    return half_columns(whole, n, m, sign);
+}
+
+}  // namespace detail
+
+/// The blocks of G' in units of 1/G; a steady problem needs nothing else. Throws std::invalid_argument as patch_elements
+/// does.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+DirectionBlocks<Scalar> assemble_G_prime(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return detail::patch_blocks(mesh, scheme, kernel, Quantity::slope);
+}
+
+/// Assembles both matrices, in the units of the mesh. Throws std::invalid_argument as patch_elements does, or if an
+/// entry is not finite.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return {detail::patch_blocks(mesh, scheme, kernel, Quantity::displacement),
+            detail::patch_blocks(mesh, scheme, kernel, Quantity::slope), patch_elements(mesh, scheme)};
+}
+
+/// A system of some of the creepages xi, eta, phi, which causes none of the forces of the others.
+template <class Scalar>
+struct PatchPart {
+    RollingSystem<Scalar> system;
+    Eigen::Index first;  ///< of its creepages: 0 xi, 1 eta, 2 phi
+};
+
+/// A patch as independent systems for linear problems: if the strips are mirrored, xi, and eta with phi, each with N = n
+/// m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise the whole. Throws std::invalid_argument
+/// as rolling_system does.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+std::vector<PatchPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    std::vector<PatchPart<Scalar>> parts;
+    if (!mesh.is_mirrored()) {
+        parts.push_back({rolling_system(mesh, scheme, kernel).whole(), 0});
+        return parts;
+    }
+    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
+    const auto rows = [&](Quantity quantity) {
+        return detail::patch_rows(mesh, detail::strip_rows(mesh.along(), scheme, quantity), kernel, quantity,
+                                  (m + 1) / 2);
+    };
+    const detail::InfluenceRows<Scalar> G = rows(Quantity::displacement), G_prime = rows(Quantity::slope);
+    const Elements<Scalar> elements = patch_elements(mesh, scheme);
+    const MatrixX<Scalar> inputs = rigid_slip(elements), outputs = force_weights(elements);
+    for (const Scalar sign : {Scalar(1), Scalar(-1)}) {
+        parts.push_back({{detail::half_matrix(G, n, m, sign), detail::half_matrix(G_prime, n, m, sign),
+                          detail::half_columns(inputs, n, m, sign), detail::half_outputs(outputs, n, m, sign)},
+                         sign > 0 ? 0 : 1});
+    }
+    return parts;
+}
+
+}  // namespace rollbem

@@ -1,0 +1,31 @@
+// Contact patches of the half-space by node differences, compiled for double. Replaces adhesion/patch_steady.hpp and
+// assembly/patch_system.hpp; link rollbem::compiled.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../adhesion/patch_steady.hpp"
+#include "assembly.hpp"
+
+namespace rollbem {
+
+extern template class Outline<double>;
+extern template class PatchContact<double>;
+extern template class PatchMesh<double>;
+extern template PatchMesh<double> patch_mesh<double>(const PatchContact<double>&, Mesh<double>, const Mesh<double>&);
+extern template Response<double> solve_steady_response<double>(const MatrixX<double>&, const MatrixX<double>&,
+                                                               const MatrixX<double>&);
+extern template Elements<double> patch_elements<double, NodeDifference>(const PatchMesh<double>&,
+                                                                        const NodeDifference&);
+extern template detail::InfluenceRows<double> detail::patch_rows<double, HalfSpace<double>>(
+    const PatchMesh<double>&, const detail::StripRows<double>&, const HalfSpace<double>&, Quantity, Eigen::Index);
+extern template DirectionBlocks<double> assemble_G_prime<double, NodeDifference, HalfSpace<double>>(
+    const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, HalfSpace<double>>(
+    const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+extern template std::vector<PatchPart<double>> patch_parts<double, NodeDifference, HalfSpace<double>>(
+    const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+extern template PatchSteadySolution<double> solve_steady<double, NodeDifference, HalfSpace<double>>(
+    const PatchContact<double>&, const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+
+}  // namespace rollbem

@@ -1,0 +1,137 @@
+// PatchMesh: a contact patch cut into strips along the rolling direction, each of which has the same mesh along x,
+// stretched to end exactly on the outline. Elements are rectangles, numbered from trailing to leading in each strip, and
+// strip by strip from small to large y.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <type_traits>
+#include <utility>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../scene/outline.hpp"
+#include "../scene/patch_contact.hpp"
+#include "../types.hpp"
+#include "mesh.hpp"
+
+namespace rollbem {
+
+/// m strips of n elements, lengths in the unit of the system (a; of an outline c). Element i of strip j covers
+/// middles_x[j] + half_lengths[j] e, e between the edges i and i + 1 of `along`, and the strip's width in y.
+///
+/// Invariant: m >= 1, all widths and half-lengths are positive and finite, and so are all places.
+template <class Scalar_ = double>
+class PatchMesh {
+public:
+    using Scalar = Scalar_;
+    using Array = ArrayX<Scalar>;
+
+    struct Data {
+        Mesh<Scalar> along;  ///< the n elements of each strip, between -1 and 1
+        Array edges;         ///< m + 1 edges of the strips, y
+        Array middles_y;     ///< m middles of their widths
+        Array middles_x;     ///< m middles of their lengths
+        Array half_lengths;  ///< m
+    };
+
+    /// Throws std::invalid_argument if the data break the invariant.
+    explicit PatchMesh(Data data) : data_(std::move(data)) {
+        const Eigen::Index m = data_.half_lengths.size();
+        detail::require(m >= 1, "PatchMesh", "number of strips", m, "be at least 1");
+        detail::require(data_.edges.size() == m + 1, "PatchMesh", "number of edges of strips", data_.edges.size(),
+                        "be one more than that of strips");
+        detail::require(data_.middles_y.size() == m && data_.middles_x.size() == m, "PatchMesh",
+                        "number of middles of strips", data_.middles_x.size(), "equal that of strips");
+        widths_.resize(m);
+        for (Eigen::Index j = 0; j < m; ++j) {
+            widths_[j] = data_.edges[j + 1] - data_.edges[j];
+            require_positive("width of a strip", widths_[j]);
+            require_positive("half-length of a strip", data_.half_lengths[j]);
+            detail::require(data_.middles_y[j] > data_.edges[j] && data_.middles_y[j] < data_.edges[j + 1], "PatchMesh",
+                            "y of the middle of a strip", data_.middles_y[j], "lie between its edges");
+            detail::require(detail::is_finite(data_.middles_x[j]), "PatchMesh", "x of the middle of a strip",
+                            data_.middles_x[j], "be finite");
+        }
+        mirrored_ = true;
+        for (Eigen::Index j = 0; j < m && mirrored_; ++j) {
+            const Eigen::Index k = m - 1 - j;
+            mirrored_ = data_.edges[j] == -data_.edges[m - j] && data_.middles_y[j] == -data_.middles_y[k] &&
+                        data_.middles_x[j] == data_.middles_x[k] && data_.half_lengths[j] == data_.half_lengths[k];
+        }
+    }
+
+    Eigen::Index strip_count() const { return widths_.size(); }                 ///< m
+    Eigen::Index elements_per_strip() const { return data_.along.size(); }      ///< n
+    Eigen::Index size() const { return strip_count() * elements_per_strip(); }  ///< N = n m
+    const Mesh<Scalar>& along() const { return data_.along; }
+    const Array& edges() const { return data_.edges; }
+    const Array& widths() const { return widths_; }
+    const Array& middles_y() const { return data_.middles_y; }
+    const Array& middles_x() const { return data_.middles_x; }
+    const Array& half_lengths() const { return data_.half_lengths; }
+
+    /// Whether the strips at y and -y are mirror images, exactly: then problems fall apart into halves.
+    bool is_mirrored() const { return mirrored_; }
+
+private:
+    static void require_positive(const char* quantity, Scalar value) {
+        detail::require(detail::is_finite(value) && value > 0, "PatchMesh", quantity, value, "be positive and finite");
+    }
+
+    Data data_;
+    Array widths_;
+    bool mirrored_ = false;
+};
+
+/// An ellipse with semi-axes a = 1 in x and b = 1/a_over_b in y. `along` divides each strip, `across` the height,
+/// y/b = -1 ... 1. A strip is as long as the ellipse at the middle of its width: the mean length over the width leaves
+/// ten times the error in c11. Throws std::invalid_argument unless a_over_b is positive and finite.
+template <class Scalar>
+PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across) {
+    detail::require(detail::is_finite(a_over_b) && a_over_b > 0, "ellipse_mesh", "a_over_b", a_over_b,
+                    "be positive and finite");
+    // sqrt(1 - (y/b)^2) by the distances from both ends, without cancellation
+    return PatchMesh<Scalar>({.along = std::move(along),
+                              .edges = across.edges() / a_over_b,
+                              .middles_y = across.centres() / a_over_b,
+                              .middles_x = ArrayX<Scalar>::Zero(across.size()),
+                              .half_lengths = (across.from_trailing() * across.from_leading()).sqrt()});
+}
+
+/// Any outline, in units of `unit`, e.g. c. `across` divides its height, from -1 at the smallest y to 1 at the largest.
+/// A strip lies between the edges of the outline at the middle of its width.
+template <class Scalar>
+PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identity_t<Scalar> unit, Mesh<Scalar> along,
+                               const Mesh<Scalar>& across) {
+    const Scalar middle = (outline.low() + outline.high()) / 2, half_height = (outline.high() - outline.low()) / 2;
+    const Eigen::Index m = across.size();
+    const auto place = [&](Scalar t) { return middle + half_height * t; };
+    ArrayX<Scalar> edges = across.edges(), middles = across.centres(), middles_x(m), half_lengths(m);
+    for (Scalar& y : edges) y = place(y) / unit;
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const Scalar y = place(middles[j]), trailing = outline.trailing(y), leading = outline.leading(y);
+        middles[j] = y / unit;
+        middles_x[j] = (trailing + leading) / 2 / unit;
+        half_lengths[j] = (leading - trailing) / 2 / unit;
+    }
+    return PatchMesh<Scalar>({std::move(along), edges, middles, middles_x, half_lengths});
+}
+
+/// The mesh of a contact patch in units of a (outlines: c). Accurate are cosine meshes both ways, with n = m, but m = n/2
+/// for a/b above 2.
+template <class Scalar>
+PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
+    if (contact.outline()) {
+        return outline_mesh<Scalar>(*contact.outline(), contact.half_length(), std::move(along), across);
+    }
+    return ellipse_mesh<Scalar>(contact.a_over_b(), std::move(along), across);
+}
+
+/// The same with cosine meshes of n elements a strip and m strips.
+template <class Scalar>
+PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Eigen::Index n, Eigen::Index m) {
+    return patch_mesh(contact, cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m));
+}
+
+}  // namespace rollbem

@@ -1,0 +1,101 @@
+// What a rectangle kernel is: the displacement of the surface by tractions on a rectangle, and HalfSpace, that of two
+// equal elastic half-spaces.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+/// An influence between the directions x and y. By reciprocity that of x on y equals that of y on x.
+template <class Scalar>
+struct Influence {
+    Scalar xx = 0, xy = 0, yy = 0;
+
+    friend Influence operator+(const Influence& a, const Influence& b) {
+        return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+    }
+    friend Influence operator-(const Influence& a, const Influence& b) {
+        return {a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
+    }
+    friend Influence operator*(const Scalar& factor, const Influence& a) {
+        return {factor * a.xx, factor * a.xy, factor * a.yy};
+    }
+};
+
+/// What the assembly of a patch requires of a kernel. Lengths are in the system's unit, tractions in G.
+/// - corner(x, y): F at the distance (x, y) from a corner. The displacement u of both bodies at (x, y) by unit traction
+///   on the rectangle x0 ... x1, y0 ... y1 is F(x-x0, y-y0) - F(x-x1, y-y0) - F(x-x0, y-y1) + F(x-x1, y-y1).
+///   xx and yy of F are odd in x and in y, xy is even in both.
+/// - couples(): whether xy differs from zero.
+template <class Kernel>
+concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar x) {
+    { kernel.corner(x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
+    { kernel.couples() } -> std::same_as<bool>;
+};
+
+/// A kernel that offers line_slope(x, y0, y1): du/dx at distance x ahead of a line of unit traction along y, whose ends
+/// lie y0 and y1 < y0 below the point. The assembly uses it for distant elements: with it nothing cancels.
+template <class Kernel>
+concept SlopeKernel = RectangleKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
+    { kernel.line_slope(x, x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
+};
+
+/// Two equal half-spaces (Boussinesq, Cerruti): with r = sqrt(x^2 + y^2), pi G F is
+/// xx: (1-nu) x asinh(y/|x|) + y asinh(x/|y|), yy: x asinh(y/|x|) + (1-nu) y asinh(x/|y|), xy: -nu r.
+template <class Scalar_>
+class HalfSpace {
+public:
+    using Scalar = Scalar_;
+
+    /// Throws std::invalid_argument unless 0 <= nu <= 0.5.
+    explicit HalfSpace(Scalar poisson_ratio) : nu_(poisson_ratio) {
+        detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= Scalar(0.5), "HalfSpace", "poisson_ratio", nu_,
+                        "lie in [0, 0.5]");
+    }
+
+    bool couples() const { return nu_ != 0; }
+
+    Influence<Scalar> corner(Scalar x, Scalar y) const {
+        const Scalar r = std::sqrt(x * x + y * y);
+        const Scalar width = std::max(std::abs(x), least), height = std::max(std::abs(y), least);
+        // each product is 0 where its first factor is
+        const Scalar along = std::copysign(x, x * y) * area_sine(height, width, r);
+        const Scalar across = std::copysign(y, x * y) * area_sine(width, height, r);
+        constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
+        return {over_pi * ((1 - nu_) * along + across), -over_pi * nu_ * r, over_pi * (along + (1 - nu_) * across)};
+    }
+
+    Influence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {
+        const Scalar r0 = std::sqrt(x * x + y0 * y0), r1 = std::sqrt(x * x + y1 * y1);
+        // (y0/r0 - y1/r1)/x, whose numerator cancels if both have the same sign
+        const Scalar angle =
+            y0 * y1 > 0 ? x * (y0 - y1) * (y0 + y1) / (r0 * r1 * (y0 * r1 + y1 * r0)) : (y0 / r0 - y1 / r1) / x;
+        const Scalar cube0 = r0 * r0 * r0, cube1 = r1 * r1 * r1;
+        const Scalar shear = nu_ * x * (y0 / cube0 - y1 / cube1);
+        constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
+        return {over_pi * ((nu_ - 1) * angle - shear), over_pi * nu_ * (y1 * y1 / cube1 - y0 * y0 / cube0),
+                over_pi * (shear - angle)};
+    }
+
+private:
+    // asinh(p/q), p and q positive, r = sqrt(p^2 + q^2); to all digits where it is small
+    static Scalar area_sine(Scalar p, Scalar q, Scalar r) {
+        return p < q ? std::log1p(p / q * (1 + p / (q + r))) : std::log((p + r) / q);
+    }
+
+    // far below any distance, and the ratio of a distance to it does not overflow
+    static constexpr Scalar least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
+
+    Scalar nu_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,256 @@
+// Hertz's elliptic contact of two bodies with any principal radii: semi-axes, peak pressure and approach, and the mean
+// pressures of rectangular elements under the same or another load. In SI units.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "../detail/finite.hpp"
+#include "../detail/gauss_legendre.hpp"
+#include "../detail/require.hpp"
+#include "../types.hpp"
+#include "hertz.hpp"
+
+namespace rollbem {
+
+/// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite if
+/// flat, never zero.
+template <class Scalar>
+struct PrincipalRadii {
+    Scalar rolling;  ///< in the plane of the rolling direction x
+    Scalar lateral;  ///< in the plane across it
+};
+
+/// An element of a patch [m], x_1 < x_2 and y_1 < y_2.
+template <class Scalar>
+struct Rectangle {
+    Scalar x_1, x_2, y_1, y_2;
+};
+
+namespace detail {
+
+/// Complete elliptic integrals of the modulus e = sqrt(1 - kappa^2), by the arithmetic-geometric mean (Abramowitz &
+/// Stegun 17.6): K, D = (K - E)/e^2, B = K - D and C = (D - B)/e^2, all without cancellation as e tends to 0.
+template <class Scalar>
+struct EllipticIntegrals {
+    Scalar K, D, B, C;
+
+    /// 0 < kappa <= 1, kappa = b/a of an ellipse with the longer semi-axis a.
+    explicit EllipticIntegrals(Scalar kappa) {
+        // 1 - E/K = sum of 2^(n-1) c_n^2, c_0 = e; half_sum is what follows the first term, over e^4
+        Scalar mean = (1 + kappa) / 2, geometric = std::sqrt(kappa), c = (1 - kappa) / 2;
+        Scalar term = 1 / (4 * (1 + kappa) * (1 + kappa)), sum = term;
+        while (c > std::numeric_limits<Scalar>::epsilon() * mean) {
+            const Scalar next = (mean + geometric) / 2;
+            geometric = std::sqrt(mean * geometric);
+            mean = next;
+            term *= 2 * (c / (4 * mean)) * (c / (4 * mean));
+            c = c * c / (4 * mean);
+            sum += term;
+        }
+        const Scalar e_squared = (1 - kappa) * (1 + kappa);
+        K = std::numbers::pi_v<Scalar> / (2 * mean);
+        C = 2 * K * sum;
+        D = (K + e_squared * C) / 2;
+        B = (K - e_squared * C) / 2;
+    }
+};
+
+/// kappa = (shorter over longer semi-axis) for the ratio q of the smaller to the larger principal curvature, 0 < q <= 1:
+/// q = kappa^2 D/B. Newton's method for ln kappa, whose slope lies between 1.5 and 2.
+template <class Scalar>
+Scalar ellipse_of_curvatures(Scalar q) {
+    Scalar log_kappa = std::log(q) * Scalar(0.6);
+    for (int step = 0; step < 60; ++step) {
+        const Scalar kappa = std::exp(log_kappa);
+        const EllipticIntegrals<Scalar> at(kappa);
+        const Scalar excess = 2 * log_kappa + std::log(at.D / at.B / q);
+        const Scalar change = excess / (1 + at.C / at.D + kappa * kappa * at.C / at.B);
+        log_kappa = std::min(log_kappa - change, Scalar(0));
+        if (std::abs(change) <= 4 * std::numeric_limits<Scalar>::epsilon() * (1 + std::abs(log_kappa))) break;
+    }
+    return std::exp(log_kappa);
+}
+
+/// Integrals over a rectangle, in units of both semi-axes, of sqrt(1 - r^2) and of 1/sqrt(1 - r^2) inside r = 1: in
+/// closed form along x, by Gauss's rule in y between the points where the circle cuts its sides.
+template <class Scalar>
+std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
+    static const QuadratureRule<Scalar> rule = gauss_legendre<Scalar>(12);
+    std::array<Scalar, 6> ends = {unit.y_1, unit.y_2, 0, 0, 0, 0};
+    for (int k = 0; k < 2; ++k) {
+        const Scalar x = k == 0 ? unit.x_1 : unit.x_2;
+        ends[2 + 2 * k] = std::sqrt(std::max((1 - x) * (1 + x), Scalar(0)));
+        ends[3 + 2 * k] = -ends[2 + 2 * k];
+    }
+    for (Scalar& y : ends) y = std::clamp(y, std::max(unit.y_1, Scalar(-1)), std::min(unit.y_2, Scalar(1)));
+    std::sort(ends.begin(), ends.end());
+    std::array<Scalar, 2> integrals{0, 0};
+    for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
+        const Scalar width = ends[part + 1] - ends[part];
+        if (!(width > 0)) continue;
+        for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+            // with y = 3 u^2 - 2 u^3 the root that the integrand has at a cut becomes smooth
+            const Scalar u = (1 + rule.nodes[k]) / 2;
+            const Scalar y = ends[part] + width * u * u * (3 - 2 * u);
+            const Scalar weight = rule.weights[k] / 2 * width * 6 * u * (1 - u);
+            const Scalar chord = std::sqrt((1 - y) * (1 + y));
+            const Scalar x_1 = std::clamp(unit.x_1, -chord, chord), x_2 = std::clamp(unit.x_2, -chord, chord);
+            const auto height = [&](Scalar x) { return std::sqrt((chord - x) * (chord + x)); };
+            const Scalar h_1 = height(x_1), h_2 = height(x_2);
+            const Scalar angle = std::atan2(x_2, h_2) - std::atan2(x_1, h_1);
+            integrals[0] += weight * (x_2 * h_2 - x_1 * h_1 + chord * chord * angle) / 2;
+            integrals[1] += weight * angle;
+        }
+    }
+    return integrals;
+}
+
+}  // namespace detail
+
+/// Two smooth bodies pressed together: p_n = p0 sqrt(1 - x^2/a^2 - y^2/b^2), N = 2 pi a b p0/3 (Hertz 1882; Johnson,
+/// Contact Mechanics, 1985, section 4.2). Half-spaces: a and b small against all radii.
+template <class Scalar_ = double>
+class HertzEllipse {
+public:
+    using Scalar = Scalar_;
+
+    struct Parameters {
+        Scalar load;                     ///< N [N], positive
+        PrincipalRadii<Scalar> radii_1;  ///< of the wheel
+        PrincipalRadii<Scalar> radii_2;  ///< of the rail
+        Scalar angle = 0;                ///< by which the planes of radii_2 are turned about z, from x to y [rad]
+        ElasticBody<Scalar> body_1;      ///< wheel
+        ElasticBody<Scalar> body_2;      ///< rail
+    };
+
+    /// Pressures of elements [Pa], and their derivatives by the load [Pa/N].
+    struct Pressures {
+        ArrayX<Scalar> mean, rate;
+    };
+
+    /// Throws std::invalid_argument naming the parameter that is out of range, or if the bodies do not separate in all
+    /// directions: both principal curvatures of the gap must be positive.
+    explicit HertzEllipse(const Parameters& parameters);
+
+    Scalar load() const { return load_; }          ///< N [N]
+    Scalar half_length() const { return a_; }      ///< a [m], the semi-axis within 45 degrees of the rolling direction
+    Scalar half_width() const { return b_; }       ///< b [m]
+    Scalar approach() const { return approach_; }  ///< of distant points of both bodies [m]
+    /// By which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the principal
+    /// planes of both bodies agree, or for a circle.
+    Scalar turn() const { return turn_; }
+    Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
+
+    /// The same bodies under another load [N]: a, b and p0 vary as its cube root, the approach as its square. Throws
+    /// std::invalid_argument unless the load is positive and finite.
+    HertzEllipse under(Scalar load) const {
+        require_positive(load, "load");
+        HertzEllipse other = *this;
+        const Scalar scale = std::cbrt(load / load_);
+        other.load_ = load;
+        other.a_ *= scale;
+        other.b_ *= scale;
+        other.approach_ *= scale * scale;
+        return other;
+    }
+
+    /// d a/dN, d b/dN [m/N] and d approach/dN [m/N].
+    Scalar half_length_rate() const { return a_ / (3 * load_); }
+    Scalar half_width_rate() const { return b_ / (3 * load_); }
+    Scalar approach_rate() const { return 2 * approach_ / (3 * load_); }
+
+    /// Mean pressures of elements in coordinates along the axes a and b, scaled so that they carry the load exactly:
+    /// elements within the ellipse, cut by it or beyond it. Throws std::invalid_argument unless they cover nine tenths
+    /// of the load, as they do but for the steps of their outline, or if a rectangle has no area.
+    Pressures pressures(const std::vector<Rectangle<Scalar>>& elements) const;
+
+private:
+    static void require_positive(Scalar value, const char* name) {
+        detail::require(detail::is_finite(value) && value > 0, "HertzEllipse", name, value, "be positive and finite");
+    }
+
+    static Scalar curvature(Scalar radius, const char* name) {
+        detail::require(!detail::is_nan(radius) && radius != 0, "HertzEllipse", name, radius,
+                        "be a number other than 0 (infinite if flat, negative if concave)");
+        return detail::is_finite(radius) ? 1 / radius : Scalar(0);
+    }
+
+    Scalar load_, a_ = 0, b_ = 0, approach_ = 0, turn_ = 0;
+};
+
+template <class Scalar_>
+HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parameters.load) {
+    require_positive(load_, "load");
+    detail::require(detail::is_finite(parameters.angle), "HertzEllipse", "angle", parameters.angle, "be finite");
+    Scalar compliance = 0;
+    for (const ElasticBody<Scalar>& body : {parameters.body_1, parameters.body_2}) {
+        require_positive(body.young_modulus, "young_modulus");
+        detail::require(
+            detail::is_finite(body.poisson_ratio) && body.poisson_ratio >= 0 && body.poisson_ratio <= Scalar(0.5),
+            "HertzEllipse", "poisson_ratio", body.poisson_ratio, "lie in [0, 0.5]");
+        compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
+    }
+    const Scalar x_1 = curvature(parameters.radii_1.rolling, "radii_1.rolling"),
+                 y_1 = curvature(parameters.radii_1.lateral, "radii_1.lateral"),
+                 x_2 = curvature(parameters.radii_2.rolling, "radii_2.rolling"),
+                 y_2 = curvature(parameters.radii_2.lateral, "radii_2.lateral");
+    const Scalar cosine = std::cos(parameters.angle), sine = std::sin(parameters.angle);
+    const Scalar xx = x_1 + x_2 * cosine * cosine + y_2 * sine * sine;
+    const Scalar yy = y_1 + x_2 * sine * sine + y_2 * cosine * cosine;
+    const Scalar xy = (x_2 - y_2) * sine * cosine;
+    // principal curvatures of the gap; the smaller by the determinant, so that a long ellipse keeps its digits
+    const Scalar larger = (xx + yy) / 2 + std::hypot((xx - yy) / 2, xy);
+    const Scalar smaller = xy == 0 ? std::min(xx, yy) : yy * (xx / larger) - xy * (xy / larger);
+    detail::require(larger > 0 && smaller > 0, "HertzEllipse", "smaller principal curvature of the gap", smaller,
+                    "be positive");
+    const bool across = xx < yy;  // the larger curvature, and with it the shorter axis
+    turn_ = std::atan2(across ? -2 * xy : 2 * xy, std::abs(xx - yy)) / 2;
+
+    const Scalar kappa = detail::ellipse_of_curvatures<Scalar>(std::min(smaller / larger, Scalar(1)));
+    const detail::EllipticIntegrals<Scalar> integrals(kappa);
+    const Scalar pi = std::numbers::pi_v<Scalar>;
+    const Scalar longer = std::cbrt(3 * load_ * compliance * integrals.D / (pi * smaller)), shorter = kappa * longer;
+    a_ = across ? longer : shorter;
+    b_ = across ? shorter : longer;
+    approach_ = 3 * load_ * compliance * integrals.K / (2 * pi * longer);
+    require_positive(shorter, "shorter semi-axis");
+    require_positive(longer, "longer semi-axis");
+}
+
+template <class Scalar_>
+auto HertzEllipse<Scalar_>::pressures(const std::vector<Rectangle<Scalar>>& elements) const -> Pressures {
+    const Eigen::Index count = static_cast<Eigen::Index>(elements.size());
+    Pressures result{ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
+    // in units of the load: volumes of the unit hemisphere, whose total is 2 pi/3, and their derivatives
+    Scalar carried = 0, rate = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Rectangle<Scalar>& element = elements[static_cast<std::size_t>(i)];
+        const Scalar area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+        detail::require(detail::is_finite(area) && element.x_1 < element.x_2 && element.y_1 < element.y_2,
+                        "HertzEllipse", "area of an element", area, "be positive and finite");
+        const auto [height, inverse] = detail::integrate_hemisphere<Scalar>(
+            {element.x_1 / a_, element.x_2 / a_, element.y_1 / b_, element.y_2 / b_});
+        // p = p0 sqrt(1 - r^2), where 1/r and p0 grow as the cube root of the load: N dp/dN = p0/(3 sqrt(1 - r^2))
+        const Scalar share = 3 / (2 * std::numbers::pi_v<Scalar>)*height,
+                     growth = inverse / (2 * std::numbers::pi_v<Scalar>);
+        carried += share;
+        rate += growth;
+        result.mean[i] = share / area;
+        result.rate[i] = growth / area;
+    }
+    detail::require(carried >= Scalar(0.9), "HertzEllipse", "share of the load on the elements", carried,
+                    "be at least 0.9: they must cover the contact");
+    // N s_i/sum s, and its derivative by N where ds_i/dN = (growth_i - s_i)/N
+    result.rate = result.rate / carried + result.mean * (1 - rate / carried) / carried;
+    result.mean *= load_ / carried;
+    return result;
+}
+
+}  // namespace rollbem

@@ -1,0 +1,81 @@
+// PatchContact: the contact area and material of rolling contact in three dimensions: an ellipse or any outline, shear
+// modulus G and Poisson's ratio nu, checked once on construction.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "outline.hpp"
+
+namespace rollbem {
+
+/// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
+/// and z points into body 2, so that x, y, z are right-handed.
+///
+/// Invariant: 0 < a, b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are finite.
+template <class Scalar_ = double>
+class PatchContact {
+public:
+    using Scalar = Scalar_;
+
+    struct Parameters {
+        Scalar half_length;    ///< a [m], semi-axis in the rolling direction x
+        Scalar half_width;     ///< b [m], semi-axis across it
+        Scalar shear_modulus;  ///< G [Pa] of both (equal) bodies
+        Scalar poisson_ratio;  ///< nu [-]
+    };
+
+    /// An ellipse. Throws std::invalid_argument naming the parameter that breaks the invariant.
+    explicit PatchContact(const Parameters& parameters) : parameters_(parameters) {
+        const Parameters& p = parameters_;
+        require_positive("half_length", p.half_length);
+        require_positive("half_width", p.half_width);
+        require_positive("shear_modulus", p.shear_modulus);
+        detail::require(detail::is_finite(p.poisson_ratio) && p.poisson_ratio >= 0 && p.poisson_ratio <= Scalar(0.5),
+                        "PatchContact", "poisson_ratio", p.poisson_ratio, "lie in [0, 0.5]");
+        require_positive("half_length / half_width", a_over_b());
+        require_positive("half_width / half_length", p.half_width / p.half_length);
+    }
+
+    /// Any outline, in metres. a and b are both the radius c of the circle of equal area.
+    PatchContact(Outline<Scalar> outline, Scalar shear_modulus, Scalar poisson_ratio)
+        : PatchContact(Parameters{radius_of(outline), radius_of(outline), shear_modulus, poisson_ratio}) {
+        outline_ = std::move(outline);
+    }
+
+    /// The ellipse with a = G = 1.
+    static PatchContact dimensionless(Scalar a_over_b, Scalar poisson_ratio) {
+        require_positive("a_over_b", a_over_b);
+        return PatchContact(Parameters{1, 1 / a_over_b, 1, poisson_ratio});
+    }
+
+    Scalar half_length() const { return parameters_.half_length; }  ///< a [m]; the unit of length of its systems
+    Scalar half_width() const { return parameters_.half_width; }    ///< b [m]
+    Scalar shear_modulus() const { return parameters_.shear_modulus; }
+    Scalar poisson_ratio() const { return parameters_.poisson_ratio; }
+    Scalar a_over_b() const { return parameters_.half_length / parameters_.half_width; }
+    Scalar c() const {  ///< sqrt(a b) [m]
+        return std::sqrt(parameters_.half_length) * std::sqrt(parameters_.half_width);
+    }
+    const std::optional<Outline<Scalar>>& outline() const { return outline_; }  ///< empty for an ellipse
+
+private:
+    static void require_positive(const char* quantity, Scalar value) {
+        detail::require(detail::is_finite(value) && value > 0, "PatchContact", quantity, value,
+                        "be positive and finite");
+    }
+    static Scalar radius_of(const Outline<Scalar>& outline) {
+        return std::sqrt(outline.area() / std::numbers::pi_v<Scalar>);
+    }
+
+    Parameters parameters_;
+    std::optional<Outline<Scalar>> outline_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,260 @@
+// rollbem/adhesion/patch_steady.hpp: Kalker's creep coefficients against his table, limits, symmetries, and refined
+// meshes; their frequency response.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include <rollbem/adhesion/patch_frequency.hpp>
+#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/closed_form/kalker_table.hpp>
+#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/stability.hpp>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+
+using namespace rollbem;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr NodeDifference chebyshev{Nodes::chebyshev};
+constexpr double pi = std::numbers::pi;
+
+template <class Scalar = double>
+PatchSteadySolution<Scalar> solved(double a_over_b, double nu, Eigen::Index n, Eigen::Index m) {
+    const auto contact = PatchContact<Scalar>::dimensionless(static_cast<Scalar>(a_over_b), static_cast<Scalar>(nu));
+    return solve_steady(contact, patch_mesh(contact, n, m), chebyshev);
+}
+
+/// Limits of small elements, extrapolated from up to 48 x 48 elements: errors below 5e-3 (c33) and 1e-3.
+struct Limit {
+    double a_over_b;
+    double values[3][4];  ///< nu = 0, 0.25, 0.5: c11, c22, c23, c33
+};
+
+constexpr Limit limits[] = {
+    {0.1, {{2.512, 2.512, 0.3349, 6.456}, {3.316, 2.527, 0.4713, 8.334}, {4.864, 2.533, 0.7233, 11.77}}},
+    {0.2, {{2.591, 2.591, 0.4835, 3.471}, {3.375, 2.632, 0.6026, 4.297}, {4.820, 2.664, 0.8060, 5.700}}},
+    {0.5, {{2.882, 2.882, 0.8263, 1.745}, {3.625, 3.011, 0.9278, 1.939}, {4.869, 3.144, 1.0722, 2.232}}},
+    {1, {{3.393, 3.393, 1.3326, 1.205}, {4.111, 3.666, 1.4652, 1.184}, {5.205, 3.979, 1.6301, 1.162}}},
+    {2, {{4.374, 4.374, 2.347, 0.956}, {5.096, 4.903, 2.621, 0.819}, {6.099, 5.573, 2.963, 0.652}}},
+    {5, {{6.987, 6.987, 5.707, 0.828}, {7.801, 8.176, 6.624, 0.603}, {8.829, 9.852, 7.886, 0.344}}},
+    {10, {{10.78, 10.78, 12.21, 0.796}, {11.77, 12.93, 14.54, 0.528}, {12.95, 16.14, 17.97, 0.230}}},
+};
+constexpr double poisson_ratios[] = {0, 0.25, 0.5};
+
+double relative(double value, double exact) { return std::abs(value / exact - 1); }
+
+}  // namespace
+
+TEST_CASE("patch_steady: 12 x 12 elements, digit by digit") {
+    const auto circle = solved(1, 0.25, 12, 12);
+    CHECK(circle.status == Status::ok);
+    CHECK(circle.residual < 1e-15);
+    CHECK_THAT(circle.c11, WithinAbs(4.1226, 5e-5));
+    CHECK_THAT(circle.c22, WithinAbs(3.6696, 5e-5));
+    CHECK_THAT(circle.c23, WithinAbs(1.4759, 5e-5));
+    CHECK_THAT(circle.c32, WithinAbs(-1.4624, 5e-5));
+    CHECK_THAT(circle.c33, WithinAbs(1.1908, 5e-5));
+}
+
+TEST_CASE("patch_steady: errors of 24 x 24 elements, and of 12 and 24 extrapolated") {
+    for (const Limit& limit : limits) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double a_over_b = limit.a_over_b, nu = poisson_ratios[k];
+            const double* const exact = limit.values[k];
+            INFO("a/b " << a_over_b << ", nu " << nu);
+            const auto coarse = solved(a_over_b, nu, 12, 12), fine = solved(a_over_b, nu, 24, 24);
+            CHECK(fine.status == Status::ok);
+            CHECK(relative(fine.c11, exact[0]) < 3e-3);
+            CHECK(relative(fine.c22, exact[1]) < (a_over_b < 10 ? 3e-3 : 3.5e-3));
+            CHECK(relative(fine.c23, exact[2]) < 7e-3);
+            CHECK(relative(fine.c33, exact[3]) < (a_over_b <= 1 ? 8e-3 : 2e-2));
+            CHECK(relative(-fine.c32, fine.c23) < 7e-3);
+            if (a_over_b < 0.5 || a_over_b > 2) continue;
+            const auto extrapolated = [](double n, double twice_n) { return (4 * twice_n - n) / 3; };
+            const double allowed = a_over_b < 2 ? 1e-3 : 1.4e-3;
+            CHECK(relative(extrapolated(coarse.c11, fine.c11), exact[0]) < allowed);
+            CHECK(relative(extrapolated(coarse.c22, fine.c22), exact[1]) < allowed);
+            CHECK(relative(extrapolated(coarse.c23, fine.c23), exact[2]) < allowed);
+            CHECK(relative(-extrapolated(coarse.c32, fine.c32), exact[2]) < allowed);
+        }
+    }
+}
+
+TEST_CASE("patch_steady: Kalker's table, to 1.2 %") {
+    for (const KalkerRow& row : kalker_table) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            INFO("a/b " << row.a_over_b << ", nu " << poisson_ratios[k]);
+            const auto patch = solved(row.a_over_b, poisson_ratios[k], 16, 16);
+            CHECK(relative(patch.c11, row.c11[k]) < 1.2e-2);
+            CHECK(relative(patch.c22, row.c22[k]) < 1.2e-2);
+            CHECK(relative(patch.c23, row.c23[k]) < 1.2e-2);
+        }
+    }
+}
+
+TEST_CASE("patch_steady: c11 converges with second order") {
+    const std::pair<double, double> cases[] = {{0.2, 3.375}, {0.5, 3.625}};
+    for (const auto& [a_over_b, exact] : cases) {
+        std::vector<double> counts, errors;
+        for (const Eigen::Index n : {12, 16, 24, 32}) {
+            counts.push_back(static_cast<double>(n));
+            errors.push_back(solved(a_over_b, 0.25, n, n).c11 - exact);
+        }
+        const double order = support::observed_order(counts, errors);
+        INFO("a/b " << a_over_b << ", order " << order);
+        CHECK(order > 1.8);
+        CHECK(order < 2.4);
+    }
+}
+
+TEST_CASE("patch_steady: without Poisson's ratio both directions are alike") {
+    const auto circle = solved(1, 0, 12, 12);
+    CHECK_THAT(circle.c11, WithinRel(circle.c22, 1e-13));
+    CHECK((circle.traction_x.col(0) - circle.traction_y.col(1)).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(circle.traction_y.col(0).cwiseAbs().maxCoeff() == 0);
+}
+
+TEST_CASE("patch_steady: the limits of patches much shorter than wide") {
+    // Kalker: c11 = pi^2/(4 (1 - nu)), c22 = pi^2/4 as a/b -> 0
+    for (const double nu : {0.0, 0.3}) {
+        double before = 1;
+        for (const double a_over_b : {0.1, 0.03, 0.01}) {
+            const auto patch = solved(a_over_b, nu, 24, 24);
+            const double error =
+                std::max(relative(patch.c11, pi * pi / 4 / (1 - nu)), relative(patch.c22, pi * pi / 4));
+            INFO("a/b " << a_over_b << ", nu " << nu << ", error " << error);
+            CHECK(error < before);
+            before = error;
+        }
+        CHECK(before < 4e-3);
+    }
+}
+
+TEST_CASE("patch_steady: a wide rectangle tends to the line contact") {
+    // F_x = -(2 a) (2 b) ... of a line is a G c11 per width, c11 = pi/(2 (1 - nu)); c^2 = 4 a b/pi
+    const double nu = 0.3, b = 200;
+    const ArrayX<double> y = (ArrayX<double>(2) << -b, b).finished(), one = ArrayX<double>::Ones(2);
+    const PatchContact<double> contact(Outline<double>(y, -one, one), 1, nu);
+    const auto patch = solve_steady(contact, patch_mesh(contact, 40, 24), chebyshev);
+    CHECK(patch.status == Status::ok);
+    const double per_width = patch.c11 * (4 * b / pi) / (2 * b);
+    CHECK_THAT(per_width, WithinRel(pi / 2 / (1 - nu), 5e-3));
+    CHECK_THAT(patch.c22 * (4 * b / pi) / (2 * b), WithinRel(pi / 2, 5e-3));
+}
+
+TEST_CASE("patch_steady: the unit of length is free") {
+    const auto outline = [](double size) {
+        const ArrayX<double> y = ArrayX<double>::LinSpaced(4, -1, 1) * size;
+        const ArrayX<double> leading = (ArrayX<double>(4) << 0, 1, 0.7, 0.2).finished() * size;
+        const ArrayX<double> trailing = (ArrayX<double>(4) << 0, -0.5, -0.9, 0).finished() * size;
+        return Outline<double>(y, trailing, leading);
+    };
+    const auto coefficients = [&](double size) {
+        const PatchContact<double> contact(outline(size), 1, 0.28);
+        return solve_steady(contact, patch_mesh(contact, 8, 8), chebyshev);
+    };
+    const auto metres = coefficients(5e-3), one = coefficients(1);
+    CHECK_THAT(metres.c11, WithinRel(one.c11, 1e-12));
+    CHECK_THAT(metres.c33, WithinRel(one.c33, 1e-12));
+    CHECK_THAT(metres.coefficients(0, 2), WithinRel(one.coefficients(0, 2), 1e-11));
+}
+
+TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
+    const auto contact = PatchContact<double>::dimensionless(1, 0.25);
+    const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
+    const double y0 = 0.3;
+    const PatchMesh<double> moved(
+        {mesh.along(), mesh.edges() + y0, mesh.middles_y() + y0, mesh.middles_x(), mesh.half_lengths()});
+    const auto centred = solve_steady(contact, mesh, chebyshev), off = solve_steady(contact, moved, chebyshev);
+    // spin about the new origin is spin about the centre and xi = -y0 phi; M_z = M_z' - y0 F_x
+    CHECK_THAT(off.c11, WithinRel(centred.c11, 1e-12));
+    CHECK_THAT(off.c22, WithinRel(centred.c22, 1e-12));
+    CHECK_THAT(off.c23, WithinRel(centred.c23, 1e-12));
+    CHECK_THAT(off.coefficients(0, 2), WithinRel(-y0 * centred.c11, 1e-12));
+    CHECK_THAT(off.c33, WithinRel(centred.c33 + y0 * y0 * centred.c11, 1e-12));
+}
+
+TEST_CASE("patch_steady: long double confirms double") {
+    const auto fast = solved<double>(0.1, 0.25, 12, 12);
+    const auto exact = solved<long double>(0.1, 0.25, 12, 12);
+    CHECK_THAT(fast.c11, WithinRel(static_cast<double>(exact.c11), 2e-14));
+    CHECK_THAT(fast.c23, WithinRel(static_cast<double>(exact.c23), 2e-14));
+    CHECK_THAT(fast.c33, WithinRel(static_cast<double>(exact.c33), 2e-14));
+}
+
+TEST_CASE("patch_steady: frequency response") {
+    struct Case {
+        double a_over_b, z;
+        std::complex<double> c11, c22, c23, c33;
+    };
+    using namespace std::complex_literals;
+    const Case cases[] = {
+        {0.5, 0.1, 3.6268 - 0.6565i, 2.9662 - 0.4411i, 0.9134 - 0.1877i, 1.9653 - 0.1138i},
+        {0.5, 1, 0.7710 - 1.6691i, 0.8447 - 1.5154i, -0.0049 - 0.5024i, 1.4045 - 1.0273i},
+        {0.5, 3, 0.0336 - 0.5742i, 0.0329 - 0.5414i, -0.0933 + 0.0055i, 0.2137 - 0.8311i},
+        {1, 0.1, 4.1354 - 0.6059i, 3.6498 - 0.4530i, 1.4526 - 0.2464i, 1.1936 + 0.0273i},
+        {1, 1, 1.2062 - 2.1278i, 1.3467 - 2.0044i, 0.1330 - 0.9403i, 1.4924 - 0.4001i},
+        {2, 0.1, 5.1284 - 0.6296i, 4.9233 - 0.5326i, 2.6167 - 0.3892i, 0.8295 + 0.1917i},
+        {2, 1, 1.9231 - 2.8247i, 2.1767 - 2.7955i, 0.4682 - 1.8325i, 2.2111 + 0.3380i},
+    };
+    for (const Eigen::Index n : {12, 24}) {
+        std::map<double, PatchFrequencySweep<double>> sweeps;
+        for (const Case& known : cases) {
+            const auto contact = PatchContact<double>::dimensionless(known.a_over_b, 0.28);
+            const PatchMesh<double> mesh = patch_mesh(contact, n, n);
+            if (!sweeps.contains(known.a_over_b)) {
+                const HalfSpace<double> kernel(0.28);
+                sweeps.try_emplace(known.a_over_b, contact, patch_parts(mesh, chebyshev, kernel));
+            }
+            const PatchSweepPoint<double> patch = sweeps.at(known.a_over_b)(known.z);
+            CHECK(patch.status == Status::ok);
+            const double allowed = n == 12 ? (known.z > 2 ? 3.5e-2 : 1e-2) : (known.z > 2 ? 1e-2 : 3e-3);
+            INFO("a/b " << known.a_over_b << ", z " << known.z << ", n " << n);
+            CHECK(std::abs(patch.c11 / known.c11 - 1.0) < allowed);
+            CHECK(std::abs(patch.c22 / known.c22 - 1.0) < allowed);
+            CHECK(std::abs(patch.c23 / known.c23 - 1.0) < allowed);
+            CHECK(std::abs(patch.c33 / known.c33 - 1.0) < allowed);
+        }
+    }
+}
+
+TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugate; patches decay") {
+    const auto contact = PatchContact<double>::dimensionless(2, 0.3);
+    const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
+    const auto parts = patch_parts(mesh, chebyshev, HalfSpace<double>(0.3));
+    const PatchFrequencySweep<double> sweep(contact, parts);
+    const auto steady = solve_steady(contact, mesh, chebyshev);
+    CHECK_THAT(sweep(0).c33.real(), WithinRel(steady.c33, 1e-12));
+    CHECK((sweep(0).coefficients - steady.coefficients.cast<std::complex<double>>()).cwiseAbs().maxCoeff() < 1e-11);
+    CHECK((sweep(-1).coefficients - sweep(1).coefficients.conjugate()).cwiseAbs().maxCoeff() < 1e-12);
+
+    const StabilityVerdict halves = judge_stability(parts);
+    CHECK(halves.n == 96);
+    CHECK(halves.stable());
+    const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, HalfSpace<double>(0.3)).whole());
+    CHECK_THAT(halves.spectral_abscissa, WithinRel(whole.spectral_abscissa, 1e-9));
+}
+
+TEST_CASE("patch_steady: rows that belong to the element ahead grow on long patches") {
+    // of the verdict: a scheme known to be unstable there, G at the bare middle of the interval
+    struct BareMiddle {
+        NodeDifference nodes = chebyshev;
+        SchemeRows<double> rows(Quantity quantity, const Mesh<double>& mesh) const {
+            SchemeRows<double> rows = nodes.rows(quantity, mesh);
+            rows.alpha = nodes.rows(Quantity::slope, mesh).alpha;
+            return rows;
+        }
+    };
+    const PatchMesh<double> mesh = ellipse_mesh<double>(10, cosine_mesh(8), cosine_mesh(8));
+    const HalfSpace<double> kernel(0.5);
+    CHECK(judge_stability(patch_parts(mesh, chebyshev, kernel)).stable());
+    CHECK(judge_stability(patch_parts(mesh, BareMiddle{}, kernel)).certainly_unstable());
+}

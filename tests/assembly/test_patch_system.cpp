@@ -1,0 +1,230 @@
+// rollbem/assembly/patch_system.hpp, elasticity/rectangle_kernel.hpp: entries of G and G' against quadrature, long
+// double and the strip, and the waist's inputs and outputs.
+#include <cmath>
+#include <numbers>
+
+#include <rollbem/adhesion/response.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/detail/gauss_legendre.hpp>
+
+#include "support/catch.hpp"
+#include "support/refusal.hpp"
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+using Matrix = MatrixX<double>;
+
+constexpr NodeDifference chebyshev{Nodes::chebyshev};
+
+double largest(const Matrix& matrix) { return matrix.cwiseAbs().maxCoeff(); }
+
+/// The least a kernel needs.
+struct OwnKernel {
+    using Scalar = double;
+    HalfSpace<double> half_space{0.3};
+
+    Influence<double> corner(double x, double y) const { return half_space.corner(x, y); }
+    bool couples() const { return true; }
+};
+static_assert(RectangleKernel<OwnKernel> && !SlopeKernel<OwnKernel> && SlopeKernel<HalfSpace<double>>);
+
+/// Boussinesq and Cerruti: displacement at (x, y) by a unit force at the origin, both bodies.
+Influence<double> point_force(double nu, double x, double y) {
+    const double r = std::hypot(x, y), cube = std::numbers::pi * r * r * r;
+    return {((1 - nu) * r * r + nu * x * x) / cube, nu * x * y / cube, ((1 - nu) * r * r + nu * y * y) / cube};
+}
+
+/// The patch moved by y0, whose strips are no longer mirrored.
+PatchMesh<double> moved(const PatchMesh<double>& mesh, double y0) {
+    return PatchMesh<double>(
+        {mesh.along(), mesh.edges() + y0, mesh.middles_y() + y0, mesh.middles_x(), mesh.half_lengths()});
+}
+
+}  // namespace
+
+TEST_CASE("rectangle_kernel: corners give the integral of point forces") {
+    const double nu = 0.3, x0 = -0.2, x1 = 0.3, y0 = 0.1, y1 = 0.4;
+    const HalfSpace<double> kernel(nu);
+    const auto rule = detail::gauss_legendre<double>(40);
+    for (const auto& [x, y] :
+         {std::pair{1.0, 0.7}, std::pair{-0.5, 0.2}, std::pair{0.05, -0.4}, std::pair{-0.1, 1.0}}) {
+        Influence<double> integral;
+        for (Eigen::Index i = 0; i < 40; ++i) {
+            for (Eigen::Index k = 0; k < 40; ++k) {
+                const double u = (x0 + x1 + rule.nodes[i] * (x1 - x0)) / 2,
+                             v = (y0 + y1 + rule.nodes[k] * (y1 - y0)) / 2;
+                integral = integral + (rule.weights[i] * rule.weights[k] * (x1 - x0) * (y1 - y0) / 4) *
+                                          point_force(nu, x - u, y - v);
+            }
+        }
+        const Influence<double> sum = (kernel.corner(x - x0, y - y0) - kernel.corner(x - x1, y - y0)) -
+                                      (kernel.corner(x - x0, y - y1) - kernel.corner(x - x1, y - y1));
+        CHECK_THAT(sum.xx, WithinRel(integral.xx, 1e-11));
+        CHECK_THAT(sum.yy, WithinRel(integral.yy, 1e-11));
+        CHECK_THAT(sum.xy, WithinAbs(integral.xy, 1e-14));
+        // du/dx of a line: the difference of point forces' displacement, to second order
+        const double step = 1e-4;
+        Influence<double> slope;
+        for (Eigen::Index k = 0; k < 40; ++k) {
+            const double v = (y0 + y1 + rule.nodes[k] * (y1 - y0)) / 2;
+            slope = slope + (rule.weights[k] * (y1 - y0) / 2 / (2 * step)) *
+                                (point_force(nu, x + step, y - v) - point_force(nu, x - step, y - v));
+        }
+        const Influence<double> line = kernel.line_slope(x, y - y0, y - y1);
+        CHECK_THAT(line.xx, WithinRel(slope.xx, 1e-5));
+        CHECK_THAT(line.yy, WithinRel(slope.yy, 1e-5));
+        CHECK_THAT(line.xy, WithinAbs(slope.xy, 1e-6));
+    }
+    // the middle of a square with half-side 1: the integral of 1/(pi r)
+    const Influence<double> corner = HalfSpace<double>(0).corner(1, 1);
+    CHECK_THAT(4 * corner.xx, WithinRel(8 * std::asinh(1.0) / std::numbers::pi, 1e-15));
+    for (const auto& [x, y] : {std::pair{0.0, 1.0}, std::pair{1.0, 0.0}, std::pair{0.0, 0.0}}) {
+        CHECK(std::abs(kernel.corner(x, y).xx) < 1e-200);
+        CHECK(std::abs(kernel.corner(x, y).yy) < 1e-200);
+    }
+    CHECK_THAT(refusal([] { HalfSpace<double>(0.6); }), ContainsSubstring("poisson_ratio = 0.6"));
+}
+
+TEST_CASE("patch_system: a rectangle of one strip has the matrices of the strip contact") {
+    const double b = 3;
+    const Mesh<double> along = cosine_mesh(12);
+    const ArrayX<double> ends = (ArrayX<double>(2) << -b, b).finished(), ones = ArrayX<double>::Ones(2);
+    const PatchMesh<double> rectangle =
+        outline_mesh<double>(Outline<double>(ends, -ones, ones), 1, along, uniform_mesh(1));
+    const Contact<double> contact = Contact<double>::dimensionless(b, 0.3);
+    const ElementSystem<double, 2> patch = rolling_system(rectangle, chebyshev, HalfSpace<double>(0.3));
+    for (const std::size_t d : {0, 1}) {
+        const auto kernel = d == 0 ? StripKernel<double>::longitudinal(contact) : StripKernel<double>::lateral(contact);
+        const ElementSystem<double> line = rolling_system(along, chebyshev, kernel);
+        CHECK(largest(patch.G(d, d) - line.G()) < 1e-13 * largest(line.G()));
+        CHECK(largest(patch.G_prime(d, d) - line.G_prime()) < 1e-13 * largest(line.G_prime()));
+    }
+    CHECK(largest(patch.G_prime(0, 1)) < 1e-15);
+}
+
+TEST_CASE("patch_system: distant entries do not cancel") {
+    // relative to the entry: differences alone lose 1e-6 and more in double
+    const double worst_allowed = 1e-10;
+    for (const double a_over_b : {0.1, 1.0, 10.0}) {
+        const auto entries = [&](auto scalar) {
+            using Scalar = decltype(scalar);
+            return detail::patch_blocks(
+                ellipse_mesh<Scalar>(static_cast<Scalar>(a_over_b), cosine_mesh<Scalar>(16), cosine_mesh<Scalar>(16)),
+                chebyshev, HalfSpace<Scalar>(Scalar(0.25)), Quantity::slope);
+        };
+        const auto in_double = entries(1.0);
+        const auto exact = entries(1.0L);
+        for (const std::size_t d : {0, 1}) {
+            for (const std::size_t e : {0, 1}) {
+                const auto scale = exact[d][d].cwiseAbs() + exact[0][1].cwiseAbs();
+                const auto error = (in_double[d][e].cast<long double>() - exact[d][e]).cwiseAbs();
+                const long double worst = error.cwiseQuotient(scale).maxCoeff();
+                INFO("a/b " << a_over_b << ", block " << d << e << ": " << worst);
+                CHECK(worst < worst_allowed);
+            }
+        }
+    }
+}
+
+TEST_CASE("patch_system: a kernel of corners alone serves") {
+    const PatchMesh<double> mesh = ellipse_mesh<double>(1, cosine_mesh(8), cosine_mesh(8));
+    const auto own = rolling_system(mesh, chebyshev, OwnKernel{}),
+               built_in = rolling_system(mesh, chebyshev, HalfSpace<double>(0.3));
+    CHECK(own.G(0, 0) == built_in.G(0, 0));
+    CHECK(largest(own.G_prime(0, 0) - built_in.G_prime(0, 0)) < 1e-12);
+    CHECK(largest(own.G_prime(0, 1) - built_in.G_prime(0, 1)) < 1e-12);
+}
+
+TEST_CASE("patch_system: mirrored strips are computed once, and moving the patch changes nothing") {
+    for (const Eigen::Index m : {4, 5}) {
+        const PatchMesh<double> mesh = ellipse_mesh<double>(0.7, cosine_mesh(6), cosine_mesh(m));
+        const ElementSystem<double, 2> mirrored = rolling_system(mesh, chebyshev, HalfSpace<double>(0.4));
+        const ElementSystem<double, 2> whole = rolling_system(moved(mesh, 0.25), chebyshev, HalfSpace<double>(0.4));
+        CHECK_FALSE(moved(mesh, 0.25).is_mirrored());
+        for (const std::size_t d : {0, 1}) {
+            for (const std::size_t e : {0, 1}) {
+                CHECK(largest(mirrored.G(d, e) - whole.G(d, e)) < 1e-13);
+                CHECK(largest(mirrored.G_prime(d, e) - whole.G_prime(d, e)) < 1e-12);
+            }
+        }
+    }
+}
+
+TEST_CASE("patch_system: size scales G and leaves G' alone; no coupling at nu = 0") {
+    const auto patch = [](double unit) {
+        const ArrayX<double> y = ArrayX<double>::LinSpaced(3, -1, 1);
+        const ArrayX<double> edge = (ArrayX<double>(3) << 0.2, 1, 0.5).finished();
+        return rolling_system(
+            outline_mesh<double>(Outline<double>(y, -edge, edge), unit, cosine_mesh(5), cosine_mesh(4)),
+            NodeDifference{}, HalfSpace<double>(0.25));
+    };
+    const auto large = patch(0.5), small = patch(1);
+    CHECK(largest(large.G(0, 0) - 2 * small.G(0, 0)) < 1e-14);
+    CHECK(largest(large.G(0, 1) - 2 * small.G(0, 1)) < 1e-14);
+    CHECK(largest(large.G_prime(1, 1) - small.G_prime(1, 1)) < 1e-12);
+
+    const auto uncoupled =
+        rolling_system(ellipse_mesh<double>(1, cosine_mesh(4), cosine_mesh(4)), chebyshev, HalfSpace<double>(0));
+    CHECK_FALSE(uncoupled.coupled());
+    CHECK(largest(uncoupled.G_prime(0, 0) - uncoupled.G_prime(1, 1)) < 1e-14);
+}
+
+TEST_CASE("patch_system: places, areas, slip and forces of the elements") {
+    const PatchMesh<double> mesh = ellipse_mesh<double>(2, cosine_mesh(6), cosine_mesh(4));
+    const Elements<double> elements = patch_elements(mesh, chebyshev);
+    CHECK(elements.half_element_ahead);
+    CHECK(elements.behind[6] == -1);
+    CHECK(elements.behind[11] == 10);
+    CHECK((elements.x.head(6) > elements.centre_x.head(6)).all());
+    CHECK_THAT(elements.areas.sum(), WithinRel(2 * (mesh.half_lengths() * mesh.widths()).sum(), 1e-15));
+    // uniform tractions p_x = y, p_y = 0 and p_x = 0, p_y = x: -int y^2, int x^2 by rectangles' middles
+    const RollingSystem<double> system = rolling_system(mesh, chebyshev, HalfSpace<double>(0.2)).whole();
+    REQUIRE(system.size() == 48);
+    REQUIRE(system.input_count() == 3);
+    VectorX<double> traction = VectorX<double>::Zero(48);
+    traction.head(24) = elements.y;
+    CHECK_THAT((system.outputs().transpose() * traction)[2],
+               WithinRel(-(elements.areas * elements.y.square()).sum(), 1e-14));
+    CHECK(system.inputs().col(2).head(24) == -elements.y.matrix());
+    CHECK(system.inputs().col(2).tail(24) == elements.x.matrix());
+    CHECK(system.inputs().col(0).sum() == 24);
+}
+
+TEST_CASE("patch_system: the parts of a mirrored patch respond as the whole") {
+    for (const Eigen::Index m : {1, 4, 5}) {
+        const PatchMesh<double> mesh = ellipse_mesh<double>(0.7, cosine_mesh(5), cosine_mesh(m));
+        const HalfSpace<double> kernel(0.3);
+        const std::complex<double> s(0, 0.8);
+        const auto whole = solve_response(rolling_system(mesh, chebyshev, kernel).whole(), s);
+        const auto parts = patch_parts(mesh, chebyshev, kernel);
+        REQUIRE(parts.size() == 2);
+        MatrixX<std::complex<double>> joined = MatrixX<std::complex<double>>::Zero(3, 3);
+        for (const PatchPart<double>& part : parts) {
+            CHECK(part.system.size() == 5 * m);
+            const auto response = solve_response(part.system, s);
+            joined.block(part.first, part.first, response.coefficients.rows(), response.coefficients.cols()) =
+                response.coefficients;
+        }
+        CHECK((joined - whole.coefficients).cwiseAbs().maxCoeff() < 1e-12);
+    }
+    CHECK(patch_parts(moved(ellipse_mesh<double>(1, cosine_mesh(3), cosine_mesh(3)), 0.1), chebyshev,
+                      HalfSpace<double>(0.3))
+              .size() == 1);
+}
+
+TEST_CASE("patch_system: schemes that take no differences are refused") {
+    const PatchMesh<double> mesh = ellipse_mesh<double>(1, cosine_mesh(4), cosine_mesh(4));
+    const HalfSpace<double> kernel(0.3);
+    const auto refused = [&](const auto& scheme) { return refusal([&] { rolling_system(mesh, scheme, kernel); }); };
+    CHECK(refused(Collocation{}).empty());
+    CHECK_THAT(refused(Collocation{0.5, 0.5, Derivative::analytic, 1}),
+               ContainsSubstring("averages of the scheme for G"));
+    CHECK_THAT(refused(Galerkin{}), ContainsSubstring("averages of the scheme for G"));
+    CHECK_THAT(refused(KnotheBoundary{}), ContainsSubstring("unknown_count"));
+}
