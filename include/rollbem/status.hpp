@@ -35,6 +35,8 @@ enum class StepStatus {
     /// largest contact, whose elements gain and lose pressure.
     needs_fixed_mesh,
     inconsistent,  ///< steady friction with a scheme that does not converge to full adhesion: see Status::inconsistent
+    needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready
+                   ///< matrices)
 };
 
 /// The name of a status as spelt in this header.
@@ -60,6 +62,7 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::invalid_load: return "invalid_load";
         case StepStatus::needs_fixed_mesh: return "needs_fixed_mesh";
         case StepStatus::inconsistent: return "inconsistent";
+        case StepStatus::needs_places: return "needs_places";
         case StepStatus::not_finite: break;
     }
     return "not_finite";

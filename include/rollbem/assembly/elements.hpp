@@ -28,13 +28,14 @@ struct Elements {
     /// The way along x over which each equation holds, about its point: of a difference of u the distance between both
     /// points. Empty where it is not known.
     ArrayX<Scalar> intervals;
-    std::vector<Eigen::Index> behind;   ///< the equation behind in the same strip; -1 for a trailing element
+    std::vector<Eigen::Index> behind;  ///< the equation behind in the same strip; -1 for a trailing element
     /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and
     /// finite differences at equal alphas of 0.5. False where it is not known.
     bool half_element_ahead = false;
 
     Eigen::Index size() const { return areas.size(); }
     bool places_are_known() const { return x.size() == size(); }
+    bool is_one_strip() const { return behind == one_strip(size()); }
 
     /// `behind` for n elements in one strip.
     static std::vector<Eigen::Index> one_strip(Eigen::Index n) {

@@ -57,27 +57,30 @@ struct FrictionState {
     SolverRecord<Scalar> solver;
 };
 
-/// A force in the plane of contact, or a derivative of it. NaN until computed.
+/// A force in the plane of contact and its moment, or a derivative of them. NaN until computed.
 template <class Scalar>
 struct TangentialForce {
     Scalar longitudinal = std::numeric_limits<Scalar>::quiet_NaN();
     Scalar lateral = std::numeric_limits<Scalar>::quiet_NaN();
+    /// About the normal through the middle of the contact (the origin of an outline), of tractions at the centres of
+    /// their elements [N m], per unit width [N]. NaN if the system does not know them (ready matrices).
+    Scalar moment = std::numeric_limits<Scalar>::quiet_NaN();
 
     friend TangentialForce operator*(Scalar factor, const TangentialForce& force) {
-        return {factor * force.longitudinal, factor * force.lateral};
+        return {factor * force.longitudinal, factor * force.lateral, factor * force.moment};
     }
     friend TangentialForce operator+(const TangentialForce& one, const TangentialForce& other) {
-        return {one.longitudinal + other.longitudinal, one.lateral + other.lateral};
+        return {one.longitudinal + other.longitudinal, one.lateral + other.lateral, one.moment + other.moment};
     }
 };
 
-/// Derivatives of a force by both creepages.
+/// Derivatives of a force by both creepages and by spin [1/m], for a rigid shift by its angle [rad].
 template <class Scalar>
 struct CreepageTangent {
-    TangentialForce<Scalar> by_longitudinal, by_lateral;
+    TangentialForce<Scalar> by_longitudinal, by_lateral, by_spin;
 
     friend CreepageTangent operator*(Scalar factor, const CreepageTangent& tangent) {
-        return {factor * tangent.by_longitudinal, factor * tangent.by_lateral};
+        return {factor * tangent.by_longitudinal, factor * tangent.by_lateral, factor * tangent.by_spin};
     }
 };
 
@@ -98,6 +101,7 @@ using ByDirections = std::conditional_t<directions == 1, One, Two>;
 template <class Scalar>
 inline constexpr Scalar unknown = std::numeric_limits<Scalar>::quiet_NaN();
 
+/// The moment aside, which may be unknown.
 template <class Scalar>
 bool is_finite(const TangentialForce<Scalar>& force) {
     return is_finite(force.longitudinal) && is_finite(force.lateral);
@@ -126,7 +130,9 @@ struct FrictionStep {
 
     Force force_per_width = detail::nothing<Force>();  ///< F_bar on body 1 [N/m]
     Force force = detail::nothing<Force>();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2].
+    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2]. Where slip
+    /// is turned (see Friction), at constant angles, which leaves out how they follow the creepage: 1 % of the largest
+    /// derivative on 40 elements.
     Tangent tangent_per_width = detail::nothing<Tangent>();
     Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
     /// Derivatives by the load at the end of a step, at constant half-length, and by that half-length; if it depends on
@@ -137,11 +143,12 @@ struct FrictionStep {
     Force tangent_by_load = detail::nothing<Force>();                   ///< 2b times it
     Force tangent_by_half_length_per_width = detail::nothing<Force>();  ///< [N/m^2]
     Force tangent_by_half_length = detail::nothing<Force>();            ///< 2b times it [N/m]
-    /// Frictional heat, never negative: per unit width [J/m] for a step or a shift; per unit width and unit distance
-    /// rolled [J/m^2] for a steady solution. It is the sum over elements and directions of traction times slip at the
-    /// centre, of second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at
-    /// a creepage ratio of 0.5). For user-supplied matrices the slip is that of each element's own equation: first
-    /// order.
+    /// Frictional heat: per unit width [J/m] for a step or a shift; per unit width and unit distance rolled [J/m^2] for
+    /// a steady solution. It is the sum over elements and directions of traction times slip at the centre, of second
+    /// order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage ratio
+    /// of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order. Never negative,
+    /// but with two directions and equations half an element ahead: an element that sticks ahead of one that slips then
+    /// contributes a value of either sign, 2 % of the whole at most on 8 elements.
     Scalar slip_work_per_width = detail::unknown<Scalar>;
     /// Elastic energy that jumps of the tractions release in a step [J/m], as friction that falls with slip lets them:
     ///

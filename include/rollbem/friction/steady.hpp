@@ -84,19 +84,19 @@ public:
     /// Throws std::invalid_argument if assemble_G_prime refuses the scheme, if the law does not meet the requirements
     /// of Friction, or if the kernel's half-width is not the contact's.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
-        requires(directions_ == 1)
-    SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                        const Kernel& kernel, const Friction<Law, Scalar>& friction, Checks checks = {})
+    requires(directions_ == 1)
+        SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
+                            const Kernel& kernel, const Friction<Law, Scalar>& friction, Checks checks = {})
         : SteadyFrictionModel(Made{}, contact, assemble_G_prime(mesh, scheme, kernel), line_elements(mesh, scheme),
                               mesh.size(), friction, checks) {
         detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(kernel));
     }
     /// The kernels of both directions.
     template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
-        requires(directions_ == 2)
-    SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
-                        const Kernel& longitudinal, const Kernel& lateral, const Friction<Law, Scalar>& friction,
-                        Checks checks = {})
+    requires(directions_ == 2)
+        SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
+                            const Kernel& longitudinal, const Kernel& lateral, const Friction<Law, Scalar>& friction,
+                            Checks checks = {})
         : SteadyFrictionModel(Made{}, contact,
                               detail::uncoupled<Scalar>(assemble_G_prime(mesh, scheme, longitudinal),
                                                         assemble_G_prime(mesh, scheme, lateral)),
@@ -110,15 +110,13 @@ public:
     /// differ, an entry is not finite or a width is not positive. G passed in place of G' is not detected here, but
     /// ElementSystem, which has both, detects it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
-                        const Friction<Law, Scalar>& friction, Checks checks = {})
-        requires(directions_ == 1)
+                        const Friction<Law, Scalar>& friction, Checks checks = {}) requires(directions_ == 1)
         : SteadyFrictionModel(Made{}, contact, std::move(G_prime), detail::unplaced(widths), widths.size(), friction,
                               checks) {}
     /// From the matrices of both directions.
     SteadyFrictionModel(const Contact<Scalar>& contact, const MatrixX<Scalar>& longitudinal_G_prime,
                         const MatrixX<Scalar>& lateral_G_prime, const ArrayX<Scalar>& widths,
-                        const Friction<Law, Scalar>& friction, Checks checks = {})
-        requires(directions_ == 2)
+                        const Friction<Law, Scalar>& friction, Checks checks = {}) requires(directions_ == 2)
         : SteadyFrictionModel(Made{}, contact, detail::uncoupled<Scalar>(longitudinal_G_prime, lateral_G_prime),
                               detail::unplaced(widths), widths.size(), friction, checks) {}
 
@@ -137,7 +135,8 @@ public:
     /// `to` must be another state with the same number of elements; it is not written if the status is wrong_state,
     /// invalid_load, invalid_step or needs_fixed_mesh or the creepage is not finite. The status is no_solution also if
     /// coefficients and slip do not come to agree. Tangents are at constant speed. Does not allocate.
-    Step steady(const State& from, const Value& creepage, Scalar speed, State& to, Workspace& workspace) const noexcept {
+    Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
+                Workspace& workspace) const noexcept {
         StepStatus possible = core_.check(from, to, workspace);
         if (possible == StepStatus::ok && from.half_length != core_.half_length()) {
             possible = StepStatus::needs_fixed_mesh;
@@ -148,8 +147,7 @@ public:
         return converges_ ? step : Core::without_forces(step);
     }
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
-        requires(!Core::slip_dependent)
-    {
+        requires(!Core::slip_dependent) {
         return steady(from, creepage, 1, to, workspace);
     }
 
@@ -160,8 +158,7 @@ private:
 
     SteadyFrictionModel(Made, const Contact<Scalar>& contact, Gradient G_prime, const Elements<Scalar>& elements,
                         Eigen::Index element_count, const Friction<Law, Scalar>& friction, Checks checks)
-        : core_(name, contact, elements, element_count, friction, G_prime),
-          G_prime_(std::move(G_prime)) {
+        : core_(name, contact, elements, element_count, friction, G_prime), G_prime_(std::move(G_prime)) {
         elements.require_valid(name, "width");
         detail::require_gradient(name, G_prime_, size());
         converges_ = !checks.wanted || detail::converges(G_prime_, elements.areas);

@@ -1,4 +1,4 @@
-// Longitudinal and lateral creepage, and spin.
+// Longitudinal and lateral creepage together, with spin.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -7,16 +7,17 @@
 
 namespace rollbem {
 
-/// Creepage of body 1 relative to body 2 as a vector [-], and spin [1/m]; for a rigid shift the components are in [m],
-/// spin is an angle. The rigid slip at (x, y) is (longitudinal - spin y, lateral + spin x). Positive components give
-/// negative forces.
+/// Creepage of body 1 relative to body 2 as a vector, and its spin: the rigid slip over the rolling velocity at (x, y) is
+/// (longitudinal - spin y, lateral + spin x), from the middle of the contact, or from the origin of an outline. A rigid
+/// shift has the same components as lengths and an angle. Positive components give negative forces and a negative
+/// moment.
 template <class Scalar_ = double>
 struct Creepage {
     using Scalar = Scalar_;
 
-    Scalar longitudinal = 0;  ///< along the rolling direction x
-    Scalar lateral = 0;       ///< along y
-    Scalar spin = 0;          ///< about the normal z, per distance rolled; friction knows none, and refuses it
+    Scalar longitudinal = 0;  ///< along the rolling direction x [-]; of a shift [m]
+    Scalar lateral = 0;       ///< along y [-]; of a shift [m]
+    Scalar spin = 0;          ///< about the normal to the contact [1/m]; of a shift an angle [rad]
 
     friend bool operator==(const Creepage&, const Creepage&) = default;
 };

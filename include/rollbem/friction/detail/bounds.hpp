@@ -126,9 +126,8 @@ public:
         if (points_ == nullptr) scratch_.before.setZero();
     }
 
-    /// Steady rolling at a speed [m/s]: particles arrive from the element ahead. Widths in units of the half-length
-    /// [m].
-    FallingBounds(const Friction<Law, Scalar>& friction, const Vector& widths, const State& from, Scalar half_length,
+    /// Steady rolling at a speed [m/s]: particles arrive from the equation ahead. Ways in units of the half-length [m].
+    FallingBounds(const Friction<Law, Scalar>& friction, const Vector& ways, const State& from, Scalar half_length,
                   Scalar speed, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
@@ -138,7 +137,7 @@ public:
           velocity_per_slip_(speed),
           scratch_(scratch) {
         scratch_.friction = start_.matrix();
-        scratch_.duration = half_length / speed * widths;
+        scratch_.duration = half_length / speed * ways;
     }
 
     /// Writes mu of the stage solved last, and where the next step starts its first stage: at that of the first stage

@@ -69,8 +69,9 @@ public:
           width_(2 * contact.half_width()),
           shear_modulus_(contact.shear_modulus()),
           areas_(elements.areas.matrix()),
+          intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
           points_(elements.x),
-          slip_work_(elements.areas, elements.x),
+          slip_work_(elements, directions),
           unchanged_steps_(elements.size(), half_length_),
           ones_(VectorX<Scalar>::Ones(elements.size())),
           friction_(friction),
@@ -78,6 +79,18 @@ public:
           fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
           system_(system.value_or(fingerprint_)) {
         require_valid(who, friction, element_count, size());
+        require(friction.memory.distance == 0 || elements.is_one_strip(), who, "distance of the memory",
+                friction.memory.distance, "be 0 for elements in several strips");
+        if constexpr (directions == 2) {
+            if (elements.places_are_known()) {
+                spin_.resize(size(), 2);
+                spin_ << -elements.y.matrix(), elements.x.matrix();
+                moments_.resize(size(), 2);
+                moments_ << -(elements.areas * elements.centre_y).matrix(),
+                    (elements.areas * elements.centre_x).matrix();
+            }
+            if (friction.turned && elements.half_element_ahead) behind_ = elements.behind;
+        }
         friction_.normal_pressure.conservativeResize(size());
         Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
         pressures.add(friction_.normal_pressure);
@@ -105,7 +118,9 @@ public:
         return state;
     }
 
-    Force force(const State& state) const { return total(state.traction, width_ * state.half_length); }
+    Force force(const State& state) const {
+        return total(state.traction, width_ * state.half_length, state.half_length);
+    }
 
     /// Per unit width [J/m]; NaN if the system cannot represent the half-length.
     Scalar elastic_energy(const State& state, const System& system) const {
@@ -135,6 +150,15 @@ public:
         return valid ? StepStatus::ok : StepStatus::invalid_load;
     }
 
+    /// Whether the rigid slip of a creepage is known.
+    bool can_impose([[maybe_unused]] const Value& creepage) const noexcept {
+        if constexpr (directions == 1) {
+            return true;
+        } else {
+            return creepage.spin == 0 || spin_.rows() > 0;
+        }
+    }
+
     static Step failed(StepStatus status) noexcept {
         Step step;
         step.status = status;
@@ -156,13 +180,14 @@ public:
     Step solve_steady(const Gradient& G_prime, const State& from, const Value& creepage, Scalar speed, const Load& load,
                       State& to, Workspace& workspace) const noexcept {
         if (!is_finite(creepage)) return failed(StepStatus::not_finite);
+        if (!can_impose(creepage)) return failed(StepStatus::needs_places);
         if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
         Scratch& scratch = workspace.scratch();
         const Stage stage{.distance = steadily};
         if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
         Bounds bounds = [&] {
             if constexpr (slip_dependent) {
-                return Bounds(friction_, areas_, from, load.half_length, speed, scratch.falling);
+                return Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling);
             } else {
                 return Bounds();
             }
@@ -182,6 +207,7 @@ public:
     Step roll(const System& system, Integrator integrator, const State& from, const rollbem::Travel<Scalar>& travel,
               const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept {
         if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
+        if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
         Scratch& scratch = workspace.scratch();
         const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
                      a_end = load.half_length / half_length_;
@@ -219,7 +245,9 @@ public:
                         progress);
             carried = motion.is_linear() ? gamma * imposed : imposed;
             if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-            if (progress.tangent_exists) carry_tangents(bounds, system, carried, asked, scratch);
+            if (progress.tangent_exists) {
+                carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
+            }
             find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
             scratch.displacement += ratio * (scratch.change - scratch.displacement);
         }
@@ -231,7 +259,8 @@ public:
         if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
         if (!progress.tangent_exists) return step;
         add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
-        add_load_tangents(bounds, system, part, two_stages, asked, load, scratch, step);
+        add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch,
+                          step);
         return step;
     }
 
@@ -289,6 +318,7 @@ private:
         scratch.work.setZero();
         scratch.displacement.setZero();
         scratch.start = from.traction / shear_modulus_;
+        if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
     }
 
     // Whether the matrices of a stage have to be filled.
@@ -310,9 +340,8 @@ private:
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
         } else {
-            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                scratch.solver.new_matrix(d, e) = -G_prime[d][e];
-            });
+            for_blocks(scratch,
+                       [&](std::size_t d, std::size_t e) { scratch.solver.new_matrix(d, e) = -G_prime[d][e]; });
         }
     }
     void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
@@ -335,7 +364,15 @@ private:
         if constexpr (directions == 1) {
             return at(start, end);
         } else {
-            return {at(start.longitudinal, end.longitudinal), at(start.lateral, end.lateral)};
+            return {at(start.longitudinal, end.longitudinal), at(start.lateral, end.lateral), at(start.spin, end.spin)};
+        }
+    }
+    // Spin times a_0.
+    Scalar spin_of([[maybe_unused]] const Value& motion) const {
+        if constexpr (directions == 1) {
+            return 0;
+        } else {
+            return motion.spin * half_length_;
         }
     }
 
@@ -351,6 +388,7 @@ private:
         } else {
             constant.col(0).array() += factor * motion.longitudinal;
             constant.col(1).array() += factor * motion.lateral;
+            if (motion.spin != 0) constant += factor * spin_of(motion) * half_length * spin_;
         }
         const auto outcome = bounds.solve(solver, scratch.bound, {scratch.start, zones});
         progress.residual = std::max(progress.residual, outcome.residual);
@@ -358,8 +396,8 @@ private:
         if constexpr (directions == 1) progress.pivots += outcome.pivots;
         progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;
         progress.solved = progress.solved && outcome.status == StepStatus::ok;
-        progress.finite = progress.finite && outcome.status != StepStatus::not_finite &&
-                          is_finite(outcome.residual) && all_finite(solver.slip());  // std::max may drop a NaN
+        progress.finite = progress.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
+                          all_finite(solver.slip());  // std::max may drop a NaN
         if constexpr (directions == 1) {  // without the round-off of sticking elements and at the border of slip
             const auto& signs = solver.signs();
             scratch.stage_slip = weight * signs.cwiseProduct(signs.cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
@@ -380,7 +418,7 @@ private:
         slip_work_.end(scratch.work, half_length_ * shear_modulus_ * slip_unit);
         scratch.slip *= slip_unit;
         to.system = fingerprint_;
-        const Force force = total(scratch.start, load.half_length * shear_modulus_);
+        const Force force = total(scratch.start, load.half_length * shear_modulus_, load.half_length);
         const Scalar work = scratch.work.sum();
         progress.finite = progress.finite && is_finite(force) && is_finite(work);
         if (!progress.finite) {
@@ -427,8 +465,19 @@ private:
         step.jump_work_per_width = shear_modulus_ * half_length_ * half_length_ * work;
     }
 
-    // For the second stage, what dp of the first adds to its constants.
-    void carry_tangents(Bounds& bounds, const System& system, Scalar imposed, const Asked& asked,
+    // By a creepage or spin of the given number, which changes the motion imposed on the stage by `imposed`, at a
+    // half-length in a_0.
+    void find_tangent(Tangent& tangent, std::size_t creepage, Scalar imposed, Scalar half_length) const {
+        if (creepage < directions) {
+            tangent.by_creepage(imposed);
+        } else {
+            tangent.by_spin(imposed * half_length_ * half_length, spin_);
+        }
+    }
+    std::size_t creepage_count() const { return directions == 2 && spin_.rows() == 0 ? 2 : By::creepages; }
+
+    // For the second stage, what dp of the first adds to its constants. `spin` is the angle imposed on the first.
+    void carry_tangents(Bounds& bounds, const System& system, Scalar imposed, Scalar spin, const Asked& asked,
                         Scratch& scratch) const {
         if constexpr (keeps_tangents) {
             if (scratch.carried_revision != scratch.solver.revision()) {
@@ -439,9 +488,9 @@ private:
                 scratch.tangent_revision = Scratch::never;
             }
         } else {
-            for (std::size_t creepage = 0; creepage < directions; ++creepage) {
+            for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
                 Tangent tangent(bounds, scratch, creepage, false);
-                tangent.by_creepage(imposed);
+                find_tangent(tangent, creepage, imposed, scratch.stage.half_length);
                 tangent.carry(system, ratio, gamma);
             }
         }
@@ -452,7 +501,7 @@ private:
         }
         if (asked.by_half_length) {
             Tangent tangent(bounds, scratch, By::half_length, false);
-            tangent.by_half_length(system, {gamma, gamma});
+            tangent.by_half_length(system, {gamma, gamma}, gamma * spin, spin_);
             tangent.carry(system, ratio, gamma);
         }
     }
@@ -461,7 +510,7 @@ private:
     // imposed on this stage and on an earlier one by the creepage, 0 without an earlier one.
     void add_creepage_tangents(Bounds& bounds, Scalar imposed, Scalar carried, const Load& load, Scratch& scratch,
                                Step& step) const {
-        const Scalar unit = load.half_length * shear_modulus_;
+        const Scalar arm = load.half_length, unit = arm * shear_modulus_;
         if constexpr (keeps_tangents) {
             if (scratch.tangent_revision != scratch.solver.revision()) {
                 scratch.solver.respond(ones_, scratch.response);
@@ -475,44 +524,53 @@ private:
             step.tangent_per_width = unit * (carried == 0 ? last : last + carried * scratch.carried_tangent);
         } else if constexpr (directions == 1) {
             Tangent(bounds, scratch, 0, carried != 0).by_creepage(imposed);
-            step.tangent_per_width = total(scratch.response, unit);
+            step.tangent_per_width = total(scratch.response, unit, arm);
         } else {
-            Tangent(bounds, scratch, 0, carried != 0).by_creepage(imposed);
-            step.tangent_per_width.by_longitudinal = total(scratch.response, unit);
-            Tangent(bounds, scratch, 1, carried != 0).by_creepage(imposed);
-            step.tangent_per_width.by_lateral = total(scratch.response, unit);
+            auto& tangents = step.tangent_per_width;
+            Force* const forces[] = {&tangents.by_longitudinal, &tangents.by_lateral, &tangents.by_spin};
+            for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
+                Tangent tangent(bounds, scratch, creepage, carried != 0);
+                find_tangent(tangent, creepage, imposed, arm / half_length_);
+                *forces[creepage] = total(scratch.response, unit, arm);
+            }
         }
         step.tangent = width_ * step.tangent_per_width;
     }
 
-    void add_load_tangents(Bounds& bounds, const System& system, Scalar part, bool carried, const Asked& asked,
-                           const Load& load, Scratch& scratch, Step& step) const {
+    // `spin` is the angle imposed on the stage.
+    void add_load_tangents(Bounds& bounds, const System& system, Scalar part, Scalar spin, bool carried,
+                           const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
+        const Scalar arm = load.half_length;
         if (asked.by_load) {
             Tangent(bounds, scratch, By::load, carried).by_load(1);
-            step.tangent_by_load_per_width = total(scratch.response, load.half_length * shear_modulus_);
+            step.tangent_by_load_per_width = total(scratch.response, arm * shear_modulus_, arm);
             step.tangent_by_load = width_ * step.tangent_by_load_per_width;
         }
         if (asked.by_half_length) {
-            Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1});
-            step.tangent_by_half_length_per_width =
-                total(scratch.start, shear_modulus_) +
-                total(scratch.response, load.half_length / half_length_ * shear_modulus_);
+            Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1}, spin, spin_);
+            step.tangent_by_half_length_per_width = total(scratch.start, shear_modulus_, 2 * arm) +
+                                                    total(scratch.response, arm / half_length_ * shear_modulus_, arm);
             step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
         }
     }
 
-    // `factor` times the sum of area times vector.
-    Force total(const Vectors& vectors, Scalar factor) const {
+    // `factor` times the sum of area times vector; the moment also times `arm`.
+    Force total(const Vectors& vectors, Scalar factor, Scalar arm) const {
         if constexpr (directions == 1) {
             return factor * areas_.dot(vectors);
         } else {
-            return {factor * areas_.dot(vectors.col(0)), factor * areas_.dot(vectors.col(1))};
+            Force force{factor * areas_.dot(vectors.col(0)), factor * areas_.dot(vectors.col(1))};
+            if (moments_.rows() > 0) force.moment = factor * arm * moments_.cwiseProduct(vectors).sum();
+            return force;
         }
     }
 
     Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
-    VectorX<Scalar> areas_;
+    VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
+    // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit tractions.
+    Vectors spin_, moments_;
+    std::vector<Eigen::Index> behind_;  // the row behind each; empty if slip is not turned
     SlipWork<Scalar> slip_work_;
     UnchangedSteps<Scalar> unchanged_steps_;
     VectorX<Scalar> ones_;

@@ -16,7 +16,8 @@ namespace rollbem::detail {
 /// Parameters of the tangents, as indices of what the first stage passes to the second: the creepages come first.
 template <int directions>
 struct TangentBy {
-    static constexpr std::size_t load = directions, half_length = directions + 1, count = directions + 2;
+    static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
+    static constexpr std::size_t load = creepages, half_length = creepages + 1, count = creepages + 2;
 };
 
 /// For one direction or two, depending on `Slip`. All memory is allocated by the constructor.

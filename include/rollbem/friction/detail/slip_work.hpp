@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "../../assembly/elements.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -17,6 +18,10 @@ namespace rollbem::detail {
 /// between the two neighbouring collocation points, or extrapolated from the first or last two. At alpha = 0.5, where
 /// the collocation point of an element is its leading edge, this is the mean of the slips at its two edges. The slip of
 /// the element's own equation would give an error of first order.
+///
+/// In two directions, with equations half an element ahead of the centres, the slip at a centre is m_i/2 of SlipTurn:
+/// with the traction against it, elements that slip never gain energy. One that sticks ahead of one that slips gets
+/// -p_i . s_(i-1)/2, of either sign, which the sum needs.
 ///
 /// Lengths in units of a, tractions in G. The works of two directions add up in the same sum.
 template <class Scalar>
@@ -32,6 +37,29 @@ public:
             shares_[i] = between_[static_cast<std::size_t>(i)].share;
             edge += widths[i];
         }
+        find_run();
+    }
+
+    /// For `directions` of creepage on a line or, in strips, on a patch; there the slip of each element's own equation is
+    /// used unless that lies half an element ahead.
+    SlipWork(const Elements<Scalar>& elements, int directions)
+        : SlipWork(elements.areas, elements.is_one_strip() ? elements.x : ArrayX<Scalar>()) {
+        if (directions == 1 || !elements.half_element_ahead) return;
+        std::vector<Index> ahead(between_.size(), -1);
+        for (std::size_t i = 0; i < ahead.size(); ++i) {
+            if (elements.behind[i] >= 0) ahead[static_cast<std::size_t>(elements.behind[i])] = static_cast<Index>(i);
+        }
+        for (std::size_t i = 0; i < ahead.size(); ++i) {
+            const Index own = static_cast<Index>(i), behind = elements.behind[i];
+            const bool trails = behind < 0, alone = trails && ahead[i] < 0;
+            between_[i] = {.behind = trails ? own : behind,
+                           .ahead = alone    ? own
+                                    : trails ? ahead[i]
+                                             : own,
+                           .share = trails ? Scalar(-0.5) : Scalar(0.5)};
+            shares_[own] = between_[i].share;
+        }
+        may_gain_ = true;
         find_run();
     }
 
@@ -73,9 +101,13 @@ public:
         return sum;
     }
 
-    /// Completes a sum: multiplies it by `unit` and removes negative values. No element gains energy, but interpolation
-    /// may yield a gain of second order where the slip changes sign or vanishes within an element.
-    static void end(VectorX<Scalar>& work, Scalar unit = 1) { work = unit * work.cwiseMax(Scalar(0)); }
+    /// Completes a sum: multiplies it by `unit` and, unless it is one of means m_i/2, removes negative values. No element
+    /// gains energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes within
+    /// an element.
+    void end(VectorX<Scalar>& work, Scalar unit = 1) const {
+        if (!may_gain_) work = work.cwiseMax(Scalar(0));
+        work *= unit;
+    }
 
 private:
     using Index = Eigen::Index;
@@ -103,6 +135,7 @@ private:
     // The longest run of elements with the same offsets to their neighbours, on most meshes nearly all of them. It is
     // treated by vector operations.
     void find_run() {
+        count_ = 0;
         for (Index begin = 0, end = 0; begin < size(); begin = end) {
             const auto behind = [&](Index i) { return between_[static_cast<std::size_t>(i)].behind - i; };
             const auto ahead = [&](Index i) { return between_[static_cast<std::size_t>(i)].ahead - i; };
@@ -119,6 +152,7 @@ private:
     std::vector<Between> between_;
     ArrayX<Scalar> shares_;
     Index begin_ = 0, count_ = 0, behind_ = 0, ahead_ = 0;  // the run
+    bool may_gain_ = false;
 };
 
 }  // namespace rollbem::detail

@@ -40,13 +40,23 @@ public:
         bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
     }
 
+    /// By spin, whose rigid slip changes by `imposed` times `columns`.
+    template <class Columns>
+    void by_spin(Scalar imposed, const Columns& columns) {
+        scratch_.right += imposed * columns;
+        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+    }
+
     /// By the load: bounds change by `progress` times scratch.bound_rate, and slipping elements follow theirs.
     void by_load(Scalar progress) {
         bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_, &scratch_.bound_rate, progress);
     }
 
-    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p.
-    void by_half_length(const System& system, const StagePlace<Scalar>& stage) {
+    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p. The rigid slip of spin
+    /// follows the points: it changes by `rate` times `columns`.
+    template <class Columns>
+    void by_half_length(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
+        if (rate != 0) scratch_.right += rate * columns;
         const auto& p = scratch_.solver.traction();
         add_displacement_rates(system, scratch_.stage.half_length, stage.progress, p, scratch_.change, scratch_.right);
         for (Eigen::Index d = 0; d < directions; ++d) {
