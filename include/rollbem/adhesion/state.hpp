@@ -5,11 +5,11 @@
 
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 #include <Eigen/Core>
 
 #include "../scene/creepage.hpp"
+#include "../scene/force.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 
@@ -39,14 +39,20 @@ template <int k, class Scalar>
 struct AdhesionValues {
     static_assert(k == 1 || k == 3, "one creepage, or longitudinal and lateral creepage and spin");
     using Value = Creepage<Scalar>;
-    using Force = InputVector<3, Scalar>;
-    using Tangent = Eigen::Matrix<Scalar, 3, 3, Eigen::DontAlign>;
+    using Force = TangentialForce<Scalar>;
+    using Tangent = CreepageTangent<Scalar>;
 
-    static Force unknown_force() { return Force::Constant(std::numeric_limits<Scalar>::quiet_NaN()); }
-    static Tangent unknown_tangent() { return Tangent::Constant(std::numeric_limits<Scalar>::quiet_NaN()); }
-    static Force vector(const Value& value) { return {value.longitudinal, value.lateral, value.spin}; }
-    static Force force(const Force& vector) { return vector; }
-    static Tangent tangent(const Tangent& matrix) { return matrix; }
+    static Force unknown() { return {}; }
+    static Tangent unknown_tangent() { return {}; }
+    static InputVector<3, Scalar> vector(const Value& value) { return {value.longitudinal, value.lateral, value.spin}; }
+    template <class Vector>
+    static Force force(const Vector& vector) {
+        return {vector[0], vector[1], vector[2]};
+    }
+    template <class Matrix>
+    static Tangent tangent(const Matrix& matrix) {
+        return {force(matrix.col(0)), force(matrix.col(1)), force(matrix.col(2))};
+    }
 };
 
 template <class Scalar>
@@ -55,8 +61,8 @@ struct AdhesionValues<1, Scalar> {
     using Force = Scalar;
     using Tangent = Scalar;
 
-    static Scalar unknown_force() { return std::numeric_limits<Scalar>::quiet_NaN(); }
-    static Scalar unknown_tangent() { return std::numeric_limits<Scalar>::quiet_NaN(); }
+    static Scalar unknown() { return std::numeric_limits<Scalar>::quiet_NaN(); }
+    static Scalar unknown_tangent() { return unknown(); }
     static InputVector<1, Scalar> vector(Scalar value) { return InputVector<1, Scalar>::Constant(value); }
     template <class Single>
     static Scalar force(const Single& vector) {
@@ -70,9 +76,8 @@ struct AdhesionValues<1, Scalar> {
 
 }  // namespace detail
 
-/// Result of a step or of steady rolling. NaN unless the status is ok. With one input forces are numbers; with three
-/// they are vectors (F_x, F_y [N], M_z [N m] about the contact's centre), and entry (i, j) of a tangent is the
-/// derivative of the i-th by longitudinal creepage, lateral creepage or spin.
+/// Result of a step or of steady rolling. NaN unless the status is ok. With one input forces and their derivatives are
+/// numbers, with three TangentialForce and CreepageTangent.
 template <int inputs = 1, class Scalar_ = double>
 struct AdhesionStep {
     using Scalar = Scalar_;
@@ -80,13 +85,13 @@ struct AdhesionStep {
     using Force = typename Values::Force;
     using Tangent = typename Values::Tangent;
 
-    Force force = Values::unknown_force();            ///< 2b F_bar on body 1 [N]
-    Force force_per_width = Values::unknown_force();  ///< F_bar [N/m], moment [N]; NaN for a patch
+    Force force = Values::unknown();            ///< 2b F_bar on body 1 [N]
+    Force force_per_width = Values::unknown();  ///< F_bar [N/m], moment [N]; NaN for a patch
     /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
     Tangent tangent = Values::unknown_tangent();
     /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steps that
     /// are not to a given half-length, and if the model cannot breathe.
-    Force tangent_by_half_length = Values::unknown_force();
+    Force tangent_by_half_length = Values::unknown();
     StepStatus status = StepStatus::not_finite;
 };
 

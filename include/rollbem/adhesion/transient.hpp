@@ -70,7 +70,7 @@ public:
     using State = AdhesionState<Scalar>;
     using Step = AdhesionStep<inputs, Scalar>;
     using Workspace = AdhesionWorkspace<inputs, Scalar>;
-    using Force = typename Step::Force;          ///< a number, or (F_x, F_y, M_z)
+    using Force = typename Step::Force;          ///< a number, or TangentialForce
     using Value = typename Step::Values::Value;  ///< a creepage: a number, or Creepage
     using Motion = RigidMotion<Value>;
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
