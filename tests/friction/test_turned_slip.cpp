@@ -123,7 +123,8 @@ TEST_CASE("Spin that makes everything slip has the moment of full sliding about 
     const Step step = from_scratch(scene.steady(), {0, 0, 1e4});
     CHECK(step.status == StepStatus::ok);
     CHECK(std::abs(-step.force_per_width.moment / full_force - 4 / (3 * std::numbers::pi)) < 1e-3);
-    CHECK(std::abs(ratios(step).lateral) < 1e-10);
+    // slip reverses at the middle, the point of a row: its element, with 2/n of the load, slides either way
+    CHECK(std::abs(ratios(step).lateral) < 4.01 / 80);
     const Step opposite = from_scratch(scene.steady(), {0, 0, -1e4});
     CHECK(opposite.force_per_width.moment == Approx(-step.force_per_width.moment).epsilon(1e-12));
     const Step none = from_scratch(scene.steady(), {});
