@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -337,7 +338,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
         table.columns = columns;
         std::vector<study::Scene> scenes;
         std::vector<study::Row> polynomial;
-        std::optional<study::StateSpaceFiles> state_space;
+        std::unique_ptr<study::StateSpaceFiles> state_space;
         if (method == "polynomial") {
             polynomial = polynomial_rows(given, omegas);
             table.rows_of_task = {polynomial.size()};
@@ -349,7 +350,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
                 given.ignored(name, "with --method " + method + "; it is for --method polynomial");
             }
             scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-            if (given.given("state-space")) state_space.emplace(frequency::state_space_files(given, scenes));
+            if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
             table.rows_of_task.assign(scenes.size(), omegas.size());
             table.label = [&](std::size_t task) { return scenes[task].label(); };
             table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {

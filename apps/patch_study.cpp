@@ -4,9 +4,11 @@
 //     ./patch_study --a-over-b 0.5,1,2 --n 12
 //     ./patch_study --n 12 --omega 0.1,1,3
 //     ./patch_study --outline wheel.csv --n 16 --stability
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -121,7 +123,8 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-study::StateSpaceFiles state_space_files(const study::Options& options, const std::vector<Patch>& patches) {
+std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& options,
+                                                          const std::vector<Patch>& patches) {
     const std::string said = options.said("state-space");
     if (patches.size() != 1) {
         throw study::BadInput(said +
@@ -140,12 +143,13 @@ study::StateSpaceFiles state_space_files(const study::Options& options, const st
     space.B.col(2) *= length;
     space.C *= force;
     space.C.row(2) *= length;
-    return {options, space,
-            "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi "
-            "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
-            "response = \"(c11 0 0; 0 c22 c23; 0 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
-            "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
-            "the matrix of coefficients"};
+    return std::make_unique<study::StateSpaceFiles>(
+        options, space,
+        "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi "
+        "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
+        "response = \"(c11 0 0; 0 c22 c23; 0 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
+        "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
+        "the matrix of coefficients");
 }
 
 }  // namespace
@@ -170,7 +174,7 @@ outline. With n = strips = 12 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2
 assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
 the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is not ok the
 coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
-and the largest Re(nu) a. More than 2 elements of a strip for each strip may be unstable in time.
+and the largest Re(nu) a.
 --state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
 )");
 
@@ -189,8 +193,8 @@ and the largest Re(nu) a. More than 2 elements of a strip for each strip may be 
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
         const std::vector<Patch> patches = patch::make_patches(given);
-        std::optional<study::StateSpaceFiles> state_space;
-        if (given.given("state-space")) state_space.emplace(state_space_files(given, patches));
+        std::unique_ptr<study::StateSpaceFiles> state_space;
+        if (given.given("state-space")) state_space = state_space_files(given, patches);
 
         study::Table table;
         table.columns = harmonic ? response_columns() : steady_columns(given);

@@ -242,20 +242,22 @@ void print_recommendations(const study::Options& options) {
         return std::to_string(rollbem::recommended_elements(tolerance, purpose).n);
     };
     using rollbem::Purpose;
-    print("steady rolling, c11", [&] { return "steady_study " + states(Purpose::steady); });
+    print("steady rolling, c11", [&] { return "steady_study --kernel plane " + states(Purpose::steady); });
     print("the same by elements, extrapolated from half as many and all",
           [&] { return "precision_study --quantity c11 --schemes richardson-nodes --n " + elements(Purpose::steady); });
     print("c11 at frequencies omega a/V up to 5",
-          [&] { return "frequency_study " + states(Purpose::frequency) + " --omega 5"; });
+          [&] { return "frequency_study --kernel plane " + states(Purpose::frequency) + " --omega 5"; });
     print("the same by elements", [&] {
         return "precision_study --quantity c11_z5 --schemes richardson-nodes --n " + elements(Purpose::frequency);
     });
     print("force in time, from q/a = 1 on after a step",
-          [&] { return "transient_study --step 1 " + states(Purpose::time_loop); });
-    print("the same by elements",
-          [&] { return "transient_study --step 1 --mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop); });
-    print("friction, creepage ratios from 0.05",
-          [&] { return "friction_study --method nodes --nodes chebyshev --n " + elements(Purpose::friction); });
+          [&] { return "transient_study --step 1 --kernel plane " + states(Purpose::time_loop); });
+    print("the same by elements", [&] {
+        return "transient_study --step 1 --kernel plane --mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop);
+    });
+    print("friction, creepage ratios from 0.05", [&] {
+        return "friction_study --kernel plane --method nodes --nodes chebyshev --n " + elements(Purpose::friction);
+    });
 }
 
 }  // namespace

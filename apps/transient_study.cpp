@@ -27,7 +27,7 @@
 
 namespace {
 
-using Model = rollbem::TransientModel<double>;
+using Model = rollbem::AdhesionModel<>;
 
 /// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
 struct History {
@@ -116,30 +116,26 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
     // 4. The reference for the force.
     const double reference = largest_creepage(history, steps);
 
-    // 5. Step by step, with creepage linear over each. A step with a knot inside is divided there. Each length is
-    // prepared once.
-    std::map<double, Model::Prepared> prepared;
+    // 5. Step by step, with creepage linear over each. A step with a knot inside is divided there.
+    Model::Workspace workspace = model.workspace();
     Model::State state = model.at_rest(), next = state;
     std::size_t knot = 0;
     const double dq = steps.dq;
     for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
         double from = static_cast<double>(k - 1) * dq;
         const double to = static_cast<double>(k) * dq;
-        rollbem::TransientStep<double> step;
+        Model::Step step;
         while (from < to) {
             while (knot < history.knots.size() && history.knots[knot] <= from) ++knot;
             const double stop = knot < history.knots.size() ? std::min(history.knots[knot], to) : to;
             const bool whole = stop == to && from == static_cast<double>(k - 1) * dq;
             const double length = whole ? dq : stop - from;
-            auto found = prepared.find(length);
-            if (found == prepared.end()) found = prepared.emplace(length, model.prepare(length)).first;
             const auto motion = rollbem::RigidMotion<double>::linear(history.after(from), history.before(stop));
-            step = model.advance(state, found->second, motion, next);
+            step = model.advance(state, length, motion, next, workspace);
             if (step.status != rollbem::StepStatus::ok) {
                 throw study::BadInput("the force is not finite at q/a = " + study::Cell(to).text(6) +
                                       ": creepage or --until is too large");
             }
-            if (!whole) prepared.erase(found);
             std::swap(state, next);
             from = stop;
         }

@@ -22,7 +22,7 @@ namespace {
 
 using Complex = std::complex<double>;
 using Contact = rollbem::Contact<double>;
-using Model = rollbem::TransientModel<double>;
+using Model = rollbem::AdhesionModel<>;
 
 /// The creep coefficient of the plane at s = (rate) a/V, exact to rounding.
 Complex exact_c11(Complex s, const Contact& contact) {
@@ -65,6 +65,7 @@ int main() {
     const double torque = wheel.radius * wheel.resistance;  // keeps the speed
     State<Model> now{speed, speed * (1 - steady) / wheel.radius, wheel.resistance, model.steady(steady)};
     State<Model> next = now;
+    Model::Workspace workspace = model.workspace();
 
     // 3. A kick to the rotation, and the sliding speed after it.
     const Complex expected = closed_loop(wheel, contact, speed);
@@ -73,7 +74,7 @@ int main() {
     now.rotation *= 1 - 1e-6;
     Eigen::VectorXd sliding(steps);
     for (int k = 0; k < steps; ++k) {
-        if (advance(wheel, model, torque, speed * dt, now, next).status != rollbem::StepStatus::ok) return 1;
+        if (advance(wheel, model, torque, speed * dt, now, next, workspace).status != rollbem::StepStatus::ok) return 1;
         std::swap(now, next);
         sliding[k] = now.speed - wheel.radius * now.rotation - steady * speed;
     }

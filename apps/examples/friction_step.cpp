@@ -13,7 +13,7 @@ int main() {
     const Mesh<double> mesh = cosine_mesh(40);
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     const auto system = rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact));
-    const FrictionModel<> model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
+    const FrictionModel model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
     FrictionWorkspace<> workspace = model.workspace();
     FrictionState<> now = model.at_rest(), next = now;
     double heat = 0;  // by slip [J]

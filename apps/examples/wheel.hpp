@@ -34,17 +34,17 @@ inline double creepage(const Wheel& wheel, double speed, double rotation) {
 /// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's
 /// method. Each trial advances the contact from the same state; the next one overwrites what it leaves in `next`.
 /// If the contact refuses the step, its status says why; if Newton's method does not converge, the status is
-/// not_finite. `workspace` is that of the model with friction, and unused otherwise.
-template <class Model, class... Workspace>
+/// not_finite.
+template <class Model>
 typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
-                             State<Model>& next, Workspace&... workspace) {
+                             State<Model>& next, typename Model::Workspace& workspace) {
     next.speed = now.speed;
     next.rotation = now.rotation;
     const double start = creepage(wheel, now.speed, now.rotation);
     for (int trial = 0; trial < 20; ++trial) {
         const double end = creepage(wheel, next.speed, next.rotation);
-        const typename Model::Step step = model.advance(
-            now.contact, dq, rollbem::RigidMotion<double>::linear(start, end), next.contact, workspace...);
+        const typename Model::Step step =
+            model.advance(now.contact, dq, rollbem::RigidMotion<double>::linear(start, end), next.contact, workspace);
         if (step.status != rollbem::StepStatus::ok) {
             std::fprintf(stderr, "the contact refuses a step: %s\n", rollbem::name(step.status));
             return step;

@@ -169,13 +169,12 @@ void add_frequencies(std::vector<Case>& cases, bool large) {
 Outcome roll(Eigen::Index states, const Contact<double>& contact, double dq, int count, double reference,
              double bound) {
     const auto system = rolling_system(Chebyshev{states}, PlaneKernel<double>::longitudinal(contact));
-    const rollbem::TransientModel<double> model(contact, system, rollbem::unchecked,
-                                                rollbem::Integrator::matrix_exponential);
-    const rollbem::PreparedStep<double> step = model.prepare(dq);
-    rollbem::TransientState<double> now = model.at_rest(), next = now;
+    const rollbem::AdhesionModel<> model(contact, system, rollbem::unchecked, rollbem::Integrator::matrix_exponential);
+    rollbem::AdhesionWorkspace<> workspace = model.workspace();
+    rollbem::AdhesionState<> now = model.at_rest(), next = now;
     Outcome outcome{.reference = reference, .bound = bound};
     for (int k = 0; k < count; ++k) {
-        const rollbem::TransientStep<double> result = model.advance(now, step, 1.0, next);
+        const rollbem::AdhesionStep<> result = model.advance(now, dq, 1.0, next, workspace);
         outcome.value = result.force_per_width;
         outcome.told = told_by(result.status);
         std::swap(now, next);

@@ -183,15 +183,16 @@ void add_growth(std::vector<Case>& cases) {
                 {name, "force in adhesion against Chebyshev states", [=] {
                      Rolling rolling = Rolling::breathing(rollbem::cosine_mesh(160), 1e9);
                      const auto contact = Contact<double>::dimensionless(half_width, steel);
-                     const rollbem::TransientModel<double> states(
+                     const rollbem::AdhesionModel<> states(
                          contact,
                          rollbem::rolling_system(rollbem::Chebyshev{48}, PlaneKernel<double>::longitudinal(contact)),
                          rollbem::unchecked);
                      auto now = states.at_rest(), next = now;
+                     auto workspace = states.workspace();
                      double reference = nothing;
                      for (int k = 1; k <= 5; ++k) {
                          rolling.roll(0.1, 1, half_length(k) * half_length(k));
-                         const auto step = states.advance(now, 0.1, creepage(1), half_length(k), next);
+                         const auto step = states.advance(now, 0.1, creepage(1), half_length(k), next, workspace);
                          rolling.note(step.status);
                          reference = -step.force_per_width / full_force;
                          std::swap(now, next);

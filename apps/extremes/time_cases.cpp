@@ -21,7 +21,7 @@ namespace extremes {
 
 namespace {
 
-using Model = rollbem::TransientModel<double>;
+using Model = rollbem::AdhesionModel<>;
 using rollbem::Collocation;
 using rollbem::Integrator;
 
@@ -38,10 +38,10 @@ Model stable_model(const rollbem::Contact<double>& contact, Integrator integrato
 /// Force per width after `count` steps of dq [m] at unit creepage, from rest.
 Outcome roll(const Model& model, double dq, int count) {
     Model::State now = model.at_rest(), next = now;
-    const Model::Prepared step = model.prepare(dq);
+    Model::Workspace workspace = model.workspace();
     Outcome outcome;
     for (int k = 0; k < count; ++k) {
-        const rollbem::TransientStep<double> result = model.advance(now, step, 1.0, next);
+        const rollbem::AdhesionStep<> result = model.advance(now, dq, 1.0, next, workspace);
         outcome.value = result.force_per_width;
         outcome.told = told_by(result.status);
         std::swap(now, next);

@@ -137,7 +137,6 @@ public:
                     "be positive and finite where contact_length is follows_load");
         }
         plane ? build<rollbem::PlaneKernel<Scalar>>(contact) : build<rollbem::StripKernel<Scalar>>(contact);
-        prepared_.reset();
         now_ = model_->at_rest();
         if (initial_state_ == static_cast<int>(InitialState::steady)) {
             require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
@@ -202,12 +201,13 @@ public:
         for (Transient::State* state : {&now_, &from_}) {
             archive.keep(state->traction);
             archive.keep(state->half_length);
+            archive.keep(state->distance);
         }
         archive.keep(past_);
     }
 
 private:
-    using Transient = rollbem::TransientModel<Scalar>;
+    using Transient = rollbem::AdhesionModel<>;
 
     // A step of co-simulation.
     struct Past {
@@ -260,12 +260,11 @@ private:
         if (!rollbem::detail::is_finite(step.distance)) return StepStatus::not_finite;
         const auto motion = rollbem::RigidMotion<Scalar>::shift(step.shift);
         if (follows_load()) {
-            const auto result = model_->advance(from, step.distance, motion, step.half_length, to);
+            const auto result = model_->advance(from, step.distance, motion, step.half_length, to, workspace_);
             step.tangent_by_half_length = result.tangent_by_half_length;
             return take(result, step);
         }
-        if (!prepared_ || step.distance != prepared_->dq()) prepared_ = model_->prepare(step.distance);
-        return take(model_->advance(from, *prepared_, motion, to), step);
+        return take(model_->advance(from, step.distance, motion, to, workspace_), step);
     }
 
     static StepStatus take(const Transient::Step& result, Past& step) {
@@ -390,7 +389,7 @@ private:
 
     Transient::State now_, from_, next_;  // from_: where the last step began
     Past past_;
-    std::optional<Transient::Prepared> prepared_;  // for the last distance rolled, as the next is often the same
+    Transient::Workspace workspace_{state_count};
 };
 
 }  // namespace

@@ -54,8 +54,10 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
 
 }  // namespace
 
-study::StateSpaceFiles state_space_files(const study::Options& options, const std::vector<study::Scene>& scenes) {
-    return {options, state_space_of(options, scenes), conventions, all_states, "c11"};
+std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& options,
+                                                          const std::vector<study::Scene>& scenes) {
+    return std::make_unique<study::StateSpaceFiles>(options, state_space_of(options, scenes), conventions, all_states,
+                                                    "c11");
 }
 
 }  // namespace frequency

@@ -72,6 +72,7 @@ Outline read_outline(const study::Options& options) {
 std::vector<Mesh> make_strips(const study::Options& options, double low, double high,
                               const std::vector<std::ptrdiff_t>& counts) {
     if (options.given("strip-edges")) {
+        for (const char* name : {"strips", "strip-grading"}) options.ignored(name, "with --strip-edges");
         study::Lines lines(options, "strip-edges");
         Numbers edges;
         while (lines.next()) {
@@ -143,7 +144,10 @@ std::vector<Patch> make_patches(const study::Options& options) {
     const Numbers poisson = options.numbers("poisson", study::between(0, 0.5));
     std::optional<Outline> outline;
     std::vector<Contact> contacts;
-    if (options.given("outline")) outline = read_outline(options);
+    if (options.given("outline")) {
+        options.ignored("a-over-b", "with --outline");
+        outline = read_outline(options);
+    }
     for (const double ratio : outline ? Numbers{1} : options.numbers("a-over-b", study::between(1e-6, 1e6))) {
         for (const double nu : poisson) {
             contacts.push_back(outline ? Contact(*outline, 1, nu) : Contact::dimensionless(ratio, nu));

@@ -28,6 +28,7 @@ void add_table(study::Plot& plot, std::size_t coefficient, const std::vector<stu
         study::Series points{.label = "Kalker, ν = " + study::Cell(tabulated[k]).text(6),
                              .points = {},
                              .line = false,
+                             .open = true,
                              .reference = true};
         for (const rollbem::KalkerRow& row : rollbem::kalker_table) {
             if (row.a_over_b < *ratios.begin() || row.a_over_b > *ratios.rbegin()) continue;
@@ -56,7 +57,10 @@ study::Plot draw_coefficients(const std::vector<std::string>& columns, const std
         if (over_ratio) by = {"poisson", "n", "strips"};
         if (!over_ratio && values(rows, 3).size() == values(rows, 2).size()) by = {"poisson"};
         study::add_series(panel, columns, rows, {.by = by, .x = over_ratio ? "a_over_b" : "n", .y = name});
-        if (over_ratio) add_table(panel, k, rows);
+        if (over_ratio) {
+            for (study::Series& series : panel.series) series.markers = false;
+            add_table(panel, k, rows);
+        }
         if (k > 0) panel.title.clear();
         if (k == 0) {
             first = std::move(panel);
@@ -70,14 +74,14 @@ study::Plot draw_coefficients(const std::vector<std::string>& columns, const std
 study::Plot draw_responses(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     study::Plot first;
     for (const std::string name : {"c11", "c22", "c23", "c33"}) {
-        study::Plot panel{.title = "Contact patch",
+        study::Plot panel{.title = "",
                           .x_label = "ω a / V",
                           .y_label = "Re c_{" + name.substr(1) + "}, Im c_{" + name.substr(1) + "}",
                           .series = {}};
         const std::set<double> omegas = values(rows, 4);
         panel.log_x = !omegas.empty() && *omegas.begin() > 0 && *omegas.rbegin() > 20 * *omegas.begin();
         for (const bool real : {true, false}) {
-            study::Plot part{.title = panel.title, .x_label = "", .y_label = "", .series = {}};
+            study::Plot part{.title = "Contact patch", .x_label = "", .y_label = "", .series = {}};
             study::add_series(
                 part, columns, rows,
                 {.by = {"a_over_b", "poisson", "n", "strips"}, .x = "omega", .y = name + (real ? "_re" : "_im")});

@@ -129,13 +129,13 @@ Complex harmonic_c11(const RollingSystem<double>& system, double z) {
 }
 
 Forces step_forces(const Scene& scene, RollingSystem<double> system) {
-    const rollbem::TransientModel<double> model(scene.contact, std::move(system), rollbem::unchecked,
-                                                rollbem::Integrator::matrix_exponential);
-    const rollbem::PreparedStep<double> prepared = model.prepare(1);
-    rollbem::TransientState<double> state = model.at_rest(), next = state;
+    const rollbem::AdhesionModel<> model(scene.contact, std::move(system), rollbem::unchecked,
+                                         rollbem::Integrator::matrix_exponential);
+    rollbem::AdhesionWorkspace<> workspace = model.workspace();
+    rollbem::AdhesionState<> state = model.at_rest(), next = state;
     Forces forces{};
     for (double& force : forces) {
-        force = -model.advance(state, prepared, 1.0, next).force_per_width;
+        force = -model.advance(state, 1, 1.0, next, workspace).force_per_width;
         std::swap(state, next);
     }
     return forces;
@@ -148,8 +148,7 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
     const rollbem::FrictionState<> rest = model.at_rest();
     rollbem::FrictionState<> state = rest;
     rollbem::FrictionWorkspace<> workspace = model.workspace();
-    const rollbem::FrictionStep<> point =
-        model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
+    const rollbem::FrictionStep<> point = model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
     return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
 }
 
@@ -183,8 +182,7 @@ std::vector<double> load_forces(Scene scene, const Elements& elements, const Mes
     };
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
     const rollbem::Friction<> law{1, load.normal_pressure};
-    const rollbem::FrictionModel<> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked,
-                                               law);
+    const rollbem::FrictionModel<> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked, law);
     auto now = model.at_rest(), next = now;
     auto workspace = model.workspace();
     const double creepage = unit_creepage(scene) * creepage_ratio;

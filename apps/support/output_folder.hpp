@@ -14,6 +14,7 @@ class OutputFolder {
 public:
     /// `name` is the option that named the path, for messages. Throws BadInput if it cannot be created or is no folder.
     OutputFolder(const std::string& path, const std::string& name);
+    OutputFolder(OutputFolder&&) noexcept = default;  // what is moved from has nothing to remove
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
     ~OutputFolder();

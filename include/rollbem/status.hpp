@@ -25,13 +25,11 @@ enum class StepStatus {
     /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding and,
     /// with both creepages, if Newton's method does not converge, which has not been seen in rolling.
     no_solution,
-    not_finite,     ///< the motion or the result is NaN or infinite
-    invalid_step,   ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
-    needs_prepare,  ///< the step must be prepared: too many elements, or Integrator::matrix_exponential
-    wrong_state,    ///< a state or workspace of another system, a prepared step of another model, or the same object
-                    ///< as `from` and `to`
-    invalid_load,   ///< a pressure is negative or not finite, their number is not that of the elements, or the
-                    ///< half-length is not positive and finite
+    not_finite,    ///< the motion or the result is NaN or infinite
+    invalid_step,  ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
+    wrong_state,   ///< a state or workspace of another system, or the same object as `from` and `to`
+    invalid_load,  ///< a pressure is negative or not finite, their number is not that of the elements, or the
+                   ///< half-length is not positive and finite
     /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
     /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices). Use a fixed mesh on the
     /// largest contact, whose elements gain and lose pressure.
@@ -60,7 +58,6 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::ok: return "ok";
         case StepStatus::no_solution: return "no_solution";
         case StepStatus::invalid_step: return "invalid_step";
-        case StepStatus::needs_prepare: return "needs_prepare";
         case StepStatus::wrong_state: return "wrong_state";
         case StepStatus::invalid_load: return "invalid_load";
         case StepStatus::needs_fixed_mesh: return "needs_fixed_mesh";

@@ -103,13 +103,13 @@ double harmonic_error(const Recommended& best, const Kernel& own, const std::vec
 double step_error(double aspect, double nu, const RollingSystem<double>& system, double dq,
                   const std::vector<double>& exact) {
     CHECK(count_unstable<double>(system).unstable_count == 0);
-    const TransientModel<double> model(Contact<double>::dimensionless(aspect, nu), system, unchecked,
-                                       Integrator::matrix_exponential);
-    const PreparedStep<double> step = model.prepare(dq);
-    TransientState<double> state = model.at_rest(), next = state;
+    const AdhesionModel<> model(Contact<double>::dimensionless(aspect, nu), system, unchecked,
+                                Integrator::matrix_exponential);
+    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionState<> state = model.at_rest(), next = state;
     double largest = 0;
     for (std::size_t k = 1; k <= exact.size(); ++k) {
-        const double force = -model.advance(state, step, 1.0, next).force_per_width;
+        const double force = -model.advance(state, dq, 1.0, next, workspace).force_per_width;
         if (static_cast<double>(k) * dq > 1 - 1e-9) largest = std::max(largest, std::abs(force / exact[k - 1] - 1));
         std::swap(state, next);
     }

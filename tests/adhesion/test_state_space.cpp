@@ -124,9 +124,10 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     CHECK(relative_error(response(space, s) / steady * creepage,
                          solve_harmonic(system, s.imag() * 6e-3 / speed).c11 / c11) < 1e-12);
     // after 0.4 ms
-    const TransientModel<double> model(contact, system, unchecked, Integrator::matrix_exponential);
-    TransientState<double> state = model.at_rest(), next = state;
-    const double force = model.advance(state, model.prepare(speed * 4e-4), creepage, next).force;
+    const AdhesionModel<> model(contact, system, unchecked, Integrator::matrix_exponential);
+    AdhesionState<> state = model.at_rest(), next = state;
+    AdhesionWorkspace<> workspace = model.workspace();
+    const double force = model.advance(state, speed * 4e-4, creepage, next, workspace).force;
     CHECK(std::abs(stepped(space, 4e-4, 2000) * creepage / force - 1) < 1e-9);
     CHECK(force < 0);
 }

@@ -21,7 +21,7 @@
 namespace {
 
 using namespace rollbem;
-using Model = TransientModel<double>;
+using Model = AdhesionModel<>;
 using Motion = RigidMotion<double>;
 
 constexpr std::array all_integrators{Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential};
@@ -36,19 +36,19 @@ Model plane_model(Eigen::Index n, Integrator integrator) {
 }
 
 /// -F_bar / (a G) in the units of plane_contact.
-double response(const TransientStep<double>& step) {
+double response(const AdhesionStep<>& step) {
     REQUIRE(step.status == StepStatus::ok);
     return -step.force_per_width;
 }
 
 /// Steps of one size through a history: motion(k) is that of step k = 0, 1, ...
 template <class MotionOf>
-TransientStep<double> run(const Model& model, double dq, int steps, const MotionOf& motion, Model::State state) {
-    const Model::Prepared prepared = model.prepare(dq);
+AdhesionStep<> run(const Model& model, double dq, int steps, const MotionOf& motion, Model::State state) {
+    Model::Workspace workspace = model.workspace();
     Model::State next = state;
-    TransientStep<double> step;
+    AdhesionStep<> step;
     for (int k = 0; k < steps; ++k) {
-        step = model.advance(state, prepared, motion(k), next);
+        step = model.advance(state, dq, motion(k), next, workspace);
         REQUIRE(step.status == StepStatus::ok);
         std::swap(state, next);
     }
@@ -60,10 +60,10 @@ TEST_CASE("The matrix exponential follows the exact step response from q/a = 1e-
     const Model model = plane_model(40, Integrator::matrix_exponential);
     double largest = 0;
     for (const auto& [dq, steps] : {std::pair(1e-3, 1000), std::pair(0.05, 800)}) {
-        const Model::Prepared prepared = model.prepare(dq);
+        Model::Workspace workspace = model.workspace();
         Model::State state = model.at_rest(), next = state;
         for (int k = 1; k <= steps; ++k) {
-            const double force = response(model.advance(state, prepared, 1.0, next));
+            const double force = response(model.advance(state, dq, 1.0, next, workspace));
             largest = std::max(largest, std::abs(force / exact.step(k * dq) - 1));
             std::swap(state, next);
         }
@@ -151,10 +151,14 @@ TEST_CASE("A step applies the stability function of its integrator", "[transient
                                         ? (1 + (1 - 2 * gamma) * w) / ((1 - gamma * w) * (1 - gamma * w))
                                         : std::exp(w);
             Model::State from = model.at_rest(), to = from;
+            Model::Workspace workspace = model.workspace();
             from.traction[0] = 1;
-            REQUIRE(model.advance(from, model.prepare(-w / 2), 0.0, to).status == StepStatus::ok);
-            CAPTURE(name(integrator), w);
-            CHECK(std::abs(to.traction[0] - expected) < 1e-14);
+            for (const double before : {0.0, -w / 2}) {
+                from.distance = before;
+                REQUIRE(model.advance(from, -w / 2, 0.0, to, workspace).status == StepStatus::ok);
+                CAPTURE(name(integrator), w, before);
+                CHECK(std::abs(to.traction[0] - expected) < 1e-14);
+            }
         }
     }
 }
@@ -172,11 +176,11 @@ TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[
         const Model model = plane_model(40, integrator);
         for (int exponent = -9; exponent <= 6; ++exponent) {
             const double dq = std::pow(10.0, exponent);
-            const Model::Prepared prepared = model.prepare(dq);
+            Model::Workspace workspace = model.workspace();
             Model::State state = model.at_rest(), next = state;
             double largest = 0;
             for (int k = 0; k < 300; ++k) {
-                const double force = response(model.advance(state, prepared, 1.0, next));
+                const double force = response(model.advance(state, dq, 1.0, next, workspace));
                 if (k == 0 && exponent <= -7) CHECK(std::abs(force / (dq * shift_force) - 1) < 20 * dq);
                 largest = std::max(largest, std::abs(force));
                 std::swap(state, next);
@@ -186,25 +190,30 @@ TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[
             if (dq > 0.5) CHECK(std::abs(-model.force(state) / 200 / steady - 1) < 1e-12);
             // steady rolling is a fixed point
             state = model.steady(1.0);
-            CHECK(std::abs(response(model.advance(state, prepared, 1.0, next)) / steady - 1) < 1e-12);
-            CHECK((next.traction - state.traction).norm() < 1e-10 * state.traction.norm());
+            for (const double before : {0.0, dq}) {
+                state.distance = before;
+                CHECK(std::abs(response(model.advance(state, dq, 1.0, next, workspace)) / steady - 1) < 1e-12);
+                CHECK((next.traction - state.traction).norm() < 1e-10 * state.traction.norm());
+            }
         }
     }
 }
 
-TEST_CASE("Prepared and unprepared steps agree", "[transient]") {
+TEST_CASE("A step of a repeated distance agrees with one of a new distance", "[transient]") {
     const Contact<double> contact(
         {.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         for (const Eigen::Index n : {1, 2, 7, 128}) {
             const Model model(contact, rolling_system(uniform_mesh<double>(n), halves, kernel), unchecked, integrator);
-            const Model::State from = model.steady(1e-3);
+            Model::State from = model.steady(1e-3), repeated = from;
+            Model::Workspace workspace = model.workspace();
             for (const double dq : {1e-10, 1e-4, 5e-3, 1e3}) {
+                repeated.distance = dq;
                 for (const Motion& motion : {Motion(2e-3), Motion::linear(1e-3, -4e-3), Motion::shift(1e-6)}) {
                     Model::State left = from, right = from;
-                    const TransientStep<double> a = model.advance(from, model.prepare(dq), motion, left);
-                    const TransientStep<double> b = model.advance(from, dq, motion, right);
+                    const AdhesionStep<> a = model.advance(repeated, dq, motion, left, workspace);
+                    const AdhesionStep<> b = model.advance(from, dq, motion, right, workspace);
                     CAPTURE(name(integrator), n, dq, a.force, b.force, a.tangent, b.tangent);
                     REQUIRE(a.status == StepStatus::ok);
                     REQUIRE(b.status == StepStatus::ok);
@@ -212,6 +221,8 @@ TEST_CASE("Prepared and unprepared steps agree", "[transient]") {
                     CHECK((left.traction - right.traction).norm() < 1e-11 * size);
                     CHECK(std::abs(a.tangent / b.tangent - 1) < 1e-10);
                     CHECK(std::abs(a.force - model.force(left)) <= 1e-15 * std::abs(a.force));
+                    CHECK(left.distance == dq);
+                    CHECK(right.distance == dq);
                     CHECK(std::abs(a.force_per_width * 8e-3 / a.force - 1) < 1e-15);
                 }
             }
@@ -222,19 +233,21 @@ TEST_CASE("Prepared and unprepared steps agree", "[transient]") {
 TEST_CASE("The tangent is the derivative of the force", "[transient]") {
     for (const Integrator integrator : all_integrators) {
         const Model model = plane_model(20, integrator);
-        const Model::State from = model.steady(0.3);
-        const Model::Prepared prepared = model.prepare(0.7);
-        Model::State to = from;
-        // the problem is linear: any difference quotient is the derivative
-        const auto slope = [&](const Motion& low, const Motion& high, double distance) {
-            const double below = model.advance(from, prepared, low, to).force;
-            const TransientStep<double> above = model.advance(from, prepared, high, to);
-            return (above.force - below) / distance / above.tangent;
-        };
-        CHECK(slope(1.0, 3.0, 2) == Approx(1).epsilon(1e-12));
-        CHECK(slope(Motion::linear(0.5, 1.0), Motion::linear(0.5, 3.0), 2) == Approx(1).epsilon(1e-12));
-        CHECK(slope(Motion::shift(1.0), Motion::shift(3.0), 2) == Approx(1).epsilon(1e-12));
-        CHECK(model.advance(from, prepared, 1.0, to).tangent < 0);
+        Model::State from = model.steady(0.3), to = from;
+        Model::Workspace workspace = model.workspace();
+        for (const double before : {0.0, 0.7}) {
+            from.distance = before;
+            // the problem is linear: any difference quotient is the derivative
+            const auto slope = [&](const Motion& low, const Motion& high, double distance) {
+                const double below = model.advance(from, 0.7, low, to, workspace).force;
+                const AdhesionStep<> above = model.advance(from, 0.7, high, to, workspace);
+                return (above.force - below) / distance / above.tangent;
+            };
+            CHECK(slope(1.0, 3.0, 2) == Approx(1).epsilon(1e-12));
+            CHECK(slope(Motion::linear(0.5, 1.0), Motion::linear(0.5, 3.0), 2) == Approx(1).epsilon(1e-12));
+            CHECK(slope(Motion::shift(1.0), Motion::shift(3.0), 2) == Approx(1).epsilon(1e-12));
+            CHECK(model.advance(from, 0.7, 1.0, to, workspace).tangent < 0);
+        }
     }
 }
 
@@ -246,17 +259,14 @@ TEST_CASE("A rigid shift equals creepage times distance, and may occur without r
         const Model model = plane_model(40, integrator);
         const Model::State from = model.steady(0.2);
         Model::State by_creepage = from, by_shift = from;
-        const Model::Prepared prepared = model.prepare(0.25);
-        REQUIRE(model.advance(from, prepared, 3.0, by_creepage).status == StepStatus::ok);
-        REQUIRE(model.advance(from, prepared, Motion::shift(0.75), by_shift).status == StepStatus::ok);
+        Model::Workspace workspace = model.workspace();
+        REQUIRE(model.advance(from, 0.25, 3.0, by_creepage, workspace).status == StepStatus::ok);
+        REQUIRE(model.advance(from, 0.25, Motion::shift(0.75), by_shift, workspace).status == StepStatus::ok);
         CHECK(by_creepage.traction == by_shift.traction);
 
         // G (p - p_old) = -W
-        REQUIRE(model.advance(from, model.prepare(0), Motion::shift(0.5), by_shift).status == StepStatus::ok);
+        REQUIRE(model.advance(from, 0, Motion::shift(0.5), by_shift, workspace).status == StepStatus::ok);
         const VectorX<double> jump = -dense::solve(matrices.G, VectorX<double>::Constant(40, 0.5));
-        CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
-        if (integrator == Integrator::matrix_exponential) continue;
-        REQUIRE(model.advance(from, 0.0, Motion::shift(0.5), by_shift).status == StepStatus::ok);
         CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
     }
 }
@@ -277,18 +287,17 @@ TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient
                           unchecked, integrator);
         CAPTURE(name(integrator));
         CHECK(close(model.steady(0.5).traction, solution(matrices.G_prime, 0.5)));
-        Model::State to = model.at_rest();
-        REQUIRE(model.advance(model.at_rest(), model.prepare(0), Motion::shift(0.25), to).status == StepStatus::ok);
+        Model::State from = model.at_rest(), to = from;
+        Model::Workspace workspace = model.workspace();
+        REQUIRE(model.advance(from, 0.0, Motion::shift(0.25), to, workspace).status == StepStatus::ok);
         CHECK(close(to.traction, solution(matrices.G, -0.25)));
-        if (integrator == Integrator::matrix_exponential) continue;
-        REQUIRE(model.advance(model.at_rest(), 0.0, Motion::shift(0.25), to).status == StepStatus::ok);
-        CHECK(close(to.traction, solution(matrices.G, -0.25)));
-        if (integrator == Integrator::sdirk2) continue;
+        if (integrator != Integrator::implicit_euler) continue;
         const VectorX<double> step = solution(matrices.G - 0.5 * matrices.G_prime, -0.5);
-        REQUIRE(model.advance(model.at_rest(), 0.5, 1.0, to).status == StepStatus::ok);
-        CHECK(close(to.traction, step));
-        REQUIRE(model.advance(model.at_rest(), model.prepare(0.5), 1.0, to).status == StepStatus::ok);
-        CHECK(close(to.traction, step));
+        for (const double before : {0.0, 0.5}) {
+            from.distance = before;
+            REQUIRE(model.advance(from, 0.5, 1.0, to, workspace).status == StepStatus::ok);
+            CHECK(close(to.traction, step));
+        }
     }
 }
 
@@ -331,20 +340,19 @@ TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[tra
     const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
     const reference::StepResponse exact(0.25, 100);
     for (const Integrator integrator : all_integrators) {
-        const TransientModel<Scalar> model(
+        const AdhesionModel<1, Scalar> model(
             contact, rolling_system(cosine_mesh<Scalar>(20), halves, PlaneKernel<Scalar>::longitudinal(contact)),
             unchecked, integrator);
-        const PreparedStep<Scalar> prepared = model.prepare(Scalar(0.0625));
-        TransientState<Scalar> state = model.at_rest(), next = state;
-        TransientStep<Scalar> step;
+        AdhesionWorkspace<1, Scalar> workspace = model.workspace();
+        AdhesionState<Scalar> state = model.at_rest(), next = state;
+        AdhesionStep<1, Scalar> step;
         for (int k = 0; k < 32; ++k) {
-            step = model.advance(state, prepared, Scalar(1), next);
+            step = model.advance(state, Scalar(0.0625), Scalar(1), next, workspace);
             REQUIRE(step.status == StepStatus::ok);
-            if (integrator != Integrator::matrix_exponential) {
-                TransientState<Scalar> other = state;
-                const Scalar unprepared = model.advance(state, Scalar(0.0625), Scalar(1), other).force;
-                CHECK(std::abs(unprepared / step.force - 1) < 1000 * std::numeric_limits<Scalar>::epsilon());
-            }
+            AdhesionState<Scalar> other = state;
+            state.distance = 0;
+            const Scalar by_stages = model.advance(state, Scalar(0.0625), Scalar(1), other, workspace).force;
+            CHECK(std::abs(by_stages / step.force - 1) < 1000 * std::numeric_limits<Scalar>::epsilon());
             std::swap(state, next);
         }
         const double tolerance = integrator == Integrator::implicit_euler ? 6e-3 : 4e-4;
@@ -355,15 +363,15 @@ TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[tra
 TEST_CASE("Steps in double agree with steps in long double", "[transient]") {
     const auto force = []<class Scalar>(Scalar) {
         const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
-        const TransientModel<Scalar> model(
+        const AdhesionModel<1, Scalar> model(
             contact,
             rolling_system(uniform_mesh<Scalar>(60), Collocation{0, 0.63}, StripKernel<Scalar>::longitudinal(contact)),
             unchecked, Integrator::matrix_exponential);
-        const PreparedStep<Scalar> prepared = model.prepare(Scalar(0.125));
-        TransientState<Scalar> state = model.at_rest(), next = state;
+        AdhesionWorkspace<1, Scalar> workspace = model.workspace();
+        AdhesionState<Scalar> state = model.at_rest(), next = state;
         Scalar last = 0;
         for (int k = 0; k < 40; ++k) {
-            last = model.advance(state, prepared, Scalar(1), next).force;
+            last = model.advance(state, Scalar(0.125), Scalar(1), next, workspace).force;
             std::swap(state, next);
         }
         return static_cast<double>(last);
@@ -379,46 +387,44 @@ TEST_CASE("Invalid input to a step gives a status and leaves the target state un
     const Model model = plane_model(10, Integrator::sdirk2);
     const Model::State from = model.steady(1.0), before = from;
     const Model::State mark{VectorX<double>::Constant(10, 7.0), model.fingerprint(), 1};
-    const Model::Prepared prepared = model.prepare(0.1);
+    Model::Workspace workspace = model.workspace();
     Model::State to = mark;
-    const auto refused = [&](const TransientStep<double>& step, StepStatus status) {
+    const auto refused = [&](const AdhesionStep<>& step, StepStatus status) {
         CHECK(step.status == status);
         CHECK(std::isnan(step.force));
         CHECK(std::isnan(step.tangent));
         CHECK(to.traction == mark.traction);
+        CHECK(to.distance == mark.distance);
         CHECK(from.traction == before.traction);
     };
     for (const double bad : {nan, infinity, -infinity}) {
-        refused(model.advance(from, 0.1, bad, to), StepStatus::not_finite);
-        refused(model.advance(from, prepared, bad, to), StepStatus::not_finite);
-        refused(model.advance(from, prepared, Motion::linear(1.0, bad), to), StepStatus::not_finite);
-        refused(model.advance(from, prepared, Motion::linear(bad, 1.0), to), StepStatus::not_finite);
-        refused(model.advance(from, prepared, Motion::shift(bad), to), StepStatus::not_finite);
-        refused(model.advance(from, bad, 1.0, to), StepStatus::invalid_step);
+        refused(model.advance(from, 0.1, bad, to, workspace), StepStatus::not_finite);
+        refused(model.steady(from, bad, to, workspace), StepStatus::not_finite);
+        refused(model.advance(from, 0.1, Motion::linear(1.0, bad), to, workspace), StepStatus::not_finite);
+        refused(model.advance(from, 0.1, Motion::linear(bad, 1.0), to, workspace), StepStatus::not_finite);
+        refused(model.advance(from, 0.1, Motion::shift(bad), to, workspace), StepStatus::not_finite);
+        refused(model.advance(from, bad, 1.0, to, workspace), StepStatus::invalid_step);
     }
-    refused(model.advance(from, 0.0, 1.0, to), StepStatus::invalid_step);
-    refused(model.advance(from, -1.0, 1.0, to), StepStatus::invalid_step);
-    refused(model.advance(from, -1.0, Motion::shift(1.0), to), StepStatus::invalid_step);
-    refused(model.advance(from, model.prepare(0), 1.0, to), StepStatus::invalid_step);
-    refused(model.advance(from, Model::Prepared(), Motion::shift(1.0), to), StepStatus::wrong_state);
-    refused(model.advance(from, plane_model(11, Integrator::sdirk2).prepare(0.1), 1.0, to), StepStatus::wrong_state);
-    refused(model.advance(from, plane_model(10, Integrator::implicit_euler).prepare(0.1), 1.0, to),
-            StepStatus::wrong_state);
-    refused(model.advance(Model::State(), prepared, 1.0, to), StepStatus::wrong_state);
-    refused(model.advance(to, prepared, 1.0, to), StepStatus::wrong_state);
-    refused(plane_model(10, Integrator::matrix_exponential).advance(from, 0.1, 1.0, to), StepStatus::needs_prepare);
+    refused(model.advance(from, 0.0, 1.0, to, workspace), StepStatus::invalid_step);
+    refused(model.advance(from, -1.0, 1.0, to, workspace), StepStatus::invalid_step);
+    refused(model.advance(from, -1.0, Motion::shift(1.0), to, workspace), StepStatus::invalid_step);
+    refused(model.advance(Model::State(), 0.1, 1.0, to, workspace), StepStatus::wrong_state);
+    refused(model.advance(to, 0.1, 1.0, to, workspace), StepStatus::wrong_state);
+    refused(model.steady(to, 1.0, to, workspace), StepStatus::wrong_state);
     Model::State none;
-    CHECK(model.advance(from, prepared, 1.0, none).status == StepStatus::wrong_state);
-
-    const Model large = plane_model(Model::largest_unprepared + 1, Integrator::sdirk2);
-    Model::State there = large.at_rest();
-    CHECK(large.advance(large.at_rest(), 0.1, 1.0, there).status == StepStatus::needs_prepare);
-    CHECK(large.advance(large.at_rest(), large.prepare(0.1), 1.0, there).status == StepStatus::ok);
+    CHECK(model.advance(from, 0.1, 1.0, none, workspace).status == StepStatus::wrong_state);
+    Model::Workspace small(9);
+    CHECK(model.advance(from, 0.1, 1.0, to, small).status == StepStatus::wrong_state);
+    CHECK(to.traction == mark.traction);
 
     // a result that overflows: `to` is then a copy of `from`
-    const Model::State huge{VectorX<double>::Constant(10, 1.7e308), model.fingerprint(), 1};
-    CHECK(model.advance(huge, prepared, 1.0, to).status == StepStatus::not_finite);
-    CHECK(to.traction == huge.traction);
+    Model::State huge{VectorX<double>::Constant(10, 1.7e308), model.fingerprint(), 1};
+    for (const double distance : {0.0, 0.1}) {
+        huge.distance = distance;
+        CHECK(model.advance(huge, 0.1, 1.0, to, workspace).status == StepStatus::not_finite);
+        CHECK(to.traction == huge.traction);
+        CHECK(to.distance == distance);
+    }
 }
 
 TEST_CASE("The constructor rejects invalid input and names the quantity", "[transient]") {
@@ -433,10 +439,10 @@ TEST_CASE("The constructor rejects invalid input and names the quantity", "[tran
     using Catch::Matchers::ContainsSubstring;
     StabilityVerdict bad = good;
     bad.unstable_count = 2;
-    CHECK_THROWS_WITH(build(bad), ContainsSubstring("TransientModel: unstable_count = 2 must be 0"));
+    CHECK_THROWS_WITH(build(bad), ContainsSubstring("AdhesionModel: unstable_count = 2 must be 0"));
     bad = good;
     bad.uncertain_count = 1;
-    CHECK_THROWS_WITH(build(bad), ContainsSubstring("TransientModel: uncertain_count = 1 must be 0"));
+    CHECK_THROWS_WITH(build(bad), ContainsSubstring("AdhesionModel: uncertain_count = 1 must be 0"));
     bad = good;
     bad.n = 9;
     CHECK_THROWS_WITH(build(bad), ContainsSubstring("n of the verdict = 9 must equal"));
@@ -469,22 +475,20 @@ TEST_CASE("The constructor rejects invalid input and names the quantity", "[tran
                     std::invalid_argument);
 
     const Model model(contact, rolling_system(mesh, halves, kernel), good);
-    CHECK_THROWS_WITH(model.prepare(-1), "TransientModel: dq = -1 must be finite and not negative");
-    CHECK_THROWS_AS(model.prepare(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
     CHECK_THROWS_AS(model.steady(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
 TEST_CASE("Threads may share a transient model", "[transient]") {
     const Model model = plane_model(40, Integrator::sdirk2);
-    const Model::Prepared prepared = model.prepare(0.05);
     std::array<double, 4> forces{};
     std::vector<std::thread> threads;
     for (double& force : forces) {
         threads.emplace_back([&] {
             Model::State state = model.at_rest(), next = state;
+            Model::Workspace workspace = model.workspace();
             for (int k = 0; k < 50; ++k) {
-                model.advance(state, prepared, 1.0, next);
-                force = model.advance(next, 0.07, 0.5, state).force;
+                model.advance(state, 0.05, 1.0, next, workspace);
+                force = model.advance(next, k % 2 == 0 ? 0.05 : 0.07, 0.5, state, workspace).force;
             }
         });
     }
@@ -493,7 +497,7 @@ TEST_CASE("Threads may share a transient model", "[transient]") {
 }
 
 TEST_CASE("A default-constructed step is not ok", "[transient]") {
-    CHECK(TransientStep<double>{}.status == StepStatus::not_finite);
+    CHECK(AdhesionStep<>{}.status == StepStatus::not_finite);
 }
 
 TEST_CASE("The constructor names the matrix entry that is not finite", "[transient]") {
@@ -517,15 +521,15 @@ TEST_CASE("A nearly singular G' has a mode that decays slowly even in long steps
         const Collocation scheme{-1.5365581400890833, 1.5378493630839927, Derivative::analytic, 0.21406187546799224};
         const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, StripKernel<Scalar>(b, 1 - nu, nu));
         const UnitSteadySolution<Scalar> steady = solve_steady<Scalar>(matrices.G_prime, mesh.widths());
-        const TransientModel<Scalar> model(Contact<Scalar>::dimensionless(b, nu),
-                                           ElementSystem<Scalar>(matrices.G, matrices.G_prime, mesh.widths()),
-                                           unchecked);
+        const AdhesionModel<1, Scalar> model(Contact<Scalar>::dimensionless(b, nu),
+                                             ElementSystem<Scalar>(matrices.G, matrices.G_prime, mesh.widths()),
+                                             unchecked);
         const auto ratio = [&](Scalar dq) {
-            const PreparedStep<Scalar> step = model.prepare(dq);
-            TransientState<Scalar> now = model.at_rest(), next = now;
-            TransientStep<Scalar> last;
+            AdhesionWorkspace<1, Scalar> workspace = model.workspace();
+            AdhesionState<Scalar> now = model.at_rest(), next = now;
+            AdhesionStep<1, Scalar> last;
             for (int k = 0; k < 4; ++k) {
-                last = model.advance(now, step, Scalar(1), next);
+                last = model.advance(now, dq, Scalar(1), next, workspace);
                 std::swap(now, next);
             }
             return static_cast<double>(-last.force_per_width / steady.c11);

@@ -22,7 +22,7 @@
 namespace {
 
 using namespace rollbem;
-using Model = TransientModel<double>;
+using Model = AdhesionModel<>;
 using Motion = RigidMotion<double>;
 using Eigen::MatrixXd, Eigen::VectorXd;
 
@@ -52,9 +52,10 @@ std::vector<double> series(const Model& model, const Sine& a, double q_0, double
     Model::State now = model.steady(1);
     now.half_length = a(q_0);  // the unknowns of steady rolling do not depend on it
     Model::State next = now;
+    Model::Workspace workspace = model.workspace();
     std::vector<double> forces;
     for (int k = 1; k <= steps; ++k) {
-        const BreathingTransientStep<double> step = model.advance(now, dq, 1.0, a(q_0 + k * dq), next);
+        const AdhesionStep<> step = model.advance(now, dq, 1.0, a(q_0 + k * dq), next, workspace);
         REQUIRE(step.status == StepStatus::ok);
         forces.push_back(-step.force_per_width);
         std::swap(now, next);
@@ -111,13 +112,14 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
     const ElementSystem<double> of_elements = elements(20, 100);
     const ElementSystem<double> of_nodes = rolling_system(cosine_mesh(20), NodeDifference{}, plane(100));
     const ChebyshevSystem<double> of_states = states(9, 100);
-    for (const RollingSystem<double>* system : {static_cast<const RollingSystem<double>*>(&of_elements),
-                                                static_cast<const RollingSystem<double>*>(&of_nodes),
-                                                static_cast<const RollingSystem<double>*>(&of_states)}) {
+    for (const RollingSystem<double>* system :
+         {static_cast<const RollingSystem<double>*>(&of_elements), static_cast<const RollingSystem<double>*>(&of_nodes),
+          static_cast<const RollingSystem<double>*>(&of_states)}) {
         const Dense exact(*system);
         for (const Integrator integrator : breathing_integrators) {
             const Model model(contact, *system, unchecked, integrator);
             REQUIRE(model.can_breathe());
+            Model::Workspace workspace = model.workspace();
             for (const double a_old : {1.0, 0.3, 2.5}) {
                 for (const double da : {0.0, 0.19, -0.19, 1e-9}) {
                     Model::State from = model.steady(1e-3), to = from;
@@ -127,8 +129,7 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                          {std::tuple(Motion(2e-3), 4e-4, 4e-4), std::tuple(Motion::shift(4e-4 * a_0), 4e-4, 4e-4),
                           std::tuple(Motion::linear(1e-3, 4e-3), 0.2 * (1e-3 + 3e-3 * g), 8e-4)}) {
                         const double dq = 0.2, a_new = a_old + da;
-                        const BreathingTransientStep<double> step =
-                            model.advance(from, dq * a_0, motion, a_new * a_0, to);
+                        const AdhesionStep<> step = model.advance(from, dq * a_0, motion, a_new * a_0, to, workspace);
                         REQUIRE(step.status == StepStatus::ok);
                         const VectorXd expected =
                             integrator == Integrator::sdirk2
@@ -220,8 +221,8 @@ TEST_CASE("A few Chebyshev states resolve a breathing contact as well as many el
     for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
         std::vector<double> of_nodes;
         for (const double n : counts) {
-            of_nodes.push_back(error(
-                rolling_system(cosine_mesh(static_cast<Eigen::Index>(n)), NodeDifference{nodes}, plane(100))));
+            of_nodes.push_back(
+                error(rolling_system(cosine_mesh(static_cast<Eigen::Index>(n)), NodeDifference{nodes}, plane(100))));
         }
         CAPTURE(nodes == Nodes::centres, of_nodes);
         CHECK(std::abs(support::observed_order(counts, of_nodes) - 2) < 0.1);
@@ -249,10 +250,11 @@ TEST_CASE("A breathing step of Chebyshev states is that of the tau method", "[br
         if (k < m) Z(k + 1, k) += k == 0 ? 1 : 0.5;
     }
     const Model model(unit_contact(100), system, unchecked, Integrator::implicit_euler);
+    Model::Workspace workspace = model.workspace();
     Model::State from = model.at_rest(), to = from;
     from.traction << 0.3, -0.2, 0.1, 0.05, -0.3, 0.2, 0.07;
     from.half_length = a_old;
-    REQUIRE(model.advance(from, dq, xi, a_new, to).status == StepStatus::ok);
+    REQUIRE(model.advance(from, dq, xi, a_new, to, workspace).status == StepStatus::ok);
 
     const MatrixXd K = compliance(a_new), identity = MatrixXd::Identity(m + 1, m + 1);
     MatrixXd equations = K - (dq * identity + (a_new - a_old) * Z) * D * K / a_new;
@@ -271,10 +273,11 @@ TEST_CASE("A step to the same half-length is an ordinary step", "[breathing]") {
         const Model model(unit_contact(100), elements(30, 100), unchecked, integrator);
         for (const double dq : {1e-9, 1e-3, 0.3, 1e4}) {
             for (const Motion& motion : {Motion(0.5), Motion::linear(0.5, -2), Motion::shift(0.1)}) {
-                const Model::State from = model.steady(1);
-                Model::State one = from, other = from;
-                const TransientStep<double> step = model.advance(from, dq, motion, one);
-                const BreathingTransientStep<double> breathing = model.advance(from, dq, motion, 1.0, other);
+                Model::State from = model.steady(1), one = from, other = from;
+                Model::Workspace workspace = model.workspace();
+                from.distance = dq;  // the ordinary step is then by the matrix of a repeated distance
+                const AdhesionStep<> step = model.advance(from, dq, motion, one, workspace);
+                const AdhesionStep<> breathing = model.advance(from, dq, motion, 1.0, other, workspace);
                 CAPTURE(name(integrator), dq, step.force, breathing.force);
                 REQUIRE(step.status == StepStatus::ok);
                 REQUIRE(breathing.status == StepStatus::ok);
@@ -299,30 +302,28 @@ TEST_CASE("A step from a state at another half-length is that of a contact of th
         for (const Integrator integrator : breathing_integrators) {
             const Model model(contact(a_0), system_of(b / a_0), unchecked, integrator);
             const Model other(contact(a), system_of(b / a), unchecked, integrator);
-            Model::State now = model.at_rest(), next = now, prepared_next = now, by_length = now;
+            Model::State now = model.at_rest(), next = now, by_length = now;
+            Model::Workspace workspace = model.workspace(), another = other.workspace();
             now.half_length = a;
             Model::State there = other.at_rest(), there_next = there;
-            const Model::Prepared prepared = model.prepare(1e-3);
             for (int k = 0; k < 12; ++k) {
                 const Motion motion = Motion::linear(1e-4 * k, 1e-4 * (k + 1));
-                const TransientStep<double> expected = other.advance(there, 1e-3, motion, there_next);
-                const TransientStep<double> step = model.advance(now, 1e-3, motion, next);
+                const AdhesionStep<> expected = other.advance(there, 1e-3, motion, there_next, another);
+                const AdhesionStep<> step = model.advance(now, 1e-3, motion, next, workspace);
                 REQUIRE(step.status == StepStatus::ok);
                 CHECK(step.force == Approx(expected.force).epsilon(1e-11));
                 CHECK(step.tangent == Approx(expected.tangent).epsilon(1e-11));
                 CHECK(next.half_length == a);
                 if (tractions) CHECK((next.traction - there_next.traction).norm() < 1e-11 * next.traction.norm());
                 // bit for bit the same by each overload
-                CHECK(model.advance(now, prepared, motion, prepared_next).force == step.force);
-                CHECK(model.advance(now, 1e-3, motion, a, by_length).force == step.force);
-                CHECK(prepared_next.traction == next.traction);
+                CHECK(model.advance(now, 1e-3, motion, a, by_length, workspace).force == step.force);
                 CHECK(by_length.traction == next.traction);
                 std::swap(now, next);
                 std::swap(there, there_next);
             }
             // a rigid shift without rolling: M(a) (p - p_old) = -W
-            REQUIRE(model.advance(now, 0.0, Motion::shift(1e-6), next).status == StepStatus::ok);
-            const TransientStep<double> shifted = other.advance(there, 0.0, Motion::shift(1e-6), there_next);
+            REQUIRE(model.advance(now, 0.0, Motion::shift(1e-6), next, workspace).status == StepStatus::ok);
+            const AdhesionStep<> shifted = other.advance(there, 0.0, Motion::shift(1e-6), there_next, another);
             CHECK(model.force(next) == Approx(shifted.force).epsilon(1e-11));
         }
     };
@@ -336,12 +337,13 @@ TEST_CASE("The tangents by motion and by half-length are derivatives of the forc
     const auto check = [&](const auto& system) {
         for (const Integrator integrator : breathing_integrators) {
             const Model model(contact, system, unchecked, integrator);
+            Model::Workspace workspace = model.workspace();
             Model::State from = model.steady(1e-3), to = from;
             from.half_length = 1.1 * a_0;
             const double dq = 0.3 * a_0, h = 1e-5 * a_0;
             for (const double a : {1.1 * a_0, 1.3 * a_0, 0.85 * a_0}) {
                 const auto force = [&](const Motion& motion, double half_length) {
-                    const BreathingTransientStep<double> step = model.advance(from, dq, motion, half_length, to);
+                    const AdhesionStep<> step = model.advance(from, dq, motion, half_length, to, workspace);
                     REQUIRE(step.status == StepStatus::ok);
                     return step.force;
                 };
@@ -350,16 +352,17 @@ TEST_CASE("The tangents by motion and by half-length are derivatives of the forc
                 };
                 CAPTURE(model.size(), name(integrator), a);
                 const Motion linear = Motion::linear(1e-3, 3e-3);
-                CHECK(model.advance(from, dq, 2e-3, a, to).tangent == Approx(slope(1e-3, 3e-3, 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, dq, linear, a, to).tangent ==
+                CHECK(model.advance(from, dq, 2e-3, a, to, workspace).tangent ==
+                      Approx(slope(1e-3, 3e-3, 2e-3)).epsilon(1e-9));
+                CHECK(model.advance(from, dq, linear, a, to, workspace).tangent ==
                       Approx(slope(Motion::linear(1e-3, 2e-3), Motion::linear(1e-3, 4e-3), 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, dq, Motion::shift(1e-6), a, to).tangent ==
+                CHECK(model.advance(from, dq, Motion::shift(1e-6), a, to, workspace).tangent ==
                       Approx(slope(Motion::shift(0), Motion::shift(2e-6), 2e-6)).epsilon(1e-9));
                 for (const Motion& motion : {Motion(2e-3), linear, Motion::shift(1e-6)}) {
                     const double by_length = (8 * (force(motion, a + h) - force(motion, a - h)) -
                                               force(motion, a + 2 * h) + force(motion, a - 2 * h)) /
                                              (12 * h);
-                    const double tangent = model.advance(from, dq, motion, a, to).tangent_by_half_length;
+                    const double tangent = model.advance(from, dq, motion, a, to, workspace).tangent_by_half_length;
                     CHECK(tangent == Approx(by_length).epsilon(1e-8));
                 }
             }
@@ -390,11 +393,12 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
             for (Eigen::Index k = 0; k <= m; ++k) at_edge += k % 2 == 0 ? p[k] : -p[k];
             return (1 - a.slope(q)) * pi * c1 * at_edge * at_edge * state.half_length / 2;
         };
+        Model::Workspace workspace = model.workspace();
         Model::State now = model.steady(1), next = now;
         const double dq = 6.0 / steps, start = energy(now);
         double work = 0, released = 0, force = model.force(now) / 200, rate = release(now, 0);
         for (int k = 1; k <= steps; ++k) {
-            const BreathingTransientStep<double> step = model.advance(now, dq, 1.0, a(k * dq), next);
+            const AdhesionStep<> step = model.advance(now, dq, 1.0, a(k * dq), next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             const double next_rate = release(next, k * dq);
             work -= dq * (force + step.force_per_width) / 2;
@@ -441,7 +445,7 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         Model::State from = model.steady(1), to = model.at_rest();
         to.traction.setConstant(7);
         to.half_length = 11;
-        const BreathingTransientStep<double> step = ask(model, from, to);
+        const AdhesionStep<> step = ask(model, from, to);
         CAPTURE(name(step.status), name(expected));
         CHECK(step.status == expected);
         CHECK(std::isnan(step.force));
@@ -452,7 +456,8 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     };
     const auto to_length = [](double dq, double half_length, const Motion& motion = 1.0) {
         return [=](const Model& model, const Model::State& from, Model::State& to) {
-            return model.advance(from, dq, motion, half_length, to);
+            Model::Workspace workspace = model.workspace();
+            return model.advance(from, dq, motion, half_length, to, workspace);
         };
     };
     for (const Integrator integrator : breathing_integrators) {
@@ -463,10 +468,10 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
             check_refusals(
                 model,
                 [&](const Model& m, Model::State& from, Model::State& to) {
+                    Model::Workspace workspace = m.workspace();
                     from.half_length = bad;
-                    CHECK(m.advance(from, 0.1, 1.0, to).status == StepStatus::wrong_state);
-                    CHECK(m.advance(from, m.prepare(0.1), 1.0, to).status == StepStatus::wrong_state);
-                    return m.advance(from, 0.1, 1.0, 1.0, to);
+                    CHECK(m.advance(from, 0.1, 1.0, to, workspace).status == StepStatus::wrong_state);
+                    return m.advance(from, 0.1, 1.0, 1.0, to, workspace);
                 },
                 StepStatus::wrong_state);
         }
@@ -477,60 +482,60 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         check_refusals(model, to_length(0, 1.01), StepStatus::invalid_step);
         check_refusals(model, to_length(nan, 1.01), StepStatus::invalid_step);
         check_refusals(model, to_length(0.1, 1.01, nan), StepStatus::not_finite);
+        Model::Workspace workspace = model.workspace();
         Model::State from = model.steady(1), to = from;
-        CHECK(model.advance(from, 0.25, 1.0, 1.24, to).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.25, 1.0, 0.76, to).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.0, Motion::shift(0.1), 1.0, to).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.1, 1.0, 1.01, from).status == StepStatus::wrong_state);
+        CHECK(model.advance(from, 0.25, 1.0, 1.24, to, workspace).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.25, 1.0, 0.76, to, workspace).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.0, Motion::shift(0.1), 1.0, to, workspace).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.1, 1.0, 1.01, from, workspace).status == StepStatus::wrong_state);
 
         // a result that overflows: `to` is then a copy of `from`
         from.traction.setConstant(1.7e308);
-        CHECK(model.advance(from, 0.1, 1.0, 1.05, to).status == StepStatus::not_finite);
+        CHECK(model.advance(from, 0.1, 1.0, 1.05, to, workspace).status == StepStatus::not_finite);
         CHECK(to.traction == from.traction);
         CHECK(to.half_length == 1);
     }
 
     // systems that cannot breathe take steps only at their own half-length
-    const auto rigid = [&](const Model& model, StepStatus at_its_length) {
+    const auto rigid = [&](const Model& model) {
         CHECK_FALSE(model.can_breathe());
         check_refusals(model, to_length(0.1, 1.01), StepStatus::needs_fixed_mesh);
         check_refusals(
             model,
             [](const Model& m, Model::State& from, Model::State& to) {
+                Model::Workspace workspace = m.workspace();
                 from.half_length = 1.01;
-                CHECK(m.advance(from, 0.1, 1.0, to).status == StepStatus::needs_fixed_mesh);
-                CHECK(m.advance(from, m.prepare(0.1), 1.0, to).status == StepStatus::needs_fixed_mesh);
-                return m.advance(from, 0.1, 1.0, 1.0, to);
+                CHECK(m.advance(from, 0.1, 1.0, to, workspace).status == StepStatus::needs_fixed_mesh);
+                return m.advance(from, 0.1, 1.0, 1.0, to, workspace);
             },
             StepStatus::needs_fixed_mesh);
         const Model::State from = model.steady(1);
         Model::State to = from, other = from;
-        const BreathingTransientStep<double> step = model.advance(from, 0.1, 0.5, 1.0, to);
-        CHECK(step.status == at_its_length);
-        if (at_its_length != StepStatus::ok) return;
-        CHECK(step.force == model.advance(from, 0.1, 0.5, other).force);
+        Model::Workspace workspace = model.workspace();
+        const AdhesionStep<> step = model.advance(from, 0.1, 0.5, 1.0, to, workspace);
+        CHECK(step.status == StepStatus::ok);
+        CHECK(step.force == model.advance(from, 0.1, 0.5, other, workspace).force);
         CHECK(to.traction == other.traction);
         CHECK(std::isnan(step.tangent_by_half_length));
     };
     const Mesh<double> mesh = cosine_mesh<double>(10);
     const StripKernel<double> strip = StripKernel<double>::longitudinal(contact);
     const ElementSystem<double> system = elements(10, 100);
-    rigid(Model(contact, rolling_system(mesh, halves, strip), unchecked), StepStatus::ok);
-    rigid(Model(contact, rolling_system(mesh, Galerkin{0.5, 0.5}, plane(100)), unchecked), StepStatus::ok);
-    rigid(Model(contact, rolling_system(Chebyshev{8}, strip), unchecked), StepStatus::ok);
-    rigid(Model(contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked),
-          StepStatus::ok);
-    rigid(Model(contact, system, unchecked, Integrator::matrix_exponential), StepStatus::needs_prepare);
-    rigid(Model(contact, elements(Model::largest_unprepared + 1, 100), unchecked), StepStatus::needs_prepare);
+    rigid(Model(contact, rolling_system(mesh, halves, strip), unchecked));
+    rigid(Model(contact, rolling_system(mesh, Galerkin{0.5, 0.5}, plane(100)), unchecked));
+    rigid(Model(contact, rolling_system(Chebyshev{8}, strip), unchecked));
+    rigid(Model(contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked));
+    rigid(Model(contact, system, unchecked, Integrator::matrix_exponential));
 }
 
 TEST_CASE("A breathing state written as text and read again continues bit for bit", "[breathing]") {
     const Sine a{0.4, 5};
     const Model model(unit_contact(100), states(9, 100), unchecked);
     const auto roll = [&](Model::State now, int first, int last) {
+        Model::Workspace workspace = model.workspace();
         Model::State next = now;
         for (int k = first; k < last; ++k) {
-            REQUIRE(model.advance(now, 0.05, 1.0, a((k + 1) * 0.05), next).status == StepStatus::ok);
+            REQUIRE(model.advance(now, 0.05, 1.0, a((k + 1) * 0.05), next, workspace).status == StepStatus::ok);
             std::swap(now, next);
         }
         return now;
@@ -552,12 +557,13 @@ TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", flo
     using Scalar = TestType;
     const auto force = []<class Real>(Real) {
         const Contact<Real> contact = Contact<Real>::dimensionless(100, Real(0.25));
-        const TransientModel<Real> model(
+        const AdhesionModel<1, Real> model(
             contact, rolling_system(Chebyshev{.states = 8}, PlaneKernel<Real>(100, Real(0.75), Real(0.25))), unchecked);
-        TransientState<Real> now = model.at_rest(), next = now;
-        BreathingTransientStep<Real> step;
+        AdhesionState<Real> now = model.at_rest(), next = now;
+        AdhesionWorkspace<1, Real> workspace = model.workspace();
+        AdhesionStep<1, Real> step;
         for (int k = 1; k <= 64; ++k) {
-            step = model.advance(now, Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64, next);
+            step = model.advance(now, Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64, next, workspace);
             if (step.status != StepStatus::ok) return std::pair(0.0L, 0.0L);
             std::swap(now, next);
         }

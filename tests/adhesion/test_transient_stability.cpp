@@ -19,7 +19,7 @@ constexpr double aspect = 100;
 
 Contact<double> contact() { return Contact<double>::dimensionless(aspect, 0.25); }
 
-TransientModel<double> make_model(Eigen::Index n, const Collocation& scheme, Integrator integrator) {
+AdhesionModel<> make_model(Eigen::Index n, const Collocation& scheme, Integrator integrator) {
     return {contact(), rolling_system(uniform_mesh<double>(n), scheme, StripKernel<double>::longitudinal(contact())),
             unchecked, integrator};
 }
@@ -36,15 +36,15 @@ struct Decay {
     double growth;
 };
 
-Decay free_motion(const TransientModel<double>& model, double dq, int steps) {
-    const PreparedStep<double> prepared = model.prepare(dq);
-    TransientState<double> state = model.at_rest(), next = state;
-    REQUIRE(model.advance(state, prepared, RigidMotion<double>::shift(1.0), next).status == StepStatus::ok);
+Decay free_motion(const AdhesionModel<>& model, double dq, int steps) {
+    AdhesionWorkspace<> workspace = model.workspace();
+    AdhesionState<> state = model.at_rest(), next = state;
+    REQUIRE(model.advance(state, dq, RigidMotion<double>::shift(1.0), next, workspace).status == StepStatus::ok);
     std::swap(state, next);
     const double start = state.traction.norm();
     Decay decay;
     for (int k = 0; k < steps; ++k) {
-        const TransientStep<double> step = model.advance(state, prepared, 0.0, next);
+        const AdhesionStep<> step = model.advance(state, dq, 0.0, next, workspace);
         REQUIRE(step.status == StepStatus::ok);
         decay.forces.push_back(step.force);
         std::swap(state, next);
@@ -73,7 +73,7 @@ TEST_CASE("An unstable scheme grows at the rate of its largest eigenvalue, a sta
 
     const double way = 40 / bad.spectral_abscissa;  // e^40
     const int steps = 4000;
-    const TransientModel<double> exact = make_model(n, unstable, Integrator::matrix_exponential);
+    const AdhesionModel<> exact = make_model(n, unstable, Integrator::matrix_exponential);
     const Decay grown = free_motion(exact, way / steps, steps);
     const double rate = leading_rate(grown.forces, way / steps);
     CAPTURE(bad.spectral_abscissa, rate, grown.growth);
@@ -104,8 +104,8 @@ TEST_CASE("A stable scheme decays at the rate of its largest eigenvalue", "[tran
 TEST_CASE("A model is built only with a verdict that says stable", "[transient]") {
     const auto build = [](const Mesh<double>& mesh, const Collocation& scheme) {
         const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact());
-        TransientModel<double>(contact(), rolling_system(mesh, scheme, kernel),
-                               judge_stability(rolling_system(mesh, scheme, kernel)));
+        AdhesionModel<>(contact(), rolling_system(mesh, scheme, kernel),
+                        judge_stability(rolling_system(mesh, scheme, kernel)));
     };
     CHECK_NOTHROW(build(cosine_mesh<double>(40), {.alpha_L = 0.5, .alpha_T = 0.5}));
     CHECK_NOTHROW(build(uniform_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.63}));

@@ -74,7 +74,7 @@ bad '--size-ratio = 2 has no effect with --mesh cosine; it is for --mesh geometr
 bad '--quadrature = 3 has no effect with --method collocation' "$steady" --quadrature 3
 bad '--alpha-T = 0.5 has no effect with --alpha' "$steady" --alpha 0.5 --alpha-T 0.5
 bad '--alpha-T = 0.5 has no effect with --method knothe-bc' "$steady" --method knothe-bc --alpha-T 0.5
-for option in alpha-L=0 alpha-T=0.5 alpha=0.5 lambda=1 derivative=fd quadrature=3; do
+for option in alpha-L=0 alpha-T=0.5 alpha=0.5 derivative=fd quadrature=3; do
     bad "--${option%=*} = ${option#*=} has no effect with --method nodes" "$steady" --method nodes --$option
 done
 bad '--nodes = centres has no effect with --method collocation' "$steady" --nodes centres

@@ -50,7 +50,7 @@ bad '--recommend = 1 must be above 0 and below 1' "$precision" --recommend 1
 bad '--n = 4 has no effect with --recommend' "$precision" --recommend 1e-4 --n 4
 "$precision" --recommend 1e-4 >lines || fail '--recommend'
 grep -q '^precision_study --quantity c11 --schemes richardson-nodes --n 10$' lines &&
-    grep -q '^friction_study --method nodes --nodes chebyshev --n 115$' lines || fail "--recommend: $(cat lines)"
+    grep -q '^friction_study --kernel plane --method nodes --nodes chebyshev --n 115$' lines || fail "--recommend: $(cat lines)"
 good 2 "$precision" --quantity c11 --schemes richardson-nodes --n 10
 check 'what is recommended meets its tolerance' '$4 < 1e-4 && $4 > -1e-4'
 

@@ -87,7 +87,7 @@ bad '--aspect = inf must be positive and finite' $f --omega 1 --aspect inf
 bad '--aspect = 0.1 must be larger than' $f --omega 1 --kernel plane --aspect 0.1
 bad '--order = 20 has no effect with --method collocation' $f --omega 1 --order 20
 bad '--basis = monomial has no effect with --method galerkin' $f --omega 1 --method galerkin --basis monomial
-bad '--method = foo must be one of collocation, galerkin, knothe-bc, chebyshev, polynomial' $f --method foo
+bad '--method = foo must be one of collocation, galerkin, knothe-bc, nodes, chebyshev, polynomial' $f --method foo
 p="$frequency --output x.csv --method polynomial"
 for option in --n --alpha --alpha-L --alpha-T --lambda; do
     bad "$option = 0.5 has no effect with --method polynomial" $p --omega 1 $option 0.5

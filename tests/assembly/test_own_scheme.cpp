@@ -99,12 +99,13 @@ TEST_CASE("A scheme with two points solves steady, stability, frequency and time
     CHECK(std::abs(harmonic.c11 - solve_harmonic(mean, 2.0).c11) < 1e-12);
     CHECK(std::abs(FrequencySweep<double>(own)(2.0).c11 - solve_harmonic(mean, 2.0).c11) < 1e-12);
 
-    const TransientModel<double> model(contact, own, unchecked), expected(contact, mean, unchecked);
-    TransientState<double> now = model.at_rest(), next = now;
-    TransientState<double> expected_now = expected.at_rest(), expected_next = expected_now;
+    const AdhesionModel<> model(contact, own, unchecked), expected(contact, mean, unchecked);
+    AdhesionState<> now = model.at_rest(), next = now;
+    AdhesionWorkspace<> workspace = model.workspace(), expected_workspace = expected.workspace();
+    AdhesionState<> expected_now = expected.at_rest(), expected_next = expected_now;
     for (int step = 0; step < 5; ++step) {
-        const TransientStep<double> made = model.advance(now, 0.2, 1e-3, next);
-        const TransientStep<double> wanted = expected.advance(expected_now, 0.2, 1e-3, expected_next);
+        const AdhesionStep<> made = model.advance(now, 0.2, 1e-3, next, workspace);
+        const AdhesionStep<> wanted = expected.advance(expected_now, 0.2, 1e-3, expected_next, expected_workspace);
         REQUIRE(made.status == StepStatus::ok);
         CHECK(made.force == Approx(wanted.force).epsilon(1e-11));
         std::swap(now, next);
@@ -120,7 +121,7 @@ TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
     const auto force = [](const SteadyFrictionModel<>& of) {
         FrictionWorkspace<> workspace = of.workspace();
         FrictionState<> now = of.at_rest(), next = now;
-        return of.solve(now, 2e-3, next, workspace).force;
+        return of.steady(now, 2e-3, next, workspace).force;
     };
     CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
 

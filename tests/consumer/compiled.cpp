@@ -15,7 +15,7 @@ int main() {
     const double c11 = solve_steady(mesh, scheme, kernel).c11;
     const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
     const FrequencySweep<double> sweep(system);
-    const TransientModel<double> model(contact, system, judge_stability(system));
+    const AdhesionModel<> model(contact, system, judge_stability(system));
     const SteadyFrictionModel friction(contact, mesh, scheme, kernel, {0.3, 1e9 * mean_hertz_pressure(mesh)});
     const auto rest = friction.at_rest();
     auto rolling = rest;

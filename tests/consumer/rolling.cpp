@@ -15,7 +15,7 @@ int main() {
     const double expected = solve_steady(contact, mesh, scheme, creepage).force_per_width;
     const auto system = rolling_system(mesh, scheme, kernel);
     const auto verdict = judge_stability(system);
-    const TransientModel<double> model(contact, system, verdict);
+    const AdhesionModel<> model(contact, system, verdict);
     const double force = model.force(model.steady(creepage)) / (2 * contact.half_width());
     const FrictionModel friction(contact, system, verdict, {0.3, 1e9 * mean_hertz_pressure(mesh)});
     auto workspace = friction.workspace();

@@ -186,8 +186,8 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
         const SteadyFrictionModel<> model(contact, mesh, halves,
-                                                LayeredKernel(PlaneKernel<double>::longitudinal(contact), L),
-                                                {1, mu_p0 * mean_hertz_pressure(mesh)});
+                                          LayeredKernel(PlaneKernel<double>::longitudinal(contact), L),
+                                          {1, mu_p0 * mean_hertz_pressure(mesh)});
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();
@@ -266,13 +266,13 @@ TEST_CASE("Rolling on a layer is stable and tends to the steady state", "[layer]
             CAPTURE(mesh.is_uniform(), mesh.size(), L);
             CHECK_FALSE(system.log_strength().has_value());
             CHECK(system.aspect() == 100.0);
-            const TransientModel<double> model(contact, system, judge_stability(system));
-            TransientState<double> now = model.at_rest(), next = now;
-            const PreparedStep<double> step = model.prepare(0.5);
+            const AdhesionModel<> model(contact, system, judge_stability(system));
+            AdhesionState<> now = model.at_rest(), next = now;
+            AdhesionWorkspace<> workspace = model.workspace();
             const double steady = model.force(model.steady(1));
             double largest = 0, force = 0;
             for (int k = 0; k < 400; ++k) {
-                force = model.advance(now, step, 1, next).force / steady;
+                force = model.advance(now, 0.5, 1, next, workspace).force / steady;
                 largest = std::max(largest, force);
                 std::swap(now, next);
             }
@@ -290,14 +290,14 @@ TEST_CASE("A brush from rest bends each bristle by the distance rolled since it 
         std::vector<double> counts, errors;
         for (const Eigen::Index n : {20, 40, 80, 160}) {
             const Mesh<double> mesh = cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
-            const TransientModel<double> model(
+            const AdhesionModel<> model(
                 contact, rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
                 unchecked);
-            const PreparedStep<double> step = model.prepare(dq);
-            TransientState<double> now = model.at_rest(), next = now;
+            AdhesionWorkspace<> workspace = model.workspace();
+            AdhesionState<> now = model.at_rest(), next = now;
             double error = 0;
             for (int k = 1; k <= 1024; ++k) {
-                const double q = k * dq, force = model.advance(now, step, 1, next).force_per_width;
+                const double q = k * dq, force = model.advance(now, dq, 1, next, workspace).force_per_width;
                 error = std::max(error, std::abs(-L * force - (2 * q - q * q / 2)) / 2);
                 std::swap(now, next);
             }
@@ -397,7 +397,7 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
           }).find("Lambda") != std::string::npos);
     const Contact<double> other = Contact<double>::dimensionless(50, 0.25);
     CHECK(refusal([&] {
-              TransientModel<double>(other, rolling_system(mesh, halves, layered), unchecked);
+              AdhesionModel<>(other, rolling_system(mesh, halves, layered), unchecked);
           }).find("b/a of the kernel over that of the contact") != std::string::npos);
 }
 

@@ -52,18 +52,20 @@ TEST_CASE("Threads may share kernels and meshes for assembly and steady rolling"
     });
 }
 
-TEST_CASE("Threads may share a transient model for prepared and unprepared steps", "[threads]") {
+TEST_CASE("Threads may share a transient model for repeated and new distances", "[threads]") {
     const Contact<double> contact = Contact<double>::dimensionless(10, nu);
-    const TransientModel<double> model(
+    const AdhesionModel<> model(
         contact, rolling_system(cosine_mesh(20), scheme, StripKernel<double>::longitudinal(contact)), unchecked);
-    const PreparedStep<double> prepared = model.prepare(0.1);
     check_shared([&] {
-        TransientModel<double>::State now = model.at_rest(), next = model.steady(1e-3);
+        AdhesionModel<>::State now = model.at_rest(), next = model.steady(1e-3);
+        AdhesionModel<>::Workspace workspace = model.workspace();
         Numbers forces;
         for (int k = 0; k < 20; ++k) {
-            forces.push_back(model.advance(now, prepared, 1e-3, next).force);
+            forces.push_back(model.advance(now, 0.1, 1e-3, next, workspace).force);
             std::swap(now, next);
-            forces.push_back(model.advance(now, 0.05, RigidMotion<double>::linear(1e-3, 2e-3), next).tangent);
+            forces.push_back(
+                model.advance(now, k % 3 == 0 ? 0.05 : 0.1, RigidMotion<double>::linear(1e-3, 2e-3), next, workspace)
+                    .tangent);
             std::swap(now, next);
         }
         return forces;

@@ -99,21 +99,24 @@ public:
           model_(contact_,
                  rolling_system(rollbem::Chebyshev{.states = 12}, rollbem::PlaneKernel<double>::longitudinal(contact_)),
                  rollbem::unchecked, rollbem::Integrator::matrix_exponential),
-          prepared_(model_.prepare(distance)),
+          distance_(distance),
+          workspace_(model_.workspace()),
           now_(model_.at_rest()),
           next_(now_) {}
 
     double step(double shift) {
-        const double force = model_.advance(now_, prepared_, rollbem::RigidMotion<double>::shift(shift), next_).force;
+        const auto motion = rollbem::RigidMotion<double>::shift(shift);
+        const double force = model_.advance(now_, distance_, motion, next_, workspace_).force;
         std::swap(now_, next_);
         return force;
     }
 
 private:
     rollbem::Contact<double> contact_;
-    rollbem::TransientModel<double> model_;
-    rollbem::PreparedStep<double> prepared_;
-    rollbem::TransientState<double> now_, next_;
+    rollbem::AdhesionModel<> model_;
+    double distance_;
+    rollbem::AdhesionWorkspace<> workspace_;
+    rollbem::AdhesionState<> now_, next_;
 };
 
 }  // namespace library

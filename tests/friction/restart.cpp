@@ -156,11 +156,12 @@ struct Ride {
           adhesion(scene.contact, scene.system(), unchecked),
           states{models[0].at_rest(), models[1].at_rest()},
           workspaces{models[0].workspace(), models[1].workspace()},
-          sticking(adhesion.at_rest()) {}
+          sticking(adhesion.at_rest()),
+          sticking_workspace(adhesion.workspace()) {}
 
     // Steps first ... last - 1, in full adhesion and with friction.
     void roll(int first, int last) {
-        TransientState<double> sticking_next = sticking;
+        AdhesionState<> sticking_next = sticking;
         for (int k = first; k < last; ++k) {
             const double dq = even || k % 7 == 0 ? 0.4 : 0.1;
             const RigidMotion<double> motion = even         ? RigidMotion<double>(creepage(0.5))
@@ -171,7 +172,7 @@ struct Ride {
                 results[i] = models[i].advance(states[i], dq, motion, next, workspaces[i]);
                 std::swap(states[i], next);
             }
-            result = adhesion.advance(sticking, dq, motion, sticking_next);
+            result = adhesion.advance(sticking, dq, motion, sticking_next, sticking_workspace);
             std::swap(sticking, sticking_next);
         }
     }
@@ -180,12 +181,14 @@ struct Ride {
         for (const FrictionState<>& state : states) write_state(file, state);
         file << sticking.system << '\n';
         write(file, sticking.half_length);
+        write(file, sticking.distance);
         for (const double p : sticking.traction) write(file, p);
     }
     void load_from(std::istream& file) {
         for (FrictionState<>& state : states) read_state(file, state);
         file >> sticking.system;
         sticking.half_length = read(file);
+        sticking.distance = read(file);
         for (double& p : sticking.traction) p = read(file);
     }
     void save_results(std::ostream& file) const {
@@ -210,12 +213,13 @@ struct Ride {
 
     bool even;
     FrictionModel<> models[2];
-    TransientModel<double> adhesion;
+    AdhesionModel<> adhesion;
     FrictionState<> states[2];
     FrictionWorkspace<> workspaces[2];
     FrictionStep<> results[2];
-    TransientState<double> sticking;
-    TransientStep<double> result;
+    AdhesionState<> sticking;
+    AdhesionWorkspace<> sticking_workspace;
+    AdhesionStep<> result;
 };
 
 template <class Ride>

@@ -34,7 +34,8 @@ bool same(const VectorX<double>& x, const VectorX<double>& y) {
 }
 bool same(const State& x, const State& y) {
     return same(x.traction, y.traction) && x.zones == y.zones && x.system == y.system &&
-           x.solver.unchanged_steps == y.solver.unchanged_steps && same(x.solver.unchanged_distance, y.solver.unchanged_distance);
+           x.solver.unchanged_steps == y.solver.unchanged_steps &&
+           same(x.solver.unchanged_distance, y.solver.unchanged_distance);
 }
 bool same(const Step& x, const Step& y) {
     return same(x.force, y.force) && same(x.force_per_width, y.force_per_width) && same(x.tangent, y.tangent) &&
@@ -89,7 +90,7 @@ TEST_CASE("A used workspace gives the same results as a new one", "[friction]") 
             // the same system with implicit Euler, another friction coefficient, and another contact and mesh
             const Scene slippery(scene.mesh, scheme, 0.2, 10), other(uniform_mesh<double>(n), half, 1, 4);
             const std::vector<FrictionModel<>> models{model, scene.transient(Integrator::implicit_euler),
-                                                            slippery.transient(), other.transient()};
+                                                      slippery.transient(), other.transient()};
             const SteadyFrictionModel<> steady = scene.steady();
             std::vector<State> now, next;
             for (const FrictionModel<>& each : models) now.push_back(each.at_rest());
@@ -193,8 +194,10 @@ TEST_CASE("Long runs without a change of zones do not depend on the workspace", 
             REQUIRE(same(used.slip_work(), fresh.slip_work()));
             const bool is_cheap = now.solver.unchanged_steps > n / 2;
             cheap += is_cheap ? 1 : 0;
-            cut_short += is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones != now.zones ? 1 : 0;
-            checked += is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones == now.zones ? 1 : 0;
+            cut_short +=
+                is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones != now.zones ? 1 : 0;
+            checked +=
+                is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones == now.zones ? 1 : 0;
             std::swap(now, next);
         }
         CAPTURE(name(integrator), cheap, cut_short, checked);
@@ -228,7 +231,8 @@ TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") 
             CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
             CHECK(same(next, expected));
         }
-        for (const double distance : {nan, 0.0, -rolled.solver.unchanged_distance, 2 * rolled.solver.unchanged_distance}) {
+        for (const double distance :
+             {nan, 0.0, -rolled.solver.unchanged_distance, 2 * rolled.solver.unchanged_distance}) {
             now = rolled;
             now.solver.unchanged_distance = distance;
             CAPTURE(name(integrator), distance);
@@ -329,13 +333,13 @@ TEST_CASE("A state of another system is rejected, and nothing is written", "[fri
     CHECK(slippery.advance(kept, 0.1, 1e-3, next, workspace).status == StepStatus::ok);
 
     // the same in full adhesion
-    const TransientModel<double> adhesion(scene.contact, scene.system(), unchecked);
-    const TransientModel<double> other_adhesion(other_mesh.contact, other_mesh.system(), unchecked);
-    TransientState<double> to = adhesion.steady(1e-3);
+    const AdhesionModel<> adhesion(scene.contact, scene.system(), unchecked);
+    const AdhesionModel<> other_adhesion(other_mesh.contact, other_mesh.system(), unchecked);
+    AdhesionState<> to = adhesion.steady(1e-3);
     const VectorX<double> kept_adhesion = to.traction;
-    CHECK(adhesion.advance(other_adhesion.at_rest(), 0.1, 1e-3, to).status == StepStatus::wrong_state);
-    CHECK(adhesion.advance(adhesion.at_rest(), other_adhesion.prepare(0.1), 1e-3, to).status ==
-          StepStatus::wrong_state);
+    AdhesionWorkspace<> its_own = adhesion.workspace(), too_small = AdhesionWorkspace<>(7);
+    CHECK(adhesion.advance(other_adhesion.at_rest(), 0.1, 1e-3, to, its_own).status == StepStatus::wrong_state);
+    CHECK(adhesion.advance(adhesion.at_rest(), 0.1, 1e-3, to, too_small).status == StepStatus::wrong_state);
     CHECK(same(to.traction, kept_adhesion));
     CHECK(to.system == adhesion.fingerprint());
 }
@@ -360,13 +364,11 @@ TEST_CASE("Fingerprints distinguish systems but not friction laws", "[friction]"
 TEST_CASE("Friction in time requires of its system what full adhesion requires", "[friction]") {
     // friction bounds the tractions of elements: a system with other unknowns does not compile
     using Law = const Friction<>&;
-    static_assert(
-        std::is_constructible_v<FrictionModel<>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
-    static_assert(
-        !std::is_constructible_v<FrictionModel<>, Contact<double>, RollingSystem<double>, Unchecked, Law>);
+    static_assert(std::is_constructible_v<FrictionModel<>, Contact<double>, ElementSystem<double>, Unchecked, Law>);
+    static_assert(!std::is_constructible_v<FrictionModel<>, Contact<double>, RollingSystem<double>, Unchecked, Law>);
     static_assert(
         !std::is_constructible_v<FrictionModel<>, Contact<double>, RollingSystem<double>, StabilityVerdict, Law>);
-    static_assert(std::is_constructible_v<TransientModel<double>, Contact<double>, RollingSystem<double>, Unchecked>);
+    static_assert(std::is_constructible_v<AdhesionModel<>, Contact<double>, RollingSystem<double>, Unchecked>);
 
     const Scene scene(cosine_mesh<double>(12), half, 1, 10);
     const ElementSystem<double> system = scene.system();
@@ -375,8 +377,7 @@ TEST_CASE("Friction in time requires of its system what full adhesion requires",
                              const StabilityVerdict& verdict, const std::string& text) {
         CHECK_THROWS_WITH(FrictionModel<>(contact, which, verdict, scene.friction),
                           ContainsSubstring("FrictionModel: " + text));
-        CHECK_THROWS_WITH(TransientModel<double>(contact, which, verdict),
-                          ContainsSubstring("TransientModel: " + text));
+        CHECK_THROWS_WITH(AdhesionModel<>(contact, which, verdict), ContainsSubstring("AdhesionModel: " + text));
     };
     CHECK_NOTHROW(FrictionModel<>(scene.contact, system, good, scene.friction));
     StabilityVerdict bad = good;

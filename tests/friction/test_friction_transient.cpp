@@ -39,12 +39,12 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
 
         // the same steps as in full adhesion, whatever the integrator and the motion
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const TransientModel<double> full_adhesion(scene.contact, scene.system(), unchecked, integrator);
+            const AdhesionModel<> full_adhesion(scene.contact, scene.system(), unchecked, integrator);
             const FrictionModel<> model = grippy.transient(integrator), slippery = scene.transient(integrator);
-            FrictionState<> now = model.at_rest(), next = now, small_now = slippery.at_rest(),
-                                  small_next = small_now;
+            FrictionState<> now = model.at_rest(), next = now, small_now = slippery.at_rest(), small_next = small_now;
             FrictionWorkspace<> workspace = model.workspace(), small_workspace = slippery.workspace();
-            TransientState<double> linear_now = full_adhesion.at_rest(), linear_next = linear_now;
+            AdhesionState<> linear_now = full_adhesion.at_rest(), linear_next = linear_now;
+            AdhesionWorkspace<> linear_workspace = full_adhesion.workspace();
             using Motion = RigidMotion<double>;
             for (int step = 1; step <= 20; ++step) {
                 const double xi = 0.1 * std::sin(0.3 * step), dq = step % 4 == 0 ? 0.5 : 0.2;
@@ -53,7 +53,8 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
                            : step % 3 == 1 ? Motion::linear(scale * 0.02, scale * xi)
                                            : Motion::shift(scale * xi);
                 };
-                const TransientStep<double> expected = full_adhesion.advance(linear_now, dq, motion(1), linear_next);
+                const AdhesionStep<> expected =
+                    full_adhesion.advance(linear_now, dq, motion(1), linear_next, linear_workspace);
                 const FrictionStep<> rolled = model.advance(now, dq, motion(1), next, workspace);
                 slippery.advance(small_now, dq, motion(1e-8), small_next, small_workspace);
                 std::swap(now, next);
@@ -304,9 +305,8 @@ TEST_CASE("The residual of a step is that of the worse of its two stages", "[fri
     for (int trial = 0; trial < 400; ++trial) {
         const MatrixX<double> G = 1e8 * (MatrixX<double>::Ones(3, 1) * random(1).transpose() + 1e-16 * random(3));
         const auto step = [&](Integrator integrator, double dq, double xi) {
-            const FrictionModel<> model(contact,
-                                              {G, MatrixX<double>::Zero(3, 3), ArrayX<double>::Constant(3, 2.0 / 3)},
-                                              unchecked, {1.0, ArrayX<double>::Constant(3, peak)}, integrator);
+            const FrictionModel<> model(contact, {G, MatrixX<double>::Zero(3, 3), ArrayX<double>::Constant(3, 2.0 / 3)},
+                                        unchecked, {1.0, ArrayX<double>::Constant(3, peak)}, integrator);
             const FrictionState<> rest = model.at_rest();
             FrictionState<> to = rest;
             FrictionWorkspace<> workspace = model.workspace();
@@ -396,16 +396,14 @@ TEST_CASE("A problem in SI units is the dimensionless one, scaled", "[friction]"
     const ArrayX<double> shape = mean_hertz_pressure(mesh);
     const ElementSystem<double> system = rolling_system(mesh, half, kernel);
     const FrictionModel<> model(contact, system, unchecked, {mu, peak * G / mu * shape});
-    const FrictionModel<> plain(Contact<double>::dimensionless(b / a, nu), system, unchecked,
-                                      {1.0, peak * shape});
+    const FrictionModel<> plain(Contact<double>::dimensionless(b / a, nu), system, unchecked, {1.0, peak * shape});
     FrictionState<> now = model.at_rest(), next = now, plain_now = plain.at_rest(), plain_next = plain_now;
     FrictionWorkspace<> workspace = model.workspace(), plain_workspace = plain.workspace();
     for (int k = 0; k < 10; ++k) {
         const FrictionStep<> step = k == 3 ? model.shift(now, a * peak, next, workspace)
-                                                 : model.advance(now, 0.2 * a, creepage(0.7), next, workspace);
-        const FrictionStep<> same =
-            k == 3 ? plain.shift(plain_now, peak, plain_next, plain_workspace)
-                   : plain.advance(plain_now, 0.2, creepage(0.7), plain_next, plain_workspace);
+                                           : model.advance(now, 0.2 * a, creepage(0.7), next, workspace);
+        const FrictionStep<> same = k == 3 ? plain.shift(plain_now, peak, plain_next, plain_workspace)
+                                           : plain.advance(plain_now, 0.2, creepage(0.7), plain_next, plain_workspace);
         CHECK(step.force_per_width == Approx(a * G * same.force_per_width).epsilon(1e-12));
         CHECK(step.force == Approx(2 * b * step.force_per_width).epsilon(1e-14));
         CHECK(model.force(next) == Approx(step.force).epsilon(1e-14));
@@ -452,12 +450,10 @@ TEST_CASE("Invalid input to friction is rejected by name or reported by the stat
     pressure[3] = inf;
     refused({1, pressure}, "normal_pressure = inf must be finite and not negative");
     const MatrixX<double> one = MatrixX<double>::Identity(8, 8);
-    CHECK_THROWS_WITH(
-        SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
-        "SteadyFrictionModel: number of rows of G_prime = 7 must equal the number of widths");
-    CHECK_THROWS_WITH(
-        SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(8, 7), scene.mesh.widths(), good),
-        "SteadyFrictionModel: number of columns of G_prime = 7 must equal the number of widths");
+    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
+                      "SteadyFrictionModel: number of rows of G_prime = 7 must equal the number of widths");
+    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(8, 7), scene.mesh.widths(), good),
+                      "SteadyFrictionModel: number of columns of G_prime = 7 must equal the number of widths");
     MatrixX<double> G = one, G_prime = -one;
     G_prime(6, 1) = inf;
     CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("G_prime(6, 1) = "));

@@ -216,8 +216,7 @@ TEST_CASE("Models reject every argument out of its domain", "[domain]") {
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
 
-    const TransientModel<double> rolling(contact, system, unchecked);
-    refuses<double>("dq", bad<double>({-1e-300, infinity}), [&](double dq) { rolling.prepare(dq); });
+    const AdhesionModel<> rolling(contact, system, unchecked);
     refuses<double>("creepage", bad<double>({infinity}), [&](double creepage) { rolling.steady(creepage); });
 
     const FrequencySweep<double> sweep(system);

@@ -62,8 +62,7 @@ Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel
     const auto view = kernel.plane ? detail::KernelView<double>(plane) : detail::KernelView<double>(strip);
     return std::visit(
         [&](const auto& s) {
-            return detail::influence_matrix<double>(mesh, scheme_rows(s, quantity, mesh), view,
-                                                    quantity);
+            return detail::influence_matrix<double>(mesh, scheme_rows(s, quantity, mesh), view, quantity);
         },
         scheme);
 }
@@ -314,7 +313,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
     std::uint64_t drawn = 0, compared = 0;
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
         ++drawn;
-        using Model = TransientModel<double>;
+        using Model = AdhesionModel<>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
         const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
         InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
@@ -325,17 +324,18 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         const Model model(contact, system, unchecked,
                           scenes.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
         Model::State now = model.at_rest(), next = now;
-        const TransientStep<double> any = model.advance(now, scenes.logarithmic(1e-9, 1e6), 1.0, next);
+        Model::Workspace workspace = model.workspace();
+        const AdhesionStep<> any = model.advance(now, scenes.logarithmic(1e-9, 1e6), 1.0, next, workspace);
         const bool consistent = (any.status == StepStatus::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
         ++compared;
         // a step far longer than every mode forgets its initial state, even along growing modes, as it is L-stable;
         // |G'^-1 G| bounds the length of the slowest mode, which grows with the condition number of G'
-        const Model::Prepared step = model.prepare(std::max(1e9, 1e4 * longest));
-        TransientStep<double> last;
+        const double dq = std::max(1e9, 1e4 * longest);
+        AdhesionStep<> last;
         for (int k = 0; k < 4; ++k) {
-            last = model.advance(now, step, 1.0, next);
+            last = model.advance(now, dq, 1.0, next, workspace);
             std::swap(now, next);
         }
         const double ratio = -last.force_per_width / steady.c11;

@@ -261,12 +261,12 @@ TEST_CASE("Time steps of Chebyshev states have the known errors", "[chebyshev]")
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const auto step_error = [&](Eigen::Index m, double q) {
         const RollingSystem<double> system = rolling_system(Chebyshev{m}, plane);
-        const TransientModel<double> model(contact, system, judge_stability(system), Integrator::matrix_exponential);
-        const PreparedStep<double> step = model.prepare(0.25);
-        TransientState<double> now = model.at_rest(), next = now;
+        const AdhesionModel<> model(contact, system, judge_stability(system), Integrator::matrix_exponential);
+        AdhesionWorkspace<> workspace = model.workspace();
+        AdhesionState<> now = model.at_rest(), next = now;
         double force = 0;
         for (int k = 0; k < static_cast<int>(4 * q); ++k) {
-            const TransientStep<double> taken = model.advance(now, step, 1.0, next);
+            const AdhesionStep<> taken = model.advance(now, 0.25, 1.0, next, workspace);
             CHECK(taken.status == StepStatus::ok);
             force = taken.force_per_width;
             std::swap(now, next);
@@ -479,8 +479,8 @@ TEMPLATE_TEST_CASE("Chebyshev states are accurate in double and long double", "[
     CHECK(std::abs(narrow_sweep(0).c11.real() / narrow.c11 - 1) < 100 * rounding);
     const double exact = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11;
     CHECK(std::abs(static_cast<double>(narrow.c11) / exact - 1) < 30 * std::max(static_cast<double>(rounding), eps));
-    const TransientModel<Scalar> model(Contact<Scalar>::dimensionless(100, Scalar(0.25)), system,
-                                       judge_stability(system));
+    const AdhesionModel<1, Scalar> model(Contact<Scalar>::dimensionless(100, Scalar(0.25)), system,
+                                         judge_stability(system));
     CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(Scalar(0.25))) - 1) < 100 * rounding);
 }
 
@@ -587,7 +587,7 @@ TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "
     CHECK_THROWS_WITH(traction({1, 1.5}), ContainsSubstring("must be 2"));
     CHECK(system.aspect() == 100);
     CHECK_FALSE(system.unknowns_are_tractions());
-    CHECK_THROWS_WITH(TransientModel<double>(Contact<double>::dimensionless(50, 0.25), system, unchecked),
+    CHECK_THROWS_WITH(AdhesionModel<>(Contact<double>::dimensionless(50, 0.25), system, unchecked),
                       ContainsSubstring("b/a of the kernel"));
 }
 

@@ -17,7 +17,7 @@
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
     keyword template decltype(detail::factorise_steady<Scalar>) detail::factorise_steady<Scalar>;   \
     keyword template decltype(detail::judge_steady<Scalar>) detail::judge_steady<Scalar>;           \
-    keyword template class TransientModel<Scalar>;                                                  \
+    keyword template class AdhesionModel<1, Scalar>;                                                \
     keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;
 
 #define ROLLBEM_LONG_DOUBLE(keyword)                                                          \

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "../assembly/element_blocks.hpp"
 #include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
@@ -24,7 +25,7 @@ enum class Integrator {
     implicit_euler,      ///< first order
     sdirk2,              ///< second order, two stages, gamma = 1 - 1/sqrt(2) (Alexander 1977); the default
     matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage
-                         ///< (first-order hold); for prepared steps in full adhesion
+                         ///< (first-order hold); in full adhesion only
 };
 
 constexpr const char* name(Integrator integrator) {
@@ -82,6 +83,19 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
     require_stable(who, system.size(), verdict);
     if (!system.unknowns_are_tractions()) return;
     require_convergent<Scalar>(who, steady_tractions(system.G_prime(), 0, system.size()), system.weights());
+}
+
+/// As for one direction; the verdict is one on all 2n eigenvalues.
+template <class Scalar>
+void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
+    const Eigen::Index n = system.size();
+    require_stable(who, 2 * n, verdict);
+    for (std::size_t d = 0; d < 2; ++d) {
+        const VectorX<Scalar> steady = system.coupled()
+                                           ? steady_tractions(joined(system.G_prime_blocks()), d == 0 ? 0 : n, n)
+                                           : steady_tractions(system.G_prime(d, d), 0, n);
+        require_convergent<Scalar>(who, steady, system.elements().areas);
+    }
 }
 
 }  // namespace detail

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -47,6 +48,24 @@ struct PatchSteadySolution : CreepCoefficients<Scalar> {
     /// inconsistent: a force or moment that assists its own creepage
     Status status = Status::ok;
 };
+
+/// What a patch exerts on body 1.
+template <class Scalar>
+struct PatchForces {
+    Scalar x, y;    ///< F_x, F_y [N]
+    Scalar moment;  ///< M_z about the origin [N m]
+};
+
+/// The forces of steady rolling at creepages xi, eta [-] and spin phi [1/m], also of an outline without symmetry.
+template <class Scalar>
+PatchForces<Scalar> forces(const PatchContact<Scalar>& contact, const PatchSteadySolution<Scalar>& solution,
+                           std::type_identity_t<Scalar> xi, std::type_identity_t<Scalar> eta,
+                           std::type_identity_t<Scalar> phi) {
+    const Scalar a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
+    const MatrixX<Scalar>& c = solution.coefficients;
+    const auto force = [&](Eigen::Index i) { return scale * (c(i, 0) * xi + c(i, 1) * eta + c(i, 2) * (phi * a)); };
+    return {force(0), force(1), a * force(2)};
+}
 
 namespace detail {
 
@@ -100,7 +119,7 @@ PatchSteadySolution<Scalar> solve_steady(const PatchContact<Scalar>& contact, co
         solution.traction_y = whole.unknowns.bottomRows(size);
     }
     static_cast<CreepCoefficients<Scalar>&>(solution) = creep_coefficients(contact, solution.coefficients);
-    const bool opposes = solution.c11 > 0 && solution.c22 > 0 && solution.c33 > 0;
+    const bool opposes = solution.c11 > 0 && solution.c22 > 0 && solution.c33 >= 0;  // 0: one element
     if (solution.status == Status::ok && !opposes) solution.status = Status::inconsistent;
     return solution;
 }

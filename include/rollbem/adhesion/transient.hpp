@@ -1,136 +1,213 @@
-// Non-steady rolling step by step: G dp/dq = G' p - xi(q), q = V t the distance rolled, Eqs. (11) and (12). A force
-// element for an external time loop: const model, plain state, no exception and no allocation in a step.
+// Non-steady rolling in full adhesion step by step: G dp/dq = G' p - inputs v(q), q = V t the distance rolled,
+// Eqs. (11) and (12). A force element for an external time loop: const model, plain state, no exception and no
+// allocation in a step.
 #pragma once
 
 #include "../detail/language.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "../assembly/element_blocks.hpp"
 #include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/rigid_motion.hpp"
+#include "../scene/travel.hpp"
 #include "../status.hpp"
-#include "detail/breathing_step.hpp"
 #include "detail/rational_exponential.hpp"
-#include "detail/unprepared_step.hpp"
+#include "detail/rolling_stage.hpp"
 #include "integrator.hpp"
 #include "stability_verdict.hpp"
-#include "transient_state.hpp"
+#include "state.hpp"
+#include "workspace.hpp"
 
 namespace rollbem {
 
-/// The contact as a force element. Built once; const and without caches, so that threads may share it. Its interface is
-/// in SI units.
+/// The contact as a force element without slip, stepped like FrictionModel: with one creepage, or with longitudinal and
+/// lateral creepage and spin, whose forces are F_x, F_y and the moment M_z. Immutable: threads may share it. Its
+/// interface is in SI units.
 ///
-/// The half-length may change from step to step if can_breathe(): the unknowns then live on x = a zeta, and the state
-/// at one half-length is carried over to the next. b is constant. No status reports that a contact has grown so far
-/// that Lambda of the plane kernel, with b over the new half-length, is no longer positive and a mode grows in time: a
-/// is then several times b.
+/// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one after
+/// which the distance repeats computes that matrix, O(n^3). A step of any other distance factorises a matrix of its own
+/// and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend on
+/// state and arguments alone, to the last bit, and never on what the workspace was used for.
+///
+/// The half-length of a line contact may change from step to step if can_breathe(): the unknowns then live on
+/// x = a zeta, and the state at one half-length is carried over to the next. b is constant. No status reports that a
+/// contact has grown so far that Lambda of the plane kernel, with b over the new half-length, is no longer positive and
+/// a mode grows in time: a is then several times b.
 ///
 /// Invariant: the half-width is finite, and the scheme is stable according to the verdict.
 ///
 ///     const auto system = rolling_system(mesh, scheme, kernel);
-///     const TransientModel<double> model(contact, system, judge_stability(system));
-///     TransientState<double> now = model.at_rest(), next = now;
-///     const TransientStep<double> step = model.advance(now, dq, creepage, next);  // now stays as it is
+///     const AdhesionModel model(contact, system, judge_stability(system));
+///     AdhesionWorkspace<> workspace = model.workspace();
+///     AdhesionState<> now = model.at_rest(), next = now;
+///     const AdhesionStep<> step = model.advance(now, dq, creepage, next, workspace);  // now stays as it is
 ///     if (accepted) std::swap(now, next);
-template <class Scalar_ = double>
-class TransientModel {
+///
+/// with both creepages and spin, on a line or on a patch
+///
+///     const ElementSystem system(longitudinal, lateral);
+///     const AdhesionModel model(contact, system, judge_stability(system.whole()));
+///     const AdhesionStep<3> step = model.advance(now, dq, Creepage{1e-3, 5e-4, 0.1}, next, workspace);
+template <int inputs_ = 1, class Scalar_ = double>
+class AdhesionModel {
 public:
     using Scalar = Scalar_;
-    using State = TransientState<Scalar>;
-    using Step = TransientStep<Scalar>;
-    using Prepared = PreparedStep<Scalar>;
-
-    /// Up to this number of unknowns, a step that is not prepared is solved on the stack (128 KB in double).
-    static constexpr Eigen::Index largest_unprepared = 128;
+    static constexpr int inputs = inputs_;
+    using State = AdhesionState<Scalar>;
+    using Step = AdhesionStep<inputs, Scalar>;
+    using Workspace = AdhesionWorkspace<inputs, Scalar>;
+    using Force = typename Step::Force;          ///< a number, or TangentialForce
+    using Value = typename Step::Values::Value;  ///< a creepage: a number, or Creepage
+    using Motion = RigidMotion<Value>;
+    using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
     /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument
     /// unless the verdict is one on this system's eigenvalues and establishes that none grows; if steady rolling shows
     /// that the scheme does not converge to full adhesion (Status::inconsistent); and if the contact's half-width is
     /// infinite or not that of the system's kernel.
-    TransientModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
-                   Integrator integrator = Integrator::sdirk2)
-        : TransientModel(contact, std::move(system), unchecked, integrator) {
-        detail::require_usable_in_time("TransientModel", system_, verdict);
+    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
+                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+        : AdhesionModel(contact, std::move(system), unchecked, integrator) {
+        detail::require_usable_in_time(name, system_, verdict);
+    }
+    /// The same without checks of the eigenvalues and of convergence.
+    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
+                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+        : AdhesionModel(Units::of(contact), std::move(system), integrator) {
+        detail::require_same_aspect(name, contact, system_);
     }
 
-    /// The same whatever the eigenvalues, and whether or not the scheme converges.
-    TransientModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
-                   Integrator integrator = Integrator::sdirk2);
+    /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length). The
+    /// verdict is one on system.whole(). Throws as with one creepage.
+    template <class AnyContact>
+    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
+                  Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
+        : AdhesionModel(contact, system, unchecked, integrator) {
+        detail::require_usable_in_time(name, system, verdict);
+    }
+    template <class AnyContact>
+    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, Unchecked,
+                  Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
+        : AdhesionModel(Units::of(contact), system.whole(), integrator) {
+        if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
+            detail::require_same_aspect(name, contact, system);
+        }
+        detail::require(system.elements().places_are_known(), name, "number of places of elements",
+                        system.elements().x.size(), "equal the number of elements: spin needs them");
+    }
 
-    Eigen::Index size() const { return areas_.size(); }         ///< number of unknowns
-    std::uint64_t fingerprint() const { return fingerprint_; }  ///< of the system and the contact
+    Eigen::Index size() const { return outputs_in_si_.rows(); }  ///< number of unknowns
+    std::uint64_t fingerprint() const { return fingerprint_; }   ///< of the system and the contact
     Integrator integrator() const { return integrator_; }
 
     /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
-    /// of the plane kernel) with up to largest_unprepared unknowns, by implicit_euler and sdirk2.
-    bool can_breathe() const {
-        return system_.log_strength() && system_.points() && size() <= largest_unprepared && rational_.stages <= 2;
-    }
+    /// of the plane kernel), by implicit_euler and sdirk2.
+    bool can_breathe() const { return inputs == 1 && system_.log_strength() && system_.points() && !is_exponential(); }
 
     /// No traction anywhere, at the contact's half-length.
-    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, half_length_}; }
-
-    /// Steady rolling at a creepage [-] at the contact's half-length: G' p = xi, Eq. (15). Throws std::invalid_argument
-    /// unless the creepage is finite.
-    State steady(Scalar creepage) const;
+    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length}; }
+    Workspace workspace() const { return Workspace(size()); }
 
     /// 2b F_bar of a state [N], at the half-length of the state, which must have size() unknowns.
-    Scalar force(const State& state) const { return areas_.dot(state.traction) * (state.half_length / half_length_); }
+    Force force(const State& state) const { return Values::force(forces(state)); }
 
-    /// Prepares steps of dq [m]. O(n^3), allocates. Throws std::invalid_argument unless 0 <= dq < inf; if dq
-    /// is 0, the step takes rigid shifts only.
-    Prepared prepare(Scalar dq) const;
+    /// Steady rolling at a creepage at the half-length of `from`, G' p = inputs v, Eq. (15); the tangent is that of
+    /// steady rolling. As a step, it does not change `from`, which only says where; see advance() for the status.
+    Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept {
+        const StepStatus status = check(from, from.half_length, to, workspace);
+        if (status != StepStatus::ok) return failed(status);
+        if (!detail::is_finite(creepage)) return failed(StepStatus::not_finite);
+        const Inputs value = Values::vector(creepage);
+        to.traction.setZero();
+        for (Eigen::Index j = 0; j < inputs; ++j) to.traction += value[j] * steady_.col(j);
+        return finish(from, from.half_length, 0, forces_of(steady_), to);
+    }
+    /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
+    State steady(const Value& creepage) const;
 
-    /// One step of a prepared dq: one matrix-vector product, no allocation. `from` is never written. `to` must be
-    /// another state of the same size. It is left unchanged if the status is invalid_step, needs_prepare,
-    /// needs_fixed_mesh, invalid_load or wrong_state, or if the motion is not finite; it becomes a copy of `from` if
-    /// the result is not finite. The half-length remains that of `from`; unless this is the contact's, the step is
-    /// solved as if it were not prepared.
-    Step advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion, State& to) const noexcept;
+    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state of the
+    /// same size. It is not written if the status is invalid_step, invalid_load, needs_fixed_mesh or wrong_state or the
+    /// motion is not finite; it becomes a copy of `from` if the result is not finite. The half-length remains that of
+    /// `from`. Does not allocate.
+    Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
+                 Workspace& workspace) const noexcept {
+        return roll(from, travel.dq, motion, from.half_length, false, to, workspace);
+    }
 
-    /// One step of any dq [m], positive and finite. With up to largest_unprepared unknowns it is solved directly,
-    /// without heap memory; with more, and with Integrator::matrix_exponential, the status is needs_prepare. Otherwise
-    /// as above.
-    Step advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion, State& to) const noexcept;
-
-    /// One step of any dq [m] at whose end the contact's half-length is `half_length` [m], varying linearly from that
-    /// of `from`, without heap memory: sdirk2 is of second order in dq if creepage and length are smooth in each step.
-    /// dq is the distance rolled by the centre of the contact. The status is
+    /// The same with the contact's half-length `half_length` [m] at the end of the step, varying linearly from that of
+    /// `from`: sdirk2 is of second order in dq if creepage and length are smooth in each step. dq is the distance
+    /// rolled by the centre of the contact. The status is
     /// - invalid_load if the half-length is not positive and finite;
     /// - needs_fixed_mesh if the length would change by dq or more (with dq = 0, if it changes at all), so that an edge
-    ///   would not roll forward; and if the model cannot breathe, unless both half-lengths are the contact's: such a
-    ///   step is the one above.
-    /// Otherwise as above.
-    BreathingTransientStep<Scalar> advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
-                                           Scalar half_length, State& to) const noexcept;
+    ///   would not roll forward; and if the model cannot breathe, unless both half-lengths are the contact's.
+    Step advance(const State& from, const Travel& travel, const Motion& motion, Scalar half_length, State& to,
+                 Workspace& workspace) const noexcept {
+        return roll(from, travel.dq, motion, half_length, can_breathe(), to, workspace);
+    }
 
 private:
-    using Motion = RigidMotion<Scalar>;
-    using Travel = detail::Travel<Scalar>;
+    using Values = typename Step::Values;
+    using Inputs = detail::InputVector<inputs, Scalar>;
+    using Square = typename detail::StepMap<inputs, Scalar>::Square;
 
-    std::uint64_t preparation() const { return fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator_)); }
+    static constexpr const char* name = "AdhesionModel";
+
+    struct Units {
+        Scalar length;         // of the system [m]
+        Scalar width;          // in a force per tractions of G: length * width [m]
+        Scalar shear_modulus;  // [Pa]
+        std::uint64_t fingerprint;
+        bool line;
+
+        static Units of(const Contact<Scalar>& contact) {
+            return {contact.half_length(), 2 * contact.half_width(), contact.shear_modulus(),
+                    detail::fingerprint_of(contact, 0), true};
+        }
+        template <class Patch>
+        static Units of(const Patch& patch) {
+            return {patch.half_length(), patch.half_length(), patch.shear_modulus(), detail::fingerprint_of(patch, 0),
+                    false};
+        }
+        // of a creepage, or of a force over that of F_x
+        Scalar arm(Eigen::Index input) const { return input == 2 ? length : Scalar(1); }
+    };
+
+    AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator);
+
+    bool is_exponential() const { return integrator_ == Integrator::matrix_exponential; }
 
     // The number of times to halve the step until the norm of w is at most 1/16, where r(w) of eighth order gives e^w
     // to rounding. The upper limit matters only if G is singular to rounding: the modes it affects decay at once.
-    int count_doublings(Scalar h) const;
+    int count_doublings(Scalar h) const {
+        if (!is_exponential() || !(h > 0)) return 0;
+        const Scalar norm = 16 * h * rates_norm_;
+        return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
+    }
 
     static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right);
 
-    StepStatus check(const State& from, Scalar dq, const Motion& motion, const State& to) const noexcept {
+    StepStatus check(const State& from, Scalar half_length, const State& to,
+                     const Workspace& workspace) const noexcept {
         const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
-                          to.traction.size() == size() && is_length(from.half_length);
-        return fits ? motion.check(dq) : StepStatus::wrong_state;
+                          to.traction.size() == size() && workspace.size() == size() && is_length(from.half_length);
+        if (!fits) return StepStatus::wrong_state;
+        if (!is_length(half_length)) return StepStatus::invalid_load;
+        const bool breathes = from.half_length != units_.length || half_length != units_.length;
+        return breathes && !can_breathe() ? StepStatus::needs_fixed_mesh : StepStatus::ok;
     }
 
     static bool is_length(Scalar a) noexcept { return detail::is_finite(a) && a > 0; }
@@ -141,147 +218,95 @@ private:
         return result;
     }
 
-    Step finish(const State& from, const Travel& travel, Scalar force_per_shift, Scalar force_per_ramp,
-                State& to) const noexcept {
-        to.half_length = half_length_;
-        return finish(from, areas_.dot(to.traction),
-                      travel.shift_per_end * force_per_shift + travel.ramp_per_end * force_per_ramp, to);
+    // At the unit of length.
+    template <class Unknowns>
+    Inputs force_of(const Unknowns& unknowns) const {
+        Inputs result;
+        for (Eigen::Index i = 0; i < inputs; ++i) result[i] = outputs_in_si_.col(i).dot(unknowns);
+        return result;
     }
+    Square forces_of(const MatrixX<Scalar>& unknowns) const {
+        Square result;
+        for (Eigen::Index j = 0; j < inputs; ++j) result.col(j) = force_of(unknowns.col(j));
+        return result;
+    }
+    Inputs forces(const State& state) const { return force_of(state.traction) * (state.half_length / units_.length); }
 
-    Step finish(const State& from, Scalar force, Scalar tangent, State& to) const noexcept {
+    // The result of the tractions in `to`; the tangent is at the unit of length.
+    Step finish(const State& from, Scalar half_length, Scalar dq, const Square& tangent, State& to) const noexcept {
+        to.half_length = half_length;
         to.system = fingerprint_;
-        if (detail::is_finite(force) && detail::is_finite(tangent)) {
-            return {force, force / width_, tangent, StepStatus::ok};
+        to.distance = dq;
+        const Scalar ratio = half_length / units_.length;
+        const Inputs force = force_of(to.traction) * ratio;
+        const Square total = tangent * ratio;
+        if (!detail::all_finite(force) || !detail::all_finite(total)) {
+            to.traction = from.traction;
+            to.half_length = from.half_length;
+            to.distance = from.distance;
+            return failed(StepStatus::not_finite);
         }
-        to.traction = from.traction;
-        to.half_length = from.half_length;
-        return failed(StepStatus::not_finite);
+        Step step;
+        step.force = Values::force(force);
+        if (units_.line) step.force_per_width = Values::force(Inputs(force / units_.width));
+        step.tangent = Values::tangent(total);
+        step.status = StepStatus::ok;
+        return step;
     }
 
-    // What prepare() does for a whole matrix, for one state. Separate from advance() so that only it needs the stack.
-    [[gnu::noinline]] Step solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept;
+    Step roll(const State& from, Scalar dq, const Motion& motion, Scalar half_length, bool by_length, State& to,
+              Workspace& workspace) const noexcept;
 
-    // The same from one half-length to another, after all checks except that of the change.
-    [[gnu::noinline]] BreathingTransientStep<Scalar> breathe(const State& from, Scalar dq, const Travel& travel,
-                                                             Scalar half_length, State& to) const noexcept;
-
-    Scalar half_length_, width_, traction_scale_;  // a [m], 2b [m], G/a [Pa/m]
+    Units units_;
     RollingSystem<Scalar> system_;
-    std::uint64_t fingerprint_;
+    std::uint64_t fingerprint_, preparation_;  // the latter also of the integrator
     Integrator integrator_;
-    VectorX<Scalar> areas_;  // 2b a times the weights: 2b dx of each element [m^2]
     detail::RationalExponential<Scalar> rational_;
+    MatrixX<Scalar> inputs_in_si_, outputs_in_si_;  // n x k [Pa/m], for spin [Pa]; [m^2], of the moment [m^3]
+    MatrixX<Scalar> steady_;                        // n x k, per creepage [Pa], per spin [Pa m]
+    Scalar rates_norm_ = 0;                         // |G^-1 G'|, for the matrix exponential
 };
 
-template <class Scalar_>
-TransientModel<Scalar_>::TransientModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
-                                        Integrator integrator)
-    : half_length_(contact.half_length()),
-      width_(2 * contact.half_width()),
-      traction_scale_(contact.shear_modulus() / contact.half_length()),
+template <class Scalar>
+AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const StabilityVerdict&, Integrator = Integrator::sdirk2)
+    -> AdhesionModel<1, Scalar>;
+template <class Scalar>
+AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, Unchecked, Integrator = Integrator::sdirk2)
+    -> AdhesionModel<1, Scalar>;
+template <class AnyContact, class Scalar>
+AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const StabilityVerdict&,
+              Integrator = Integrator::sdirk2) -> AdhesionModel<3, Scalar>;
+template <class AnyContact, class Scalar>
+AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, Unchecked, Integrator = Integrator::sdirk2)
+    -> AdhesionModel<3, Scalar>;
+
+template <int inputs_, class Scalar_>
+AdhesionModel<inputs_, Scalar_>::AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator)
+    : units_(units),
       system_(std::move(system)),
-      fingerprint_(detail::fingerprint_of(contact, system_.fingerprint())),
+      fingerprint_(units.fingerprint ^ system_.fingerprint()),
+      preparation_(fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator))),
       integrator_(integrator),
-      rational_(integrator) {
-    detail::require_single_input("TransientModel", system_);
-    detail::require_same_aspect("TransientModel", contact, system_);
-    areas_ = width_ * half_length_ * system_.weights().matrix();
-}
-
-template <class Scalar_>
-auto TransientModel<Scalar_>::steady(Scalar creepage) const -> State {
-    detail::require(detail::is_finite(creepage), "TransientModel", "creepage", creepage, "be finite");
-    MatrixX<Scalar> traction(size(), 1);
-    traction.setConstant(creepage * traction_scale_ * half_length_);
-    solve(system_.G_prime(), traction);
-    return {traction, fingerprint_, half_length_};
-}
-
-template <class Scalar_>
-auto TransientModel<Scalar_>::prepare(Scalar dq) const -> Prepared {
-    detail::require(detail::is_finite(dq) && dq >= 0, "TransientModel", "dq", dq, "be finite and not negative");
-    const Eigen::Index n = size();
-    const int doublings = count_doublings(dq / half_length_);
-    const Scalar h = std::ldexp(dq / half_length_, -doublings);
-
-    // Powers of Y = gamma h (G - gamma h G')^-1 G' give the change of p; applied to the adjacent column, that due to
-    // the creepage.
-    MatrixX<Scalar> Y(n, n + 1);
-    Y.leftCols(n) = rational_.gamma * h * system_.G_prime();
-    Y.col(n).setConstant(rational_.gamma);
-    solve(system_.G() - rational_.gamma * h * system_.G_prime(), Y);
-    Prepared step;
-    step.made_for_ = preparation();
-    step.dq_ = dq;
-    MatrixX<Scalar>& map = step.map_;
-    map.setZero(n, n + 2);
-    MatrixX<Scalar> product(n, n + 2);
-    for (int j = rational_.stages; j >= 1; --j) {
-        product.noalias() = Y.leftCols(n) * map;
-        map = product;
-        map.leftCols(n + 1) += rational_.b(j) * Y;
-        map.col(n + 1) += rational_.ramp_weight(j) * Y.col(n);
+      rational_(integrator),
+      inputs_in_si_(system_.inputs()),
+      outputs_in_si_(system_.outputs()) {
+    detail::require(system_.input_count() == inputs, name, "number of inputs", system_.input_count(),
+                    inputs == 1 ? "be 1" : "be 3");
+    steady_ = units_.shear_modulus * system_.inputs();
+    for (Eigen::Index j = 0; j < inputs; ++j) {
+        steady_.col(j) *= units_.arm(j);
+        inputs_in_si_.col(j) *= units_.shear_modulus / units_.length * units_.arm(j);
+        outputs_in_si_.col(j) *= units_.width * units_.length * units_.arm(j);
     }
-    // Two steps in one, for e^w - 1 rather than e^w, so that short steps keep their digits.
-    for (int k = 0; k < doublings; ++k) {
-        product.noalias() = map.leftCols(n) * map;
-        map.col(n + 1) = map.col(n + 1) / 2 + map.col(n) / 4 + product.col(n + 1) / 4;
-        map.col(n) += product.col(n) / 2;
-        map.leftCols(n) += map.leftCols(n) + product.leftCols(n);
-    }
-    map.rightCols(2) *= -traction_scale_;
-    step.force_per_shift_ = areas_.dot(map.col(n));
-    step.force_per_ramp_ = areas_.dot(map.col(n + 1));
-    return step;
-}
-
-template <class Scalar_>
-auto TransientModel<Scalar_>::advance(const State& from, const Prepared& step, const RigidMotion<Scalar>& motion,
-                                      State& to) const noexcept -> Step {
-    const StepStatus status = check(from, step.dq_, motion, to);
-    if (status != StepStatus::ok) return failed(status);
-    const Eigen::Index n = size();
-    if (step.made_for_ != preparation()) return failed(StepStatus::wrong_state);
-    const Travel travel(motion, step.dq_);
-    if (from.half_length != half_length_) return breathe(from, step.dq_, travel, from.half_length, to);
-    to.traction = from.traction + travel.shift * step.map_.col(n) + travel.ramp * step.map_.col(n + 1);
-    to.traction.noalias() += step.map_.leftCols(n) * from.traction;
-    return finish(from, travel, step.force_per_shift_, step.force_per_ramp_, to);
-}
-
-template <class Scalar_>
-auto TransientModel<Scalar_>::advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
-                                      State& to) const noexcept -> Step {
-    const StepStatus status = check(from, dq, motion, to);
-    if (status != StepStatus::ok) return failed(status);
-    if (from.half_length != half_length_) return breathe(from, dq, Travel(motion, dq), from.half_length, to);
-    if (size() > largest_unprepared || rational_.stages > 2) return failed(StepStatus::needs_prepare);
-    return solve_step(from, dq, Travel(motion, dq), to);
-}
-
-template <class Scalar_>
-auto TransientModel<Scalar_>::advance(const State& from, Scalar dq, const RigidMotion<Scalar>& motion,
-                                      Scalar half_length, State& to) const noexcept -> BreathingTransientStep<Scalar> {
-    const StepStatus status = check(from, dq, motion, to);
-    if (status != StepStatus::ok) return {failed(status)};
-    if (!is_length(half_length)) return {failed(StepStatus::invalid_load)};
-    if (!can_breathe() && from.half_length == half_length_ && half_length == half_length_) {
-        return {advance(from, dq, motion, to)};
-    }
-    return breathe(from, dq, Travel(motion, dq), half_length, to);
-}
-
-template <class Scalar_>
-auto TransientModel<Scalar_>::count_doublings(Scalar h) const -> int {
-    if (integrator_ != Integrator::matrix_exponential || !(h > 0)) return 0;
+    solve(system_.G_prime(), steady_);
+    if (!is_exponential()) return;
     MatrixX<Scalar> rates = system_.G_prime();
     solve(system_.G(), rates);
-    const Scalar norm = 16 * h * rates.cwiseAbs().colwise().sum().maxCoeff();
-    return detail::is_finite(norm) ? std::clamp(std::ilogb(norm) + 1, 0, 60) : 60;
+    rates_norm_ = rates.cwiseAbs().colwise().sum().maxCoeff();
 }
 
-template <class Scalar_>
-void TransientModel<Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
+template <int inputs_, class Scalar_>
+void AdhesionModel<inputs_, Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
     std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
     const detail::MatrixRef<Scalar> factors(matrix);
     detail::factorise_in_place<Scalar>(factors, swaps.data());
@@ -290,33 +315,52 @@ void TransientModel<Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& rig
     }
 }
 
-template <class Scalar_>
-auto TransientModel<Scalar_>::solve_step(const State& from, Scalar dq, const Travel& travel, State& to) const noexcept
-    -> Step {
-    detail::UnpreparedStep<Scalar, largest_unprepared> step;
-    step.solve(system_, rational_, dq / half_length_, from.traction, to.traction);
-    to.traction -= traction_scale_ * (travel.shift * step.per_shift() + travel.ramp * step.per_ramp());
-    return finish(from, travel, -traction_scale_ * areas_.dot(step.per_shift()),
-                  -traction_scale_ * areas_.dot(step.per_ramp()), to);
+template <int inputs_, class Scalar_>
+auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> State {
+    const Inputs value = Values::vector(creepage);
+    for (const Scalar component : value) {
+        detail::require(detail::is_finite(component), name, "creepage", component, "be finite");
+    }
+    State state = at_rest();
+    state.traction.noalias() = steady_ * value;
+    return state;
 }
 
-template <class Scalar_>
-auto TransientModel<Scalar_>::breathe(const State& from, Scalar dq, const Travel& travel, Scalar half_length,
-                                      State& to) const noexcept -> BreathingTransientStep<Scalar> {
+template <int inputs_, class Scalar_>
+auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const Motion& motion, Scalar half_length,
+                                           bool by_length, State& to, Workspace& workspace) const noexcept -> Step {
+    // what belongs to the model first, then the motion, then the load
+    const StepStatus belongs = check(from, half_length, to, workspace);
+    if (belongs == StepStatus::wrong_state) return failed(belongs);
+    const StepStatus possible = motion.check(dq);
+    if (possible != StepStatus::ok) return failed(possible);
+    if (belongs != StepStatus::ok) return failed(belongs);
     const Scalar change = half_length - from.half_length;
-    const bool rolls_forward = change == 0 || std::abs(change) < dq;
-    if (!can_breathe() || !rolls_forward) return {failed(StepStatus::needs_fixed_mesh)};
-    detail::BreathingStep<Scalar, largest_unprepared> step(system_, rational_);
-    const Scalar ratio = half_length / half_length_;
-    step.solve(from.traction, from.half_length / half_length_, ratio, dq / half_length_,
-               travel.scaled(traction_scale_));
-    to.traction = from.traction + step.change();
-    to.half_length = half_length;
-    const Scalar force = areas_.dot(to.traction);
-    BreathingTransientStep<Scalar> result{finish(from, ratio * force, ratio * areas_.dot(step.per_end()), to)};
-    if (result.status != StepStatus::ok) return result;
-    result.tangent_by_half_length = (force + ratio * areas_.dot(step.per_length())) / half_length_;
-    return result;
+    if (change != 0 && !(std::abs(change) < dq)) return failed(StepStatus::needs_fixed_mesh);
+
+    const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
+    const Scalar rolled = dq / units_.length;
+    const bool repeats = dq > 0 && dq == from.distance && !by_length && half_length == units_.length;
+    if (repeats || is_exponential()) {
+        detail::StepMap<inputs, Scalar>& map = workspace.map();
+        if (!map.is_of(preparation_, rolled)) {
+            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, rolled,
+                        count_doublings(rolled), workspace.factors());
+        }
+        map.apply(from.traction, imposed, to.traction);
+        return finish(from, half_length, dq, map.tangent(imposed), to);
+    }
+    detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
+    stages.solve(preparation_, detail::influence(system_), rational_, inputs_in_si_, from.traction,
+                 from.half_length / units_.length, half_length / units_.length, rolled, imposed, by_length,
+                 workspace.factors());
+    to.traction = from.traction + stages.change();
+    Step step = finish(from, half_length, dq, forces_of(stages.per_end()), to);
+    if (by_length && step.status == StepStatus::ok) {
+        const Inputs by_change = force_of(stages.per_length()) * (half_length / units_.length);
+        step.tangent_by_half_length = Values::force(Inputs((force_of(to.traction) + by_change) / units_.length));
+    }
+    return step;
 }
 
 }  // namespace rollbem

@@ -191,4 +191,16 @@ private:
 template <class Scalar>
 ElementSystem(const ElementSystem<Scalar>&, const ElementSystem<Scalar>&) -> ElementSystem<Scalar, 2>;
 
+namespace detail {
+
+/// Throws std::invalid_argument if the half-width of a contact is infinite or not that of the system's kernel.
+template <class Scalar>
+void require_same_aspect(const char* who, const Contact<Scalar>& contact, const ElementSystem<Scalar, 2>& system) {
+    require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),
+            "be finite: an infinite one is for steady problems only");
+    require_same_aspect(who, contact, system.aspect());
+}
+
+}  // namespace detail
+
 }  // namespace rollbem

@@ -248,8 +248,8 @@ void require_single_input(const char* who, const RollingSystem<Scalar>& system) 
 }
 
 /// The fingerprint of a model: of a contact and of the `system` that represents it.
-template <class Scalar>
-std::uint64_t fingerprint_of(const Contact<Scalar>& contact, std::uint64_t system) {
+template <class AnyContact>
+std::uint64_t fingerprint_of(const AnyContact& contact, std::uint64_t system) {
     Fingerprint fingerprint;
     fingerprint.add(contact.half_length());
     fingerprint.add(contact.half_width());

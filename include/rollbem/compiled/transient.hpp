@@ -8,6 +8,7 @@
 
 namespace rollbem {
 
-extern template class TransientModel<double>;
+extern template class AdhesionModel<1, double>;
+extern template class AdhesionModel<3, double>;
 
 }  // namespace rollbem

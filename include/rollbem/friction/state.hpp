@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
+#include "../scene/force.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 
@@ -55,33 +56,6 @@ struct FrictionState {
     /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
     SolverRecord<Scalar> solver;
-};
-
-/// A force in the plane of contact and its moment, or a derivative of them. NaN until computed.
-template <class Scalar>
-struct TangentialForce {
-    Scalar longitudinal = std::numeric_limits<Scalar>::quiet_NaN();
-    Scalar lateral = std::numeric_limits<Scalar>::quiet_NaN();
-    /// About the normal through the middle of the contact (the origin of an outline), of tractions at the centres of
-    /// their elements [N m], per unit width [N]. NaN if the system does not know them (ready matrices).
-    Scalar moment = std::numeric_limits<Scalar>::quiet_NaN();
-
-    friend TangentialForce operator*(Scalar factor, const TangentialForce& force) {
-        return {factor * force.longitudinal, factor * force.lateral, factor * force.moment};
-    }
-    friend TangentialForce operator+(const TangentialForce& one, const TangentialForce& other) {
-        return {one.longitudinal + other.longitudinal, one.lateral + other.lateral, one.moment + other.moment};
-    }
-};
-
-/// Derivatives of a force by both creepages and by spin [1/m], for a rigid shift by its angle [rad].
-template <class Scalar>
-struct CreepageTangent {
-    TangentialForce<Scalar> by_longitudinal, by_lateral, by_spin;
-
-    friend CreepageTangent operator*(Scalar factor, const CreepageTangent& tangent) {
-        return {factor * tangent.by_longitudinal, factor * tangent.by_lateral, factor * tangent.by_spin};
-    }
 };
 
 namespace detail {

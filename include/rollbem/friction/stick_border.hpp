@@ -158,9 +158,9 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
     detail::require(detail::is_finite(friction_coefficient) && friction_coefficient >= 0, who, "friction_coefficient",
                     friction_coefficient, "be finite and not negative");
-    const auto bound = [&, scale = friction_coefficient / contact.shear_modulus()](Scalar x) -> Scalar {
-        return scale * pressure(x);
-    };
+    // of one type for all pressures, so that what follows is compiled once a kernel
+    const std::function<Scalar(Scalar)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
+                                                    Scalar x) -> Scalar { return scale * pressure(x); };
     detail::PointsOfLevels<Scalar> levels;
     const detail::PressureScan<Scalar> scan = detail::scan_pressure<Scalar>(bound, levels);
     detail::require(scan.largest > 0 || friction_coefficient == 0, who, "largest normal_pressure", scan.largest,
@@ -183,9 +183,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
         result.coefficients = exact->coefficients;
         result.unknowns = exact->unknowns;
         result.zone = exact->zone;
-        result.bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](Scalar x) -> Scalar {
-            return scale * pressure(x);
-        };
+        result.bound = bound;
         result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
         result.status = StepStatus::ok;
     } else {

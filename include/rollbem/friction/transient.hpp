@@ -29,14 +29,14 @@
 
 namespace rollbem {
 
-/// The contact as a force element with friction, stepped like TransientModel. Immutable: threads may share it if they
+/// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
 /// may share the law. One direction costs less than two.
 ///
 /// Integrator::sdirk2 solves for stick and slip twice per step and is of second order in dq, for forces and slip work
 /// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies the law, and slip never
 /// gains energy. Transitions between stick and slip within a step do not reduce the order.
 ///
-/// The scheme must meet the requirements of TransientModel: a verdict that its eigenvalues decay, and convergence in
+/// The scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and convergence in
 /// full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and several
 /// elements slip at the trailing edge (see SteadyFrictionModel).
 ///

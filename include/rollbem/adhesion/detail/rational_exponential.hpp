@@ -1,4 +1,4 @@
-// The rational function of an integrator, and the relative travel in a step.
+// The rational function of an integrator, and the motion in a step.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -9,6 +9,7 @@
 
 #include "../../scene/rigid_motion.hpp"
 #include "../integrator.hpp"
+#include "../state.hpp"
 
 namespace rollbem::detail {
 
@@ -45,32 +46,29 @@ private:
     std::array<Scalar, 10> b_{};
 };
 
-/// The shift at constant creepage, the contribution of a linear change, and their derivatives for the tangent.
-template <class Scalar>
-struct Travel {
-    Travel(const RigidMotion<Scalar>& motion, Scalar dq) noexcept
-        : shift(motion.is_shift() ? motion.start() : motion.start() * dq) {
+/// What a motion imposes on a step of k creepages: the shifts at constant creepage, the contributions of a linear
+/// change, and their derivatives by the motion's end values, the same for each creepage.
+template <int k, class Scalar>
+struct ImposedMotion {
+    using Values = AdhesionValues<k, Scalar>;
+
+    ImposedMotion(const RigidMotion<typename Values::Value>& motion, Scalar dq) noexcept
+        : shift(Values::vector(motion.start())) {
         if (motion.is_shift()) {
             shift_per_end = 1;
-        } else if (motion.is_linear()) {
-            ramp = (motion.end() - motion.start()) * dq;
+            return;
+        }
+        if (motion.is_linear()) {
+            ramp = (Values::vector(motion.end()) - shift) * dq;
             ramp_per_end = dq;
         } else {
             shift_per_end = dq;
         }
+        shift *= dq;
     }
 
-    Travel scaled(Scalar factor) const noexcept {
-        Travel result = *this;
-        result.shift *= factor;
-        result.ramp *= factor;
-        result.shift_per_end *= factor;
-        result.ramp_per_end *= factor;
-        return result;
-    }
-
-    Scalar shift, ramp = 0;                      ///< [m]
-    Scalar shift_per_end = 0, ramp_per_end = 0;  ///< derivatives by the motion's end value
+    InputVector<k, Scalar> shift, ramp = InputVector<k, Scalar>::Zero();  ///< [m], for spin angles
+    Scalar shift_per_end = 0, ramp_per_end = 0;                           ///< [m], or 1 for a shift
 };
 
 }  // namespace rollbem::detail

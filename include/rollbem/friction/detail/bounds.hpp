@@ -93,8 +93,9 @@ public:
     void finish(FrictionState<directions, Scalar>&) const noexcept {}
 };
 
-/// Bounds of one step or steady solution if mu depends on slip; `bound` is then p_n/G. In a step, the equation for mu is integrated along the path of each particle by the
-/// same stages as the tractions, implicit Euler or sdirk2. For one direction or two, depending on `Slip`.
+/// Bounds of one step or steady solution if mu depends on slip; `bound` is then p_n/G. In a step, the equation for
+/// mu is integrated along the path of each particle by the same stages as the tractions, implicit Euler or sdirk2.
+/// For one direction or two, depending on `Slip`.
 template <class Law, class Slip>
 class FallingBounds {
 public:

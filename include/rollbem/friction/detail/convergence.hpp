@@ -61,14 +61,6 @@ std::uint64_t fingerprint_of_steady(const DirectionBlocks<Scalar>& G_prime, cons
     return fingerprint.value();
 }
 
-/// Throws std::invalid_argument if the half-width of a contact is infinite or not that of the system's kernel.
-template <class Scalar>
-void require_same_aspect(const char* who, const Contact<Scalar>& contact, const ElementSystem<Scalar, 2>& system) {
-    require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),
-            "be finite: an infinite one is for steady problems only");
-    require_same_aspect(who, contact, system.aspect());
-}
-
 template <class Scalar>
 void require_gradient(const char* who, const MatrixX<Scalar>& G_prime, Eigen::Index n) {
     require_square(who, "G_prime", G_prime, n, "widths");
@@ -102,19 +94,6 @@ template <class Scalar>
 bool converges(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
     if (G_prime[0][1].size() > 0) return converges(joined(G_prime), areas);
     return converges(G_prime[0][0], areas) && converges(G_prime[1][1], areas);
-}
-
-/// As for one direction; the verdict is one on all 2n eigenvalues.
-template <class Scalar>
-void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
-    const Eigen::Index n = system.size();
-    require_stable(who, 2 * n, verdict);
-    for (std::size_t d = 0; d < 2; ++d) {
-        const VectorX<Scalar> steady =
-            system.coupled() ? steady_tractions(joined(system.G_prime_blocks()), d == 0 ? 0 : n, n)
-                             : steady_tractions(system.G_prime(d, d), 0, n);
-        require_convergent<Scalar>(who, steady, system.elements().areas);
-    }
 }
 
 }  // namespace detail

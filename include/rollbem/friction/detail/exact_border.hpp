@@ -5,6 +5,7 @@
 #include "../../detail/language.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -31,14 +32,14 @@ struct ExactBorder {
 };
 
 /// Empty if the pressure jumps, the force does not converge to `tolerance` or the law is violated.
-template <class Scalar, class Kernel, class Bound>
-std::optional<ExactBorder<Scalar>> find_exact_border(const Kernel& kernel, const Bound& bound,
+template <class Scalar, class Kernel>
+std::optional<ExactBorder<Scalar>> find_exact_border(const Kernel& kernel, const std::function<Scalar(Scalar)>& bound,
                                                      const PressureScan<Scalar>& scan, PointsOfLevels<Scalar>& levels,
                                                      Scalar creepage, int& evaluations) {
     const SmoothSplit<Scalar> split = kernel.smooth_split();
     if (scan.jumps || !(split.strength > 0) || !(split.distance >= least_distance<Scalar>)) return std::nullopt;
 
-    StickZoneProblem<Scalar, Kernel, Bound> problem(kernel, bound);
+    StickZoneProblem<Scalar, Kernel, std::function<Scalar(Scalar)>> problem(kernel, bound);
     const auto [y, point, settled_to, rule] = settle_border(problem, levels, split, creepage, scan.load, evaluations);
     if (!is_finite(settled_to) || !is_finite(point.tangent)) return std::nullopt;
 

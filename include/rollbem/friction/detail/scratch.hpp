@@ -20,7 +20,8 @@
 namespace rollbem::detail {
 
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
-/// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that couple only if `coupled`.
+/// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that
+/// couple only if `coupled`.
 template <int directions, class Scalar>
 struct FrictionScratch {
     using Vector = VectorX<Scalar>;

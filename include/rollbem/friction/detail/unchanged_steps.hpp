@@ -11,8 +11,8 @@
 
 namespace rollbem::detail {
 
-/// The count is kept in the states (SolverRecord), so that a step depends on nothing else. It refers to one matrix, which is
-/// determined by the distance rolled in a stage and the half-length.
+/// The count is kept in the states (SolverRecord), so that a step depends on nothing else. It refers to one matrix,
+/// which is determined by the distance rolled in a stage and the half-length.
 template <class Scalar>
 class UnchangedSteps {
 public:

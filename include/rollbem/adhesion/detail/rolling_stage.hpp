@@ -1,0 +1,110 @@
+// One stage of a step of rolling on a contact whose length may vary: the system scales with the length, and nothing is
+// assembled again. Independent of friction and units.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "../../assembly/rolling_system.hpp"
+#include "../../types.hpp"
+
+namespace rollbem::detail {
+
+/// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
+template <class Scalar>
+struct RollingStage {
+    Scalar distance;         ///< rolled in the stage
+    Scalar half_length = 1;  ///< a at its end
+    Scalar growth = 0;       ///< change of the half-length that belongs to the stage, |growth| < distance
+
+    /// A stage that takes `part` of a step and ends within it; the step rolls by `dq` while the half-length varies
+    /// linearly.
+    static RollingStage within(Scalar part, Scalar dq, Scalar from, Scalar to) {
+        return {part * dq, from + part * (to - from), part * (to - from)};
+    }
+    /// A stage that ends with the step.
+    static RollingStage last(Scalar part, Scalar dq, Scalar from, Scalar to) {
+        return {part * dq, to, part * (to - from)};
+    }
+
+    bool varies() const { return half_length != 1 || growth != 0; }
+    friend bool operator==(const RollingStage&, const RollingStage&) = default;
+};
+
+/// What the half-length makes of the kernel: linear G - logarithmic S 1 w^T. M(a) is `at`: with x = a zeta and the
+/// kernel C - S ln|x|, U = M(a) p = a (G - S ln(a) 1 w^T) p: the length adds a constant to the logarithm, which
+/// displaces the whole contact uniformly and has no slope, dU/dx = G' p.
+template <class Scalar>
+struct LengthScale {
+    Scalar linear, logarithmic;
+
+    static LengthScale at(Scalar a) { return {a, a * std::log(a)}; }
+    /// dM/da
+    static LengthScale rate(Scalar a) { return {1, std::log(a) + 1}; }
+    /// M(to) - M(from), without cancellation.
+    static LengthScale growth(Scalar from, Scalar to) {
+        const Scalar change = to - from;
+        return {change, change * std::log(from) + to * std::log1p(change / from)};
+    }
+};
+
+/// What tractions along one direction cause along one.
+template <class Scalar>
+struct Influence {
+    using Array = Eigen::Map<const ArrayX<Scalar>>;
+
+    const MatrixX<Scalar>&G, &G_prime;
+    Array weights;
+    Array points;           // x/a of the equations; empty if unknown
+    Scalar log_strength{};  // S, see RollingSystem; 0 if the length cannot vary
+
+    /// M(a) - (distance + growth zeta) G', row by row, with zeta the points.
+    void fill_stage_matrix(const RollingStage<Scalar>& stage, MatrixX<Scalar>& M) const {
+        if (!stage.varies()) {
+            M = G - stage.distance * G_prime;
+            return;
+        }
+        const LengthScale<Scalar> scale = LengthScale<Scalar>::at(stage.half_length);
+        const Scalar common = scale.logarithmic * log_strength;
+        for (Eigen::Index j = 0; j < M.cols(); ++j) {
+            M.col(j).array() = scale.linear * G.col(j).array() - common * weights[j] -
+                               (stage.distance + stage.growth * points) * G_prime.col(j).array();
+        }
+    }
+
+    /// The displacement that tractions p cause at this scale.
+    template <class Traction, class Displacement>
+    void find_displacement(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
+        U.noalias() = G * p;
+        rescale(scale, p, U);
+    }
+
+    /// The same from G p in `U`.
+    template <class Traction, class Displacement>
+    void rescale(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
+        const Scalar common =
+            scale.logarithmic == 0 ? Scalar(0) : scale.logarithmic * log_strength * weights.matrix().dot(p);
+        U.array() = scale.linear * U.array() - common;
+    }
+};
+
+template <class Scalar>
+Eigen::Map<const ArrayX<Scalar>> array_map(const ArrayX<Scalar>& array) {
+    return {array.data(), array.size()};
+}
+
+/// Of a system of one creepage.
+template <class Scalar>
+Influence<Scalar> influence(const RollingSystem<Scalar>& system) {
+    const auto& points = system.points();
+    return {system.G(),
+            system.G_prime(),
+            system.weights(),
+            {points ? points->data() : nullptr, points ? points->size() : 0},
+            system.log_strength().value_or(Scalar(0))};
+}
+
+}  // namespace rollbem::detail

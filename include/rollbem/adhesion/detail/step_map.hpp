@@ -1,0 +1,113 @@
+// The linear map from the unknowns before a step to those after it, for steps of one distance at one half-length.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "../../types.hpp"
+#include "rational_exponential.hpp"
+#include "rolling_stage.hpp"
+#include "stage_factors.hpp"
+
+namespace rollbem::detail {
+
+/// C = A B without memory from the heap, which Eigen's product takes for large matrices.
+template <class A, class B, class C>
+void multiply(const A& a, const B& b, C& c) {
+    constexpr Eigen::Index tile = 64;
+    c.setZero();
+    for (Eigen::Index j = 0; j < b.cols(); j += tile) {
+        const Eigen::Index columns = std::min(tile, b.cols() - j);
+        for (Eigen::Index m = 0; m < a.cols(); m += tile) {
+            const Eigen::Index depth = std::min(tile, a.cols() - m);
+            for (Eigen::Index i = 0; i < a.rows(); i += tile) {
+                const Eigen::Index rows = std::min(tile, a.rows() - i);
+                c.block(i, j, rows, columns).noalias() += a.block(i, m, rows, depth) * b.block(m, j, depth, columns);
+            }
+        }
+    }
+}
+
+template <int k, class Scalar>
+class StepMap {
+public:
+    using Square = Eigen::Matrix<Scalar, k, k, Eigen::DontAlign>;
+
+    explicit StepMap(Eigen::Index n)
+        : Y_(MatrixX<Scalar>::Zero(n, n + k)), map_(MatrixX<Scalar>::Zero(n, n + 2 * k)), product_(map_) {}
+
+    /// Whether the map is that of a model's steps of dq.
+    bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
+
+    /// Computes the map of steps of dq, in units of a_0. O(n^3). Powers of
+    /// Y = gamma h (G - gamma h G')^-1 G' give the change of y for h, dq divided `doublings` times by two; applied to
+    /// the adjacent columns, that due to the creepages. `outputs` turn y into forces.
+    void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RationalExponential<Scalar>& integrator,
+                 const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs, Scalar dq, int doublings,
+                 StageFactors<Scalar>& factors) {
+        model_ = model;
+        dq_ = dq;
+        const Eigen::Index n = Y_.rows();
+        const Scalar part = integrator.gamma * std::ldexp(dq, -doublings);
+        Y_.leftCols(n) = part * influence.G_prime;
+        Y_.rightCols(k) = integrator.gamma * inputs;
+        factors.prepare(model, influence, {.distance = part});
+        for (Eigen::Index j = 0; j < n + k; ++j) factors.solve(Y_.col(j));
+        add_power(integrator, integrator.stages);
+        for (int j = integrator.stages - 1; j >= 1; --j) {
+            multiply(Y_.leftCols(n), map_, product_);
+            map_.swap(product_);
+            add_power(integrator, j);
+        }
+        // Two steps in one, for e^w - 1 rather than e^w, so that short steps keep their digits.
+        for (int doubling = 0; doubling < doublings; ++doubling) {
+            multiply(map_.leftCols(n), map_, product_);
+            map_.rightCols(k) =
+                Scalar(0.5) * map_.rightCols(k) + Scalar(0.25) * (map_.middleCols(n, k) + product_.rightCols(k));
+            map_.middleCols(n, k) += Scalar(0.5) * product_.middleCols(n, k);
+            map_.leftCols(n) += map_.leftCols(n) + product_.leftCols(n);
+        }
+        map_.rightCols(2 * k) *= -1;
+        for (Eigen::Index i = 0; i < k; ++i) {
+            for (Eigen::Index j = 0; j < k; ++j) {
+                force_per_shift_(i, j) = outputs.col(i).dot(map_.col(n + j));
+                force_per_ramp_(i, j) = outputs.col(i).dot(map_.col(n + k + j));
+            }
+        }
+    }
+
+    void apply(const VectorX<Scalar>& from, const ImposedMotion<k, Scalar>& motion, VectorX<Scalar>& to) const {
+        const Eigen::Index n = Y_.rows();
+        to = from + motion.shift[0] * map_.col(n) + motion.ramp[0] * map_.col(n + k);
+        for (Eigen::Index j = 1; j < k; ++j) {
+            to += motion.shift[j] * map_.col(n + j) + motion.ramp[j] * map_.col(n + k + j);
+        }
+        to.noalias() += map_.leftCols(n) * from;
+    }
+
+    Square tangent(const ImposedMotion<k, Scalar>& motion) const {
+        return motion.shift_per_end * force_per_shift_ + motion.ramp_per_end * force_per_ramp_;
+    }
+
+private:
+    void add_power(const RationalExponential<Scalar>& integrator, int j) {
+        const Eigen::Index n = Y_.rows();
+        if (j == integrator.stages) map_.setZero();
+        map_.leftCols(n + k) += integrator.b(j) * Y_;
+        map_.rightCols(k) += integrator.ramp_weight(j) * Y_.rightCols(k);
+    }
+
+    MatrixX<Scalar> Y_;
+    MatrixX<Scalar> map_;  // [change, per shift, per ramp]: y_new - y = change y + per_shift v dq + per_ramp dv dq
+    MatrixX<Scalar> product_;
+    Square force_per_shift_ = Square::Zero(), force_per_ramp_ = Square::Zero();
+    std::uint64_t model_ = 0;
+    Scalar dq_ = -1;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,164 @@
+// rollbem/friction/steady.hpp and transient.hpp: what holds for every law and both numbers of directions. One list of
+// cases, one property a test.
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include <rollbem/compiled/friction.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+constexpr double peak = 1e-3;
+constexpr Travel<double> travel{0.1, 0.1};  // at the speed 1
+using Falling = ExponentialFall<>;
+
+/// Hertz's contact with a = G = 1 and a law whose coefficient at rest is 1, at the collocation `alpha`.
+template <class Law_, int directions_>
+struct Case {
+    using Law = Law_;
+    static constexpr int directions = directions_;
+    using Model = FrictionModel<Law, directions>;
+    using Steady = SteadyFrictionModel<Law, directions>;
+
+    explicit Case(double alpha = 0.5) : scheme{.alpha_L = alpha, .alpha_T = alpha} {}
+
+    static Law law() {
+        if constexpr (std::is_same_v<Law, Falling>) {
+            return {1, 0.6, peak};
+        } else {
+            return 1;
+        }
+    }
+    static auto creepage(double ratio) {
+        const double size = 2 * 0.72 * peak * ratio;
+        if constexpr (directions == 1) {
+            return size;
+        } else {
+            return Creepage<double>{0.8 * size, 0.6 * size};
+        }
+    }
+    Friction<Law> friction() const { return {law(), peak * mean_hertz_pressure(mesh), {2e-4, 1e-5}}; }
+    auto kernel(bool lateral, const Contact<double>& of) const {
+        return lateral ? PlaneKernel<double>::lateral(of) : PlaneKernel<double>::longitudinal(of);
+    }
+    Steady steady(Checks checks = {}) const {
+        if constexpr (directions == 1) {
+            return {contact, mesh, scheme, kernel(false, contact), friction(), checks};
+        } else {
+            return {contact, mesh, scheme, kernel(false, contact), kernel(true, contact), friction(), checks};
+        }
+    }
+    /// `stiffer`: with other G, but the same G'.
+    Model model(double stiffer = 1) const {
+        const auto system = [&](bool lateral) {
+            const ElementSystem<double> own = rolling_system(mesh, scheme, kernel(lateral, contact));
+            return stiffer == 1 ? own : ElementSystem<double>(stiffer * own.G(), own.G_prime(), own.weights());
+        };
+        Friction<Law> law_of = friction();
+        if (stiffer != 1) law_of.memory = {};
+        if constexpr (directions == 1) {
+            return {contact, system(false), unchecked, law_of};
+        } else {
+            return {contact, {system(false), system(true)}, unchecked, law_of};
+        }
+    }
+
+    Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+    Mesh<double> mesh = cosine_mesh<double>(20);
+    Collocation scheme;
+};
+
+double sum(double force) { return force; }
+double sum(const TangentialForce<double>& force) { return force.longitudinal + force.lateral; }
+
+#define ALL_CASES (Case<ConstantFriction<>, 1>), (Case<ConstantFriction<>, 2>), (Case<Falling, 1>), (Case<Falling, 2>)
+
+TEMPLATE_TEST_CASE("A steady state starts a run in time", "[friction]", ALL_CASES) {
+    const TestType scene;
+    const auto steady = scene.steady();
+    const auto model = scene.model();
+    CHECK(steady.fingerprint() == model.fingerprint());
+    auto now = steady.at_rest(), next = now;
+    auto workspace = steady.workspace();
+    const auto creepage = TestType::creepage(0.5);
+    const auto point = steady.steady(model.at_rest(), creepage, 1, now, workspace);
+    REQUIRE(point.status == StepStatus::ok);
+    // the same workspace serves both, and rolling on changes nothing but the effect of finite steps on the memory
+    auto in_time = model.steady(model.at_rest(), creepage, 1, next, workspace);
+    CHECK(sum(in_time.force) == sum(point.force));
+    in_time = model.advance(now, travel, creepage, next, workspace);
+    REQUIRE(in_time.status == StepStatus::ok);
+    const double margin = detail::is_constant<typename TestType::Law> ? 1e-12 : 0.02;
+    CHECK(sum(in_time.force) == Approx(sum(point.force)).epsilon(margin));
+}
+
+TEMPLATE_TEST_CASE("Steady forces of a scheme that does not converge are not given", "[friction]", ALL_CASES) {
+    for (const double alpha : {-0.3, 1.3}) {
+        const TestType scene(alpha);
+        const auto steady = scene.steady(), asked_for = scene.steady(unchecked);
+        auto to = steady.at_rest();
+        auto workspace = steady.workspace();
+        const auto refused = steady.steady(steady.at_rest(), TestType::creepage(0.5), 1, to, workspace);
+        CAPTURE(alpha, name(refused.status));
+        CHECK_FALSE(steady.converges());
+        CHECK(refused.status == StepStatus::inconsistent);
+        CHECK(std::isnan(sum(refused.force)));
+        CHECK(std::isnan(refused.slip_work_per_width));
+        const auto given = asked_for.steady(steady.at_rest(), TestType::creepage(0.5), 1, to, workspace);
+        CHECK(given.status != StepStatus::inconsistent);
+        CHECK(given.stick_count == refused.stick_count);
+    }
+    CHECK(TestType().steady().converges());
+}
+
+TEMPLATE_TEST_CASE("Models with the same G' share states, but no factors", "[friction]", ALL_CASES) {
+    const TestType scene;
+    const auto soft = scene.model(1.5), stiff = scene.model(0.5);
+    REQUIRE(soft.fingerprint() == stiff.fingerprint());
+    const auto creepage = TestType::creepage(0.3);
+    auto used = soft.workspace(), fresh = soft.workspace();
+    auto one = soft.at_rest(), other = one, again = one;
+    REQUIRE(soft.advance(soft.at_rest(), travel, creepage, one, used).status == StepStatus::ok);
+    const auto step = stiff.advance(one, travel, creepage, other, used);
+    const auto expected = stiff.advance(one, travel, creepage, again, fresh);
+    CHECK(sum(step.force) == sum(expected.force));
+    CHECK(sum(step.force) != sum(soft.advance(one, travel, creepage, again, fresh).force));
+}
+
+TEMPLATE_TEST_CASE("A reset record of the solver forces a full check", "[friction]", ALL_CASES) {
+    const TestType scene;
+    const auto model = scene.model();
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    for (int k = 0; k < 60; ++k) {
+        REQUIRE(model.advance(now, travel, TestType::creepage(0.5), next, workspace).status == StepStatus::ok);
+        std::swap(now, next);
+    }
+    const auto step = model.advance(now, travel, TestType::creepage(0.5), next, workspace);
+    now.solver = {};
+    auto checked_next = next;
+    const auto checked = model.advance(now, travel, TestType::creepage(0.5), checked_next, workspace);
+    CHECK(checked.status == StepStatus::ok);
+    CHECK(checked.complementarity_residual > 0);
+    CHECK(sum(checked.force) == Approx(sum(step.force)).epsilon(1e-9));
+    CHECK((checked_next.traction - next.traction).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("A state of a constant coefficient is not one of a coefficient that depends on slip", "[friction]") {
+    const Case<ConstantFriction<>, 1> constant;
+    const Case<Falling, 1> falling;
+    const auto one = constant.model();
+    const auto other = falling.model();
+    auto one_to = one.at_rest(), other_to = other.at_rest();
+    auto one_workspace = one.workspace(), other_workspace = other.workspace();
+    CHECK(one.advance(other.at_rest(), 0.1, 1e-3, one_to, one_workspace).status == StepStatus::wrong_state);
+    CHECK(other.advance(one.at_rest(), travel, 1e-3, other_to, other_workspace).status == StepStatus::wrong_state);
+    CHECK(one.advance(one.at_rest(), 0.1, 1e-3, one_to, other_workspace).status == StepStatus::wrong_state);
+    CHECK(other.advance(other.at_rest(), travel, 1e-3, other_to, one_workspace).status == StepStatus::wrong_state);
+}
+
+}  // namespace
