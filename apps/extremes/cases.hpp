@@ -54,5 +54,6 @@ std::vector<Case> chebyshev_cases(bool large);
 std::vector<Case> friction_cases();
 std::vector<Case> load_cases();
 std::vector<Case> direction_cases();
+std::vector<Case> patch_cases();
 
 }  // namespace extremes
