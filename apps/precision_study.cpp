@@ -18,6 +18,7 @@
 #include <rollbem/accuracy/recommendation.hpp>
 
 #include "precision/front.hpp"
+#include "precision/patches.hpp"
 #include "precision/plots.hpp"
 #include "precision/references.hpp"
 #include "precision/schemes.hpp"
@@ -282,8 +283,11 @@ int main(int argc, char** argv) {
     options.add("schemes", "LIST", "all, or some of " + study::join(precision::scheme_names(), ","), "all");
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force,"
-                "combined_force,load_force",
+                "combined_force,load_force; or some of " +
+                    study::join(precision::patch_quantity_names(), ",") + ", creep coefficients of a contact patch",
                 "all");
+    options.add("a-over-b", "RATIO", "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000", "1");
+    options.add("strips", "LIST", "quantities of patches: strips along the rolling direction; default: --n");
     options.add_input(
         "front",
         "compute nothing: read rows written before (shards, concatenated), fill on_front, and draw or search them");
@@ -319,6 +323,11 @@ the shards and use --front. model_error is the error that the strip kernel alone
 --plot draws up to three quantities; of more, those of c11, c11_z5 and friction_force that are there.
 status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
 scheme reaches the tolerance. size_ratio and epsilon are empty except for geometric and knothe.
+patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
+many strips (--strips: others) along the rolling direction, with nodes-chebyshev or richardson-nodes (n/2 and
+strips/2 as well); two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
+from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
+Their times are measured one after another. stable is empty above 256 elements. Without --n, n is 4 to 24.
 Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 160: two to three minutes in all.
 )");
 
@@ -327,7 +336,11 @@ Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 
             print_recommendations(given);
             return study::exit_ok;
         }
-        const std::vector<Quantity> quantities = chosen_quantities(given);
+        const std::vector<Quantity> of_patches = precision::chosen_patch_quantities(given);
+        const std::vector<Quantity> quantities = of_patches.empty() ? chosen_quantities(given) : of_patches;
+        if (of_patches.empty()) {
+            for (const char* name : {"a-over-b", "strips"}) given.ignored(name, "without quantities of patches");
+        }
         if (given.given("shard") || !study::has_times(given)) {
             given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
         }
@@ -335,7 +348,19 @@ Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 
         table.columns = precision::columns();
         std::vector<Point> read;
         std::optional<Computation> computed;
-        if (given.given("front")) {
+        std::optional<precision::PatchComputation> patches;
+        const auto compute = [&](auto& computation) {
+            table.rows_of_task = computation->rows_of_task();
+            table.prepare = [&](const auto& wanted, const auto& done) { computation->prepare(wanted, done); };
+            table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+                computation->emit_rows(task, range, emit);
+            };
+        };
+        if (!of_patches.empty()) {
+            patches.emplace(given, of_patches);
+            table.columns = precision::patch_columns();
+            compute(patches);
+        } else if (given.given("front")) {
             // 2. Rows from a file.
             for (const char* name :
                  {"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"}) {
@@ -350,13 +375,11 @@ Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 
         } else {
             // 3. Or schemes to compute.
             computed.emplace(given, quantities);
-            table.rows_of_task = computed->rows_of_task();
-            table.prepare = [&](const auto& wanted, const auto& done) { computed->prepare(wanted, done); };
-            table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-                computed->emit_rows(task, range, emit);
-            };
+            compute(computed);
         }
-        const auto points = [&]() -> const std::vector<Point>& { return computed ? computed->points() : read; };
+        const auto points = [&]() -> const std::vector<Point>& {
+            return patches ? patches->points() : computed ? computed->points() : read;
+        };
         table.plot = [&](const std::vector<study::Row>& rows) {
             return precision::pictures(quantities, rows, points());
         };

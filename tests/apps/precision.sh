@@ -123,6 +123,33 @@ good 2 "$precision" --n 20 --schemes cosine --quantity combined_force --aspect i
 bad '--aspect = inf must be positive and finite' $p --quantity load_force --aspect inf
 "$precision" --help | grep -q 'load_force: creepage ratio' || fail '--help says nothing of load_force'
 
+# --- creep coefficients of patches, against Kalker's, whose limits at a/b = 0.5, nu = 0.25 are 3.625, 3.011, 0.9278
+bad '--quantity = c11 must be all, or some of patch_c11,patch_c22,patch_c23,patch_c33' "$precision" --quantity c11,patch_c11
+bad '--strips = 4 has no effect without quantities of patches' $p --strips 4
+bad '--a-over-b = 1 has no effect without quantities of patches' $p --a-over-b 1
+bad '--kernel = plane has no effect with quantities of patches' "$precision" --quantity patch_c11 --kernel plane
+bad '--schemes = cosine must be all, or some of nodes-chebyshev,richardson-nodes' "$precision" --quantity patch_c11 --schemes cosine
+bad '--n = 5 and the strips must be even' "$precision" --quantity patch_c11 --schemes richardson-nodes --n 5
+bad '--n = 100 times 100 strips must be at most 4096' "$precision" --quantity patch_c11 --n 100
+good 17 "$precision" --quantity patch_c11,patch_c22,patch_c23,patch_c33 --a-over-b 0.5 --poisson 0.25 --n 6,12 --cheapest cheapest.csv
+header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status,kernel,aspect,poisson,size_ratio,epsilon,a_over_b,strips
+check 'settings of patches' '$9 == "ok" && $10 == "half-space" && $12 == 0.25 && $15 == 0.5 && $16 == $2 && $5 > 0 && $6 == 1 && $7 != ""'
+$programs/patch_study --a-over-b 0.5 --poisson 0.25 --n 12 --quiet >both
+limit() {
+    awk -F, -v s="$1" -v q="patch_$2" -v exact="$3" -v least="$4" 'NR == FNR { if (FNR == 1) for (i = 1; i <= NF; ++i) if ("patch_" $i == q) k = i; found = $k; next }
+        $1 == s && $2 == 12 && $3 == q { ok = s == "nodes-chebyshev" ? (found / (1 + $4) / exact - 1) ^ 2 < least ^ 2 : $4 ^ 2 < least ^ 2 } END { exit !ok }' both out ||
+        fail "$1: $2: $(grep "$1,12,patch_$2" out)"
+}
+limit nodes-chebyshev c11 3.625 1e-3
+limit nodes-chebyshev c22 3.011 1e-3
+limit nodes-chebyshev c23 0.9278 1e-3
+limit nodes-chebyshev c33 1.939 5e-3
+limit richardson-nodes c11 0 1e-3
+limit richardson-nodes c22 0 2e-3
+grep -q '^patch_c11,1e-2,stable-elements,richardson-nodes,6,' cheapest.csv || fail "cheapest patches: $(cat cheapest.csv)"
+good 5 "$precision" --quantity patch_c11 --n 4 --strips 2,4 --jobs 2
+check 'n and strips' '$2 == 4 && ($16 == 2 || $16 == 4) && $5 == "" && $7 == ""'
+
 # --- Chebyshev states: known errors for the plane, b/a = 100 and nu = 0.25, which fall geometrically; the difference of
 # strip and plane; problems that states cannot solve
 good 9 "$precision" --n 6,8,10,12 --schemes chebyshev-states --quantity c11_z5,step_force --aspect 100 --poisson 0.25
