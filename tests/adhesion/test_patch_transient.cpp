@@ -2,15 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/state_space.hpp>
+#include <rollbem/compiled/balanced_reduction.hpp>
+#include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/transient.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/observed_order.hpp"
 
 using namespace rollbem;
@@ -122,4 +127,31 @@ TEST_CASE("patch_transient: the verdict must be one on all halves") {
     half.n = 16;
     CHECK_THROWS_WITH((AdhesionModel(circle.contact, circle.system, half)),
                       Catch::Matchers::ContainsSubstring("n of the verdict"));
+}
+
+TEST_CASE("patch_transient: 14 balanced states are the patch") {
+    // 0.14, 0.12, 0.16 % of 12 x 12 elements at a/b = 0.5, 1, 2
+    for (const double b : {2 * a, a, a / 2}) {
+        const RollingSystem<double> whole = ellipse(b, 8).system.whole();
+        const BalancedReduction<double> reduced = balanced_reduction(state_space(whole), 14);
+        REQUIRE(reduced.status == Status::ok);
+        const FrequencySweep<double> sweep(whole);
+        const double steady = sweep(0).coefficients.cwiseAbs().maxCoeff();
+        const auto difference = [&](double z) {
+            const StateSpace<double>& space = reduced.space;
+            Eigen::MatrixXcd resolvent = -space.A.cast<std::complex<double>>();
+            resolvent.diagonal().array() += std::complex<double>(0, z);
+            const Eigen::MatrixXcd states = dense::solve_complex(resolvent, space.B.cast<std::complex<double>>());
+            const Eigen::MatrixXcd response =
+                space.C.cast<std::complex<double>>().lazyProduct(states) + space.D.cast<std::complex<double>>();
+            return (response - sweep(z).coefficients).cwiseAbs().maxCoeff();
+        };
+        CHECK(difference(0) < 1e-10 * steady);
+        double largest = 0;
+        for (double z = 0.1; z <= 10; z += 0.3) largest = std::max(largest, difference(z));
+        INFO("b/a " << b / a << ", largest " << largest / steady);
+        CHECK(largest < 2e-3 * steady);
+        CHECK(largest > 2e-4 * steady);
+        CHECK(largest < reduced.error_bound);
+    }
 }
