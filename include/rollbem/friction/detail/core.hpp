@@ -15,10 +15,10 @@
 #include <Eigen/Core>
 
 #include "../../adhesion/integrator.hpp"
+#include "../../assembly/detail/contact_units.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../normal/load.hpp"
-#include "../../scene/contact.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../../scene/travel.hpp"
 #include "../../status.hpp"
@@ -62,12 +62,13 @@ public:
     /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors by
     /// that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name of
     /// `who`, if the law is invalid.
-    FrictionCore(const char* who, const Contact<Scalar>& contact, const Elements<Scalar>& elements,
+    FrictionCore(const char* who, const ContactUnits<Scalar>& units, const Elements<Scalar>& elements,
                  Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
                  std::optional<std::uint64_t> system = std::nullopt)
-        : half_length_(contact.half_length()),
-          width_(2 * contact.half_width()),
-          shear_modulus_(contact.shear_modulus()),
+        : half_length_(units.length),
+          width_(units.width),
+          shear_modulus_(units.shear_modulus),
+          line_(units.line),
           areas_(elements.areas.matrix()),
           intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
           points_(elements.x),
@@ -94,12 +95,13 @@ public:
         friction_.normal_pressure.conservativeResize(size());
         Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
         pressures.add(friction_.normal_pressure);
-        fingerprint_ = fingerprint_of(contact, fingerprint_) ^ pressures.value();
+        fingerprint_ = units.fingerprint ^ fingerprint_ ^ pressures.value();
     }
 
     Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
     Scalar width() const { return width_; }
+    bool is_line() const { return line_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
 
@@ -122,7 +124,7 @@ public:
         return total(state.traction, width_ * state.half_length, state.half_length);
     }
 
-    /// Per unit width [J/m]; NaN if the system cannot represent the half-length.
+    /// Per width() [J/m]; NaN if the system cannot represent the half-length.
     Scalar elastic_energy(const State& state, const System& system) const {
         const Scalar a = state.half_length / half_length_;
         if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
@@ -199,7 +201,7 @@ public:
         solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
         Step step = finish(bounds, from, progress, load, 1, to, scratch);
         if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
-        return step;
+        return with_totals(step);
     }
 
     /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
@@ -257,11 +259,11 @@ public:
                     scratch.stage.half_length, scratch, progress);
         Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
         if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-        if (!progress.tangent_exists) return step;
+        if (!progress.tangent_exists) return with_totals(step);
         add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
         add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch,
                           step);
-        return step;
+        return with_totals(step);
     }
 
 private:
@@ -423,6 +425,7 @@ private:
         to.system = fingerprint_;
         const Force force = total(scratch.start, load.half_length * shear_modulus_, load.half_length);
         const Scalar work = scratch.work.sum();
+        if (!line_) scratch.work *= width_;
         progress.finite = progress.finite && is_finite(force) && is_finite(work);
         if (!progress.finite) {
             progress.tangent_exists = false;
@@ -442,7 +445,6 @@ private:
         }
         Step step;
         step.force_per_width = force;
-        step.force = width_ * force;
         step.slip_work_per_width = work;
         step.jump_work_per_width = 0;
         step.complementarity_residual = progress.residual;
@@ -537,7 +539,6 @@ private:
                 *forces[creepage] = total(scratch.response, unit, arm);
             }
         }
-        step.tangent = width_ * step.tangent_per_width;
     }
 
     // `spin` is the angle imposed on the stage.
@@ -547,14 +548,31 @@ private:
         if (asked.by_load) {
             Tangent(bounds, scratch, By::load, carried).by_load(1);
             step.tangent_by_load_per_width = total(scratch.response, arm * shear_modulus_, arm);
-            step.tangent_by_load = width_ * step.tangent_by_load_per_width;
         }
         if (asked.by_half_length) {
             Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1}, spin, spin_);
             step.tangent_by_half_length_per_width = total(scratch.start, shear_modulus_, 2 * arm) +
                                                     total(scratch.response, arm / half_length_ * shear_modulus_, arm);
-            step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
         }
+    }
+
+    // From numbers per unit width, of a patch per `width_`, which only there are not for the user.
+    Step with_totals(Step step) const {
+        step.force = width_ * step.force_per_width;
+        step.tangent = width_ * step.tangent_per_width;
+        step.tangent_by_load = width_ * step.tangent_by_load_per_width;
+        step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
+        step.slip_work = width_ * step.slip_work_per_width;
+        step.jump_work = width_ * step.jump_work_per_width;
+        if (line_) return step;
+        const Step none;
+        step.force_per_width = none.force_per_width;
+        step.tangent_per_width = none.tangent_per_width;
+        step.tangent_by_load_per_width = none.tangent_by_load_per_width;
+        step.tangent_by_half_length_per_width = none.tangent_by_half_length_per_width;
+        step.slip_work_per_width = none.slip_work_per_width;
+        step.jump_work_per_width = none.jump_work_per_width;
+        return step;
     }
 
     // `factor` times the sum of area times vector; the moment also times `arm`.
@@ -568,7 +586,8 @@ private:
         }
     }
 
-    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
+    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m] (of a patch a_0), G [Pa]
+    bool line_;
     VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
     // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit tractions.
