@@ -32,7 +32,7 @@ Model make_model(const rollbem::Contact<double>& contact, const rollbem::Mesh<do
     return {contact,
             system,
             promise,
-            {.friction_coefficient = friction_coefficient,
+            {.law = {friction_coefficient},
              .normal_pressure = load / (std::numbers::pi * contact.half_length() * contact.half_width()) *
                                 rollbem::mean_hertz_pressure(mesh)}};
 }

@@ -121,7 +121,7 @@ TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
     const auto force = [](const SteadyFrictionModel<>& of) {
         FrictionWorkspace<> workspace = of.workspace();
         FrictionState<> now = of.at_rest(), next = now;
-        return of.solve(now, 2e-3, next, workspace).force;
+        return of.steady(now, 2e-3, next, workspace).force;
     };
     CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
 

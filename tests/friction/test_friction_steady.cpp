@@ -65,10 +65,10 @@ TEST_CASE("Node differences make steady friction of second order", "[friction]")
         for (int k = 0; k < 4; ++k) {
             const Mesh<double> mesh = cosine_mesh(Eigen::Index{10} << k);
             const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
-            const SteadyFrictionModel<double> model(contact, mesh, NodeDifference{expected.nodes},
-                                                    PlaneKernel<double>::longitudinal(contact),
-                                                    {1, peak * mean_hertz_pressure(mesh)});
-            const FrictionStep<double> point = from_scratch(model, creepage(expected.ratio));
+            const SteadyFrictionModel<> model(contact, mesh, NodeDifference{expected.nodes},
+                                              PlaneKernel<double>::longitudinal(contact),
+                                              {1, peak * mean_hertz_pressure(mesh)});
+            const FrictionStep<> point = from_scratch(model, creepage(expected.ratio));
             sizes.push_back(static_cast<double>(mesh.size()));
             errors.push_back(force_ratio(point) / carter_force_ratio(expected.ratio) - 1);
             CAPTURE(expected.nodes == Nodes::centres, expected.ratio, mesh.size(), errors.back());

@@ -40,7 +40,7 @@ struct HarmonicSolution {
 template <class Scalar>
 struct SweepPoint {
     std::complex<Scalar> c11 = 0;                ///< as in HarmonicSolution; the first of the coefficients
-    MatrixX<std::complex<Scalar>> coefficients;  ///< as in Response, k x k
+    MatrixX<std::complex<Scalar>> coefficients{};  ///< as in Response, k x k
     Scalar residual = 0;                         ///< of the reduced equations; otherwise as in HarmonicSolution
     /// Of the reduced equations from one more right-hand side, where c11 is accurate to eps/rcond; otherwise as in
     /// HarmonicSolution [-].
@@ -78,7 +78,7 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
     HarmonicSolution<Scalar> solution = solve_exponential(system, std::complex<Scalar>(0, z));
     if (solution.status != Status::ok || !system.unknowns_are_tractions()) return solution;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
-    const VectorX<Scalar> steady = lu.solve(system.inputs());
+    const VectorX<Scalar> steady = lu.solve(system.inputs().col(0));
     if (!detail::opposes_creepage<Scalar>(steady, system.weights())) solution.status = Status::inconsistent;
     return solution;
 }
@@ -162,7 +162,8 @@ private:
 template <class Scalar_>
 FrequencySweep<Scalar_>::FrequencySweep(RollingSystem<Scalar> system) : system_(std::move(system)) {
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system_.G_prime());
-    const MatrixX<Scalar> steady = lu.solve(system_.inputs());
+    MatrixX<Scalar> steady(system_.size(), system_.input_count());
+    for (Eigen::Index j = 0; j < steady.cols(); ++j) steady.col(j) = lu.solve(system_.inputs().col(j));
     consistent_ =
         !system_.unknowns_are_tractions() || detail::opposes_creepage<Scalar>(steady.col(0), system_.weights());
     const Scalar rcond = detail::reciprocal_condition(lu, detail::one_norm(system_.G_prime()));

@@ -43,7 +43,8 @@ Response<Value> solve_response(const MatrixX<Value>& A, const MatrixX<Value>& in
     const MatrixX<Scalar> magnitudes = A.cwiseAbs();
     const Scalar norm = magnitudes.rowwise().sum().maxCoeff(), largest_input = inputs.cwiseAbs().maxCoeff();
     const Eigen::PartialPivLU<MatrixX<Value>> lu(A);
-    response.unknowns = lu.solve(inputs);
+    response.unknowns.resize(inputs.rows(), inputs.cols());
+    for (Eigen::Index j = 0; j < inputs.cols(); ++j) response.unknowns.col(j) = lu.solve(inputs.col(j));
     response.coefficients.noalias() = -(outputs.transpose().template cast<Value>() * response.unknowns);
     if (!all_finite(magnitudes) || !all_finite(response.unknowns) || !all_finite(response.coefficients)) {
         return response;

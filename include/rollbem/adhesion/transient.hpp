@@ -223,8 +223,9 @@ private:
         to.half_length = half_length;
         to.system = fingerprint_;
         to.distance = dq;
-        const Inputs force = forces(to);
-        const Square total = tangent * (half_length / units_.length);
+        const Scalar ratio = half_length / units_.length;
+        const Inputs force = force_of(to.traction) * ratio;
+        const Square total = tangent * ratio;
         if (!detail::all_finite(force) || !detail::all_finite(total)) {
             to.traction = from.traction;
             to.half_length = from.half_length;
@@ -257,12 +258,6 @@ AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const StabilityVerd
     -> AdhesionModel<1, Scalar>;
 template <class Scalar>
 AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, Unchecked, Integrator = Integrator::sdirk2)
-    -> AdhesionModel<1, Scalar>;
-template <class Scalar>
-AdhesionModel(const Contact<Scalar>&, ElementSystem<Scalar>, const StabilityVerdict&, Integrator = Integrator::sdirk2)
-    -> AdhesionModel<1, Scalar>;
-template <class Scalar>
-AdhesionModel(const Contact<Scalar>&, ElementSystem<Scalar>, Unchecked, Integrator = Integrator::sdirk2)
     -> AdhesionModel<1, Scalar>;
 template <class AnyContact, class Scalar>
 AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const StabilityVerdict&,
@@ -330,19 +325,21 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
     if (change != 0 && !(std::abs(change) < dq)) return failed(StepStatus::needs_fixed_mesh);
 
     const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
-    const detail::Influence<Scalar> influence = detail::influence(system_);
     const Scalar rolled = dq / units_.length;
     const bool repeats = dq > 0 && dq == from.distance && !by_length && half_length == units_.length;
     if (repeats || is_exponential()) {
         detail::StepMap<inputs, Scalar>& map = workspace.map();
-        map.prepare(preparation_, influence, rational_, inputs_in_si_, outputs_in_si_, rolled, count_doublings(rolled),
-                    workspace.factors());
+        if (!map.is_of(preparation_, rolled)) {
+            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, rolled,
+                        count_doublings(rolled), workspace.factors());
+        }
         map.apply(from.traction, imposed, to.traction);
         return finish(from, half_length, dq, map.tangent(imposed), to);
     }
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
-    stages.solve(preparation_, influence, rational_, inputs_in_si_, from.traction, from.half_length / units_.length,
-                 half_length / units_.length, rolled, imposed, by_length, workspace.factors());
+    stages.solve(preparation_, detail::influence(system_), rational_, inputs_in_si_, from.traction,
+                 from.half_length / units_.length, half_length / units_.length, rolled, imposed, by_length,
+                 workspace.factors());
     to.traction = from.traction + stages.change();
     Step step = finish(from, half_length, dq, forces_of(stages.per_end()), to);
     if (by_length && step.status == StepStatus::ok) {

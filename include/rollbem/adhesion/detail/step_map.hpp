@@ -41,13 +41,15 @@ public:
     explicit StepMap(Eigen::Index n)
         : Y_(MatrixX<Scalar>::Zero(n, n + k)), map_(MatrixX<Scalar>::Zero(n, n + 2 * k)), product_(map_) {}
 
-    /// Computes the map of a step of dq, in units of a_0, unless it is the last one computed. O(n^3). Powers of
+    /// Whether the map is that of a model's steps of dq.
+    bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
+
+    /// Computes the map of steps of dq, in units of a_0. O(n^3). Powers of
     /// Y = gamma h (G - gamma h G')^-1 G' give the change of y for h, dq divided `doublings` times by two; applied to
     /// the adjacent columns, that due to the creepages. `outputs` turn y into forces.
     void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RationalExponential<Scalar>& integrator,
                  const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs, Scalar dq, int doublings,
                  StageFactors<Scalar>& factors) {
-        if (model == model_ && dq == dq_) return;
         model_ = model;
         dq_ = dq;
         const Eigen::Index n = Y_.rows();
@@ -81,8 +83,8 @@ public:
 
     void apply(const VectorX<Scalar>& from, const ImposedMotion<k, Scalar>& motion, VectorX<Scalar>& to) const {
         const Eigen::Index n = Y_.rows();
-        to = from;
-        for (Eigen::Index j = 0; j < k; ++j) {
+        to = from + motion.shift[0] * map_.col(n) + motion.ramp[0] * map_.col(n + k);
+        for (Eigen::Index j = 1; j < k; ++j) {
             to += motion.shift[j] * map_.col(n + j) + motion.ramp[j] * map_.col(n + k + j);
         }
         to.noalias() += map_.leftCols(n) * from;

@@ -72,7 +72,7 @@ public:
           areas_(elements.areas.matrix()),
           intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
           points_(elements.x),
-          slip_work_(elements, directions),
+          slip_work_(elements, turns(friction, elements)),
           unchanged_steps_(elements.size(), half_length_),
           ones_(VectorX<Scalar>::Ones(elements.size())),
           friction_(friction),
@@ -90,7 +90,7 @@ public:
                 moments_ << -(elements.areas * elements.centre_y).matrix(),
                     (elements.areas * elements.centre_x).matrix();
             }
-            if (friction.turned && elements.half_element_ahead) behind_ = elements.behind;
+            if (turns(friction, elements)) behind_ = elements.behind;
         }
         friction_.normal_pressure.conservativeResize(size());
         Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
@@ -293,6 +293,9 @@ private:
         bool by_load = false, by_half_length = false;
     };
 
+    static bool turns(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements) {
+        return directions == 2 && friction.turned && elements.half_element_ahead;
+    }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
 
     static bool are_coefficients(const ArrayX<Scalar>& values) {
