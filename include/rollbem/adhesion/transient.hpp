@@ -38,8 +38,8 @@ namespace rollbem {
 /// lateral creepage and spin, whose forces are F_x, F_y and the moment M_z. Immutable: threads may share it. Its
 /// interface is in SI units.
 ///
-/// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one after
-/// which the distance repeats computes that matrix, O(n^3). A step of any other distance factorises a matrix of its own
+/// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one
+/// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its own
 /// and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend on
 /// state and arguments alone, to the last bit, and never on what the workspace was used for.
 ///
@@ -76,7 +76,7 @@ public:
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
     /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument
-    /// unless the verdict is one on this system's eigenvalues and establishes that none grows; if steady rolling shows
+    /// unless the verdict covers this system's eigenvalues and establishes that none grows; if steady rolling shows
     /// that the scheme does not converge to full adhesion (Status::inconsistent); and if the contact's half-width is
     /// infinite or not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
@@ -91,8 +91,8 @@ public:
         detail::require_same_aspect(name, contact, system_);
     }
 
-    /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length). The
-    /// verdict is one on system.whole(). Throws as with one creepage.
+    /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
+    /// the verdict on system.whole(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
     AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
@@ -126,7 +126,7 @@ public:
     Force force(const State& state) const { return Values::force(forces(state)); }
 
     /// Steady rolling at a creepage at the half-length of `from`, G' p = inputs v, Eq. (15); the tangent is that of
-    /// steady rolling. As a step, it does not change `from`, which only says where; see advance() for the status.
+    /// steady rolling. `from` only gives the half-length and is not changed; for the status see advance().
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept {
         const StepStatus status = check(from, from.half_length, to, workspace);
         if (status != StepStatus::ok) return failed(status);

@@ -127,7 +127,7 @@ public:
     /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
 
-    /// Where the unknown elements and their equations are.
+    /// The places of the unknown elements and of their equations.
     const Elements<Scalar>& elements() const { return elements_; }
 
     template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
@@ -203,7 +203,7 @@ void require_one_system(const Scheme& scheme, const Mesh<Scalar>& mesh) {
 
 }  // namespace detail
 
-/// Where the unknown elements of a line and their equations are, in units of a. Throws std::invalid_argument if the
+/// The places of the unknown elements of a line and of their equations, in units of a. Throws std::invalid_argument if the
 /// scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {

@@ -321,8 +321,8 @@ SchemeRows<Scalar> scheme_rows(const Scheme& scheme, Quantity quantity, const Me
     return rows;
 }
 
-/// Throws std::invalid_argument if scheme_rows does for G or G': checks a scheme before anything is assembled, or in
-/// tests of a user's own scheme.
+/// Checks a scheme before anything is assembled, or in tests of a user's own. Throws std::invalid_argument if the scheme
+/// does not fit the mesh, or if its rows, of G or G', do not meet the requirements of SchemeRows.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 void check_scheme(const Scheme& scheme, const Mesh<Scalar>& mesh) {
     scheme_rows(scheme, Quantity::slope, mesh);
