@@ -41,8 +41,9 @@ struct StateSpaceSI {
     MatrixX<Scalar> D;  ///< 1 x 1 [N]; zero, but for a reduced system
 };
 
-/// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G is
-/// singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about 150.
+/// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G
+/// is singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about
+/// 150.
 template <class Scalar>
 StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
     const Eigen::Index n = system.size();

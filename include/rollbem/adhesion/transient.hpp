@@ -39,9 +39,9 @@ namespace rollbem {
 /// interface is in SI units.
 ///
 /// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one
-/// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its own
-/// and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend on
-/// state and arguments alone, to the last bit, and never on what the workspace was used for.
+/// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its
+/// own and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend
+/// on state and arguments alone, to the last bit, and never on what the workspace was used for.
 ///
 /// The half-length of a line contact may change from step to step if can_breathe(): the unknowns then live on
 /// x = a zeta, and the state at one half-length is carried over to the next. b is constant. No status reports that a

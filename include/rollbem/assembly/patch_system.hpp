@@ -20,8 +20,8 @@
 
 namespace rollbem {
 
-/// The places of the elements of a patch and of their equations. The scheme is that of each strip, stretched to its length.
-/// Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+/// The places of the elements of a patch and of their equations. The scheme is that of each strip, stretched to its
+/// length. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& scheme) {
     const detail::StripRows<Scalar> rows = detail::strip_rows(mesh.along(), scheme, Quantity::slope);
@@ -141,7 +141,8 @@ struct PatchPart {
 
 /// A patch as independent systems for linear problems: if the strips are mirrored, one of xi and one of eta with phi,
 /// each with N = n m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise the whole. Throws
-/// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are finite.
+/// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are
+/// finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 std::vector<PatchPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     std::vector<PatchPart<Scalar>> parts;

@@ -1,6 +1,6 @@
 // PatchMesh: a contact patch cut into strips along the rolling direction, each of which has the same mesh along x,
-// stretched to end exactly on the outline. Elements are rectangles, numbered from trailing to leading in each strip, and
-// strip by strip from small to large y.
+// stretched to end exactly on the outline. Elements are rectangles, numbered from trailing to leading in each strip,
+// and strip by strip from small to large y.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -62,8 +62,8 @@ struct EllipticIntegrals {
     }
 };
 
-/// kappa = (shorter over longer semi-axis) for the ratio q of the smaller to the larger principal curvature, 0 < q <= 1:
-/// q = kappa^2 D/B. Newton's method for ln kappa, whose slope lies between 1.5 and 2.
+/// kappa = (shorter over longer semi-axis) for the ratio q of the smaller to the larger principal curvature, 0 < q <=
+/// 1: q = kappa^2 D/B. Newton's method for ln kappa, whose slope lies between 1.5 and 2.
 template <class Scalar>
 Scalar ellipse_of_curvatures(Scalar q) {
     Scalar log_kappa = std::log(q) * Scalar(0.6);
@@ -143,8 +143,8 @@ public:
     Scalar half_length() const { return a_; }      ///< a [m], the semi-axis within 45 degrees of the rolling direction
     Scalar half_width() const { return b_; }       ///< b [m]
     Scalar approach() const { return approach_; }  ///< of distant points of both bodies [m]
-    /// Angle by which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the principal
-    /// planes of both bodies agree, or for a circle.
+    /// Angle by which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the
+    /// principal planes of both bodies agree, or for a circle.
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 

@@ -6,7 +6,8 @@
 
 namespace rollbem {
 
-/// Distance and duration of one step. Only friction that depends on the velocity of slip needs the duration; everything else takes a plain dq.
+/// Distance and duration of one step. Only friction that depends on the velocity of slip needs the duration; everything
+/// else takes a plain dq.
 template <class Scalar = double>
 struct Travel {
     Scalar dq;        ///< distance rolled [m], positive; 0 for a rigid shift without rolling

@@ -362,8 +362,8 @@ PolynomialSolution<Scalar> solve_monomial_once(
 /// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which
 /// determines the order: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error estimate is the
 /// difference from order + 10 with the exact B, plus rounding. The status is ill_conditioned or not_converged according
-/// to `options`; monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless B is
-/// square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
+/// to `options`; monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument
+/// unless B is square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(
     std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio, std::type_identity_t<Scalar> aspect,

@@ -185,7 +185,7 @@ private:
         }
     }
 
-    // Not a number where any is none, which a maximum of Eigen's may pass over.
+    // NaN if any entry is, which Eigen's maximum may pass over.
     Scalar largest_difference() const {
         return all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
     }

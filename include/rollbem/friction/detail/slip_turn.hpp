@@ -21,7 +21,7 @@ namespace rollbem::detail {
 /// posed; turning s_i by the angle from s_i to m_i of a solution, and solving once more at fixed angles, is.
 ///
 /// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes, or a trailing element
-/// has none ahead. Everything is allocated by the constructor.
+/// has none ahead. All memory is allocated by the constructor.
 template <class Scalar>
 class SlipTurn {
 public:
@@ -44,8 +44,8 @@ public:
 
     bool turns() const { return turns_; }
     void stop() { turns_ = false; }
-    /// Finds the angles of a solution whose slip has not been turned; `stick` and `slide` are 1 where elements do. False
-    /// if there is nothing to turn.
+    /// Finds the angles of a solution whose slip has not been turned; `stick` is 1 for elements that stick, `slide` for
+    /// those that slip. False if there is nothing to turn.
     bool find(const Vectors& slip, const VectorX<Scalar>& stick, const VectorX<Scalar>& slide) {
         turns_ = false;
         if (behind_.empty()) return false;

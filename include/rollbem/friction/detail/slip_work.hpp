@@ -40,8 +40,8 @@ public:
         find_run();
     }
 
-    /// For `directions` of creepage on a line or, in strips, on a patch; there the slip of each element's own equation is
-    /// used unless that lies half an element ahead.
+    /// For one direction of creepage or two, on a line or, in strips, on a patch. On a patch the slip of each element's
+    /// own equation is used unless that holds half an element ahead.
     SlipWork(const Elements<Scalar>& elements, int directions)
         : SlipWork(elements.areas, elements.is_one_strip() ? elements.x : ArrayX<Scalar>()) {
         if (directions == 1 || !elements.half_element_ahead) return;
@@ -101,9 +101,9 @@ public:
         return sum;
     }
 
-    /// Completes a sum: multiplies it by `unit` and, unless it is one of means m_i/2, removes negative values. No element
-    /// gains energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes within
-    /// an element.
+    /// Completes a sum: multiplies it by `unit` and, unless it is one of means m_i/2, removes negative values. No
+    /// element gains energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes
+    /// within an element.
     void end(VectorX<Scalar>& work, Scalar unit = 1) const {
         if (!may_gain_) work = work.cwiseMax(Scalar(0));
         work *= unit;
