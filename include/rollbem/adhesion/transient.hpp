@@ -75,10 +75,10 @@ public:
     using Motion = RigidMotion<Value>;
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
-    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument
-    /// unless the verdict covers this system's eigenvalues and establishes that none grows; if steady rolling shows
-    /// that the scheme does not converge to full adhesion (Status::inconsistent); and if the contact's half-width is
-    /// infinite or not that of the system's kernel.
+    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument if
+    /// the verdict does not belong to this system or does not establish that no eigenvalue grows, if steady rolling
+    /// shows that the scheme does not converge (Status::inconsistent), or if the contact's half-width is infinite or
+    /// not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
         : AdhesionModel(contact, std::move(system), unchecked, integrator) {
@@ -122,7 +122,7 @@ public:
     State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length}; }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// 2b F_bar of a state [N], at the half-length of the state, which must have size() unknowns.
+    /// 2b F_bar of a state [N] at its half-length. The state must have size() unknowns.
     Force force(const State& state) const { return Values::force(forces(state)); }
 
     /// Steady rolling at a creepage at the half-length of `from`, G' p = inputs v, Eq. (15); the tangent is that of
@@ -139,10 +139,10 @@ public:
     /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
     State steady(const Value& creepage) const;
 
-    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state of the
-    /// same size. It is not written if the status is invalid_step, invalid_load, needs_fixed_mesh or wrong_state or the
-    /// motion is not finite; it becomes a copy of `from` if the result is not finite. The half-length remains that of
-    /// `from`. Does not allocate.
+    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state with
+    /// the same number of unknowns. It is not written if the status is invalid_step, wrong_state, invalid_load or
+    /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. The
+    /// half-length remains that of `from`. Does not allocate.
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
         return roll(from, travel.dq, motion, from.half_length, false, to, workspace);
