@@ -29,6 +29,9 @@ int main(int argc, char** argv) {
     options.add("lateral-ratio", "LIST",
                 "lateral creepage by the same 2 (1-nu) mu p0/G, any finite: friction in both directions; with "
                 "--transient a single value, constant (dimensionless)");
+    options.add("spin-ratio", "LIST",
+                "with --lateral-ratio: spin, a rigid lateral slip phi x, with phi a by the same 2 (1-nu) mu p0/G, any "
+                "finite; with --transient a single value, constant (dimensionless)");
     options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G, 0 or more (dimensionless)",
                 "0");
     options.add("falling", "K,VH",

@@ -1,9 +1,11 @@
 // Contact patches in three dimensions: Kalker's creep coefficients of ellipses and other outlines in full adhesion,
-// steady or over the frequency, whether they are stable in time, and the patch as linear differential equations:
+// steady or over the frequency, whether they are stable in time, the patch as linear differential equations, and the
+// forces of ellipses with friction and spin:
 //
 //     ./patch_study --a-over-b 0.5,1,2 --n 12
 //     ./patch_study --n 12 --omega 0.1,1,3
 //     ./patch_study --outline wheel.csv --n 16 --stability
+//     ./patch_study --n 12 --longitudinal 0.1,0.2,0.4 --spin 0,0.2
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -21,6 +23,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 
+#include "patch/friction.hpp"
 #include "patch/patches.hpp"
 #include "patch/plots.hpp"
 #include "support/options.hpp"
@@ -156,12 +159,14 @@ std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& 
 
 int main(int argc, char** argv) {
     // 1. The command line.
-    study::Options options("patch_study", "Creep coefficients of contact patches in three dimensions, full adhesion.");
+    study::Options options("patch_study",
+                           "Contact patches in three dimensions: creep coefficients, and friction with spin.");
     patch::add_options(options);
     options.group("Result");
     options.add_flag("stability", "also count growing modes (the eigenvalues of G' p = nu G p)");
     options.add("omega", "LIST", "instead: response to creepages at frequencies omega a/V, at least 0 (dimensionless)");
     study::StateSpaceFiles::add_options(options, "one patch");
+    patch::add_friction_options(options);
     options.footer(R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
 
@@ -175,6 +180,11 @@ assembly_us is the time of G', solve_us of the rest [microseconds], medians of a
 the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is not ok the
 coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
 and the largest Re(nu) a.
+--longitudinal, --lateral, --spin: steady rolling of ellipses with friction under Hertz's pressure, a row for every
+combination, each solved from rest: -F_x, -F_y over mu N, -M_z over mu N c, the number of elements that stick, Newton
+steps (rounds), how far the law is violated, and the time of the solution, matrices ready [microseconds]. Errors of 12
+x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin. In --tractions lengths
+are in a along x and b along y, tractions in mu p_0, slip in the largest rigid slip.
 --state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
 )");
 
@@ -188,6 +198,14 @@ and the largest Re(nu) a.
             omegas = given.numbers("omega",
                                    {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
         }
+        const bool rubs = patch::asks_for_friction(given);
+        std::vector<patch::CreepPoint> points;
+        if (rubs) {
+            for (const char* name : {"stability", "omega", "state-space"}) given.ignored(name, "with friction");
+            points = patch::read_points(given);
+        } else {
+            given.ignored("tractions", "without --longitudinal, --lateral or --spin");
+        }
         if (!given.given("state-space")) given.ignored("states", "without --state-space");
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
@@ -196,18 +214,29 @@ and the largest Re(nu) a.
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (given.given("state-space")) state_space = state_space_files(given, patches);
 
+        std::optional<study::TableFile> tractions_file;
+        if (given.given("tractions")) tractions_file.emplace(given, "tractions");
+        patch::Tractions tractions;
+
         study::Table table;
-        table.columns = harmonic ? response_columns() : steady_columns(given);
-        table.rows_of_task.assign(patches.size(), harmonic ? omegas.size() : 1);
+        table.columns = rubs ? patch::friction_columns() : harmonic ? response_columns() : steady_columns(given);
+        table.rows_of_task.assign(patches.size(), rubs ? points.size() : harmonic ? omegas.size() : 1);
         table.label = [&](std::size_t task) { return patches[task].label(); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+            // 6. Stick and slip at each creepage.
+            if (rubs) {
+                return patch::friction_rows(given, patches[task], points, task, range, emit,
+                                            tractions_file ? &tractions : nullptr);
+            }
             if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
             emit(steady_row(given, patches[task]));
         };
         table.written = [&] {
             if (state_space) state_space->commit();
+            if (tractions_file) tractions.write(study::has_header(given), *tractions_file);
         };
         table.plot = [&](const std::vector<study::Row>& rows) {
+            if (rubs) return patch::draw_friction(rows);
             return harmonic ? patch::draw_responses(response_columns(), rows)
                             : patch::draw_coefficients(steady_columns(given), rows);
         };

@@ -1,11 +1,16 @@
 // Contact patches of n x n elements: G and G' of the whole, steady creep coefficients by halves, and for comparison one
-// LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25.
+// LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25. BM_PatchFriction solves
+// for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
+// over mu N under creepage, spin, and both, against limits at nu = 0.28.
 // Sample run: ./bench_patch --benchmark_filter=/12$
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
+#include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
 namespace {
@@ -36,6 +41,43 @@ void patch_steady(benchmark::State& state) {
     state.SetComplexityN(state.range(0));
 }
 
+void patch_friction(benchmark::State& state) {
+    struct Point {
+        double eta, phi, lateral_force;  ///< over mu N/(G a^2), with a for phi; over -mu N in the limit
+    };
+    const double eta = 1 / 3.7049, phi = 1 / 1.4881, both = std::sqrt(0.5);
+    const std::array<Point, 9> points{{{0.4 * eta, 0, 0.35213},
+                                       {eta, 0, 0.71638},
+                                       {2.5 * eta, 0, 0.99916},
+                                       {0, 0.4 * phi, 0.37446},
+                                       {0, phi, 0.60539},
+                                       {0, 2.5 * phi, 0.38034},
+                                       {0.4 * both * eta, 0.4 * both * phi, 0.50366},
+                                       {both * eta, both * phi, 0.84704},
+                                       {2.5 * both * eta, 2.5 * both * phi, 0.75458}}};
+    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
+    const PatchMesh<double> mesh = patch_mesh(circle, state.range(0), state.range(0));
+    const SteadyFrictionModel model(circle, mesh, scheme, HalfSpace<double>(0.28),
+                                    {1.0, hertz_pressures(circle, mesh, 1)});
+    auto workspace = model.workspace();
+    const auto rest = model.at_rest();
+    auto solved = rest;
+    double error = 0, rounds = 0;
+    for (auto _ : state) {
+        rounds = 0;
+        for (const Point& point : points) {
+            const FrictionStep<2> step = model.steady(rest, {0, point.eta, point.phi}, solved, workspace);
+            error = std::max(error, std::abs(-step.force.lateral - point.lateral_force));
+            rounds += step.rounds / 9.0;
+        }
+    }
+    state.counters["error"] = error;
+    state.counters["rounds"] = rounds;
+    state.counters["time_of_one"] =
+        benchmark::Counter(9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.SetComplexityN(state.range(0));
+}
+
 BENCHMARK(patch_lu)->Name("BM_PatchLu")->Arg(8)->Arg(12)->Arg(16)->Arg(24)->Unit(benchmark::kMicrosecond);
 BENCHMARK(patch_system)
     ->Name("BM_PatchSystem")
@@ -47,6 +89,14 @@ BENCHMARK(patch_system)
     ->Complexity();
 BENCHMARK(patch_steady)
     ->Name("BM_PatchSteady")
+    ->Arg(8)
+    ->Arg(12)
+    ->Arg(16)
+    ->Arg(24)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity();
+BENCHMARK(patch_friction)
+    ->Name("BM_PatchFriction")
     ->Arg(8)
     ->Arg(12)
     ->Arg(16)

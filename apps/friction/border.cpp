@@ -45,7 +45,7 @@ Profile profile_of(const study::Scene& scene, const CreepPoint& point,
 
 void border_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                  const study::Emit& emit) {
-    const bool finite = Surface{scene}.gradient(Direction::longitudinal).first.allFinite();
+    const bool finite = Surface{scene}.gradient(Direction::longitudinal).allFinite();
     if (!finite) return rows_without(curve, scene, task, range, emit);
     for (std::size_t i = range.first; i < range.last; ++i) {
         const CreepPoint& point = curve.points[i];

@@ -9,7 +9,7 @@ namespace friction {
 bool CreepCurve::timed() const { return study::has_times(options); }
 
 CreepCurve::Exact CreepCurve::exact(const study::Scene& scene, const CreepPoint& point) const {
-    if (!carter()) return {};
+    if (!carter() || point.spin != 0) return {};
     using rollbem::carter_force_ratio;
     if (!point.lateral) return {carter_force_ratio(point.longitudinal), std::nullopt};
     const double nu = scene.contact.poisson_ratio(), along = point.longitudinal, across = *point.lateral;
@@ -46,6 +46,8 @@ const std::vector<std::string>& creep_columns() {
                                                                    "lateral_exact",
                                                                    "lateral_relative_error",
                                                                    "lateral_tangent_ratio",
+                                                                   "spin_ratio",
+                                                                   "moment_ratio",
                                                                    "layer",
                                                                    "falling_ratio",
                                                                    "half_velocity",
@@ -88,6 +90,8 @@ study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const C
                           exact.lateral,
                           lateral_error,
                           result.lateral_tangent_ratio,
+                          point.lateral ? study::Cell(point.spin) : study::Cell(),
+                          result.moment_ratio,
                           curve.layer,
                           falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::mu_k),
                           falling_cell(&FallingLaw::law, &rollbem::ExponentialFall<double>::half_velocity),

@@ -66,7 +66,7 @@ struct CreepResult {
     std::string mesh_name;
     std::optional<double> alpha_L, alpha_T;
     double force_ratio = none, tangent_ratio = none, slip_work = none, complementarity_residual = none;
-    std::optional<double> lateral_force_ratio{}, lateral_tangent_ratio{};
+    std::optional<double> lateral_force_ratio{}, lateral_tangent_ratio{}, moment_ratio{};
     std::ptrdiff_t stick_count = 0;
     int rounds = 0;
     std::optional<int> pivots{};

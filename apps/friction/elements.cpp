@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,8 @@ rollbem::detail::ByDirections<directions, double, rollbem::Creepage<double>> cre
     if constexpr (directions == 1) {
         return creepage(scene, point.longitudinal);
     } else {
-        return {creepage(scene, point.longitudinal), creepage(scene, point.lateral.value_or(0))};
+        return {creepage(scene, point.longitudinal), creepage(scene, point.lateral.value_or(0)),
+                creepage(scene, point.spin)};
     }
 }
 
@@ -55,6 +57,7 @@ void read(const rollbem::FrictionStep<>& step, double unit, CreepResult& result)
 void read(const rollbem::FrictionStep<2>& step, double unit, CreepResult& result) {
     result.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
     result.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
+    result.moment_ratio = 0 - step.force_per_width.moment / mu_N;
     result.tangent_ratio = -step.tangent_per_width.by_longitudinal.longitudinal * unit / mu_N;
     result.lateral_tangent_ratio = -step.tangent_per_width.by_lateral.lateral * unit / mu_N;
 }
@@ -76,19 +79,19 @@ void fill(const rollbem::FrictionState<directions>& state, const rollbem::Elemen
     profile.friction.head(slip.rows()) = state.friction_coefficient.matrix();
 }
 
-/// The points of a curve in the order of a sweep: a lateral ratio after the other.
+/// The points of a curve in the order of a sweep: one pair of lateral ratio and spin after the other.
 std::vector<std::size_t> sweep_order(const CreepCurve& curve, bool up) {
     std::vector<std::size_t> order(curve.points.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
         const CreepPoint &x = curve.points[up ? i : j], &y = curve.points[up ? j : i];
-        return x.lateral != y.lateral ? x.lateral < y.lateral : x.longitudinal < y.longitudinal;
+        return std::tie(x.lateral, x.spin, x.longitudinal) < std::tie(y.lateral, y.spin, y.longitudinal);
     });
     return order;
 }
 
 /// The states that the points of a curve start from in a sweep, the solutions of their neighbours; `see` is told of
-/// the steps in its order. Each lateral ratio has a sweep of its own, unless it has one point only.
+/// the steps in its order. Each pair of lateral ratio and spin has a sweep of its own, unless it has one point only.
 template <class Model, class See>
 std::vector<typename Model::State> sweep(const CreepCurve& curve, const study::Scene& scene, const Model& model,
                                          bool up, const See& see) {
@@ -100,9 +103,11 @@ std::vector<typename Model::State> sweep(const CreepCurve& curve, const study::S
     auto state = rest, next = rest;
     auto workspace = model.workspace();
     std::optional<double> lateral;
+    double spin = 0;
     for (const std::size_t i : sweep_order(curve, up)) {
-        if (along && curve.points[i].lateral != lateral) state = rest;
+        if (along && (curve.points[i].lateral != lateral || curve.points[i].spin != spin)) state = rest;
         lateral = curve.points[i].lateral;
+        spin = curve.points[i].spin;
         starts[i] = state;
         const auto creepage = creepage_of<Model::directions>(scene, curve.points[i]);
         const auto step = model.steady(state, creepage, V, next, workspace);

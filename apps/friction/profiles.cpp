@@ -15,7 +15,7 @@ void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with
                                        {study::setting_columns().begin(), study::setting_columns().end()})));
     }
     for (const auto& [key, profile] : profiles.all()) {
-        const bool carter = curve.carter() && profile.point.lateral.value_or(0) == 0;
+        const bool carter = curve.carter() && profile.point.lateral.value_or(0) == 0 && profile.point.spin == 0;
         const bool both = profile.lateral_traction.size() > 0;
         for (Eigen::Index i = 0; i < profile.mesh.size(); ++i) {
             const double x = profile.mesh.centres()[i];

@@ -23,6 +23,7 @@ namespace friction {
 struct CreepPoint {
     double longitudinal;
     std::optional<double> lateral{};  ///< nothing with creepage in one direction only
+    double spin = 0;                  ///< times a
 };
 
 /// The distributions behind one row of the steady table.

@@ -18,7 +18,7 @@ rollbem::detail::ByDirections<directions, double, rollbem::Creepage<double>> val
     if constexpr (directions == 1) {
         return unit * ratios.longitudinal;
     } else {
-        return {unit * ratios.longitudinal, unit * ratios.lateral.value_or(0)};
+        return {unit * ratios.longitudinal, unit * ratios.lateral.value_or(0), unit * ratios.spin};
     }
 }
 
@@ -29,6 +29,7 @@ void read_force(const rollbem::FrictionStep<>& step, Moment& moment) {
 void read_force(const rollbem::FrictionStep<2>& step, Moment& moment) {
     moment.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
     moment.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
+    moment.moment_ratio = 0 - step.force_per_width.moment / mu_N;
 }
 
 /// At the rolling velocity 1; a rigid shift takes as long as a step of `dq`.

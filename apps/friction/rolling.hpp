@@ -23,12 +23,14 @@ namespace friction {
 struct Ratios {
     double longitudinal = 0;
     std::optional<double> lateral{};  ///< nothing in one direction
+    double spin = 0;                  ///< times a_0; of a shift an angle
 };
 
 /// What a step has come to, in the units of the columns.
 struct Moment {
     double force_ratio = std::numeric_limits<double>::quiet_NaN();
     std::optional<double> lateral_force_ratio{};  ///< nothing in one direction
+    std::optional<double> moment_ratio{};         ///< by mu N_0 a_0; nothing in one direction
     double slip_work = 0, jump_work = 0;          ///< of the step
     double elastic_energy = 0;                    ///< at its end
     double complementarity_residual = std::numeric_limits<double>::quiet_NaN();

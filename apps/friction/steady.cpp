@@ -13,16 +13,20 @@ namespace friction {
 
 namespace {
 
-/// The lateral ratio is the inner loop.
+/// The lateral ratio is a loop inside that of the longitudinal one, spin the innermost.
 std::vector<CreepPoint> read_points(const study::Options& options) {
     std::vector<std::optional<double>> across{std::nullopt};
     if (options.given("lateral-ratio")) {
         across.clear();
         for (const double ratio : options.numbers("lateral-ratio", study::finite())) across.emplace_back(ratio);
     }
+    std::vector<double> spins{0};
+    if (options.given("spin-ratio")) spins = options.numbers("spin-ratio", study::finite());
     std::vector<CreepPoint> points;
     for (const double along : options.numbers("creepage-ratio", study::finite())) {
-        for (const std::optional<double>& lateral : across) points.push_back({along, lateral});
+        for (const std::optional<double>& lateral : across) {
+            for (const double spin : spins) points.push_back({along, lateral, spin});
+        }
     }
     return points;
 }
@@ -33,7 +37,7 @@ void refuse_element_options(const study::Options& options) {
     for (const char* name : {"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}) {
         options.ignored(name, "with --fit-border, which needs no elements");
     }
-    for (const char* name : {"lateral-ratio", "layer"}) {
+    for (const char* name : {"lateral-ratio", "spin-ratio", "layer"}) {
         options.ignored(name, "with --fit-border, which is for one direction and no layer");
     }
 }
@@ -48,6 +52,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     options.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
     const bool fits = options.flag("fit-border"), both = options.given("lateral-ratio");
     if (fits) refuse_element_options(options);
+    if (!both) options.ignored("spin-ratio", "without --lateral-ratio");
     CreepCurve curve{options, pressure, read_points(options), read_layer(options), read_falling(options)};
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);

@@ -45,7 +45,7 @@ rollbem::ElementSystem<double> Surface::system(Direction direction) const {
             },
             direction);
     } catch (const std::invalid_argument&) {
-        if (gradient(direction).first.allFinite()) throw;
+        if (gradient(direction).allFinite()) throw;
         throw study::BadInput("--aspect = " + study::aspect_cell(scene.contact).text() +
                               " and --layer = " + study::Cell(layer).text() + " must be such that G and G' are finite");
     }

@@ -49,6 +49,8 @@ const std::vector<std::string> columns = study::joined({"q_over_a",
                                                         "load_ratio",
                                                         "half_length_ratio",
                                                         "lateral_force_ratio",
+                                                        "spin_ratio",
+                                                        "moment_ratio",
                                                         "creep_work",
                                                         "layer",
                                                         "falling_ratio",
@@ -64,11 +66,12 @@ struct History {
     double amplitude = 0;
     std::optional<double> omega{};    ///< of a sine [V/a]; constant without
     std::optional<double> lateral{};  ///< constant; nothing in one direction
+    double spin = 0;                  ///< constant
     std::optional<double> shift{};    ///< rigid, before rolling [mu p0 a/G]
     bool from_steady = false;         ///< starts from steady rolling
     std::optional<LoadHistory> load{};
 
-    Ratios at(double q) const { return {omega ? amplitude * std::sin(*omega * q) : amplitude, lateral}; }
+    Ratios at(double q) const { return {omega ? amplitude * std::sin(*omega * q) : amplitude, lateral, spin}; }
     double load_at(double q) const { return load ? load->at(q) : 1; }
     double next_stop(double from, double to) const { return load ? load->next_stop(from, to) : to; }
 };
@@ -77,6 +80,8 @@ History make_history(const study::Options& options, double until) {
     History history;
     history.load = read_load(options, until);
     if (options.given("lateral-ratio")) history.lateral = options.number("lateral-ratio", study::finite());
+    if (!history.lateral) options.ignored("spin-ratio", "without --lateral-ratio");
+    if (options.given("spin-ratio")) history.spin = options.number("spin-ratio", study::finite());
     if (options.given("shift")) {
         options.ignored("from", "with --shift, which starts from rest");
         history.shift = options.number("shift", study::finite());
@@ -137,6 +142,7 @@ double creep_work(const Moment& before, const Moment& after, const Ratios& start
     if (end.lateral) {
         work += part(before.lateral_force_ratio.value_or(0), after.lateral_force_ratio.value_or(0), *start.lateral,
                      *end.lateral);
+        work += part(before.moment_ratio.value_or(0), after.moment_ratio.value_or(0), start.spin, end.spin);
     }
     return work;
 }
@@ -194,6 +200,8 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
                             history.load_at(q),
                             std::sqrt(history.load_at(q)),
                             valid(moment.lateral_force_ratio),
+                            ratios.lateral ? study::Cell(ratios.spin) : study::Cell(),
+                            valid(moment.moment_ratio),
                             valid(work),
                             layer,
                             falling ? study::Cell(falling->law.mu_k) : study::Cell(),

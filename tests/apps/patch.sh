@@ -45,6 +45,12 @@ bad 'line 1 = -0.9 must be -1, the smallest y' $p --strip-edges "$scratch/edges"
 printf -- '-1\n0.5\n' >"$scratch/edges"
 bad '--strips = 4 has no effect with --strip-edges' $p --strips 4 --strip-edges "$scratch/edges"
 bad 'must end with 1, the largest y' $p --strip-edges "$scratch/edges"
+bad '--omega = 1 has no effect with friction' $p --spin 1 --omega 1
+bad '--stability = true has no effect with friction' $p --lateral 1 --stability
+bad '--tractions = t.csv has no effect without' $p --tractions t.csv
+bad "Hertz's contact is an ellipse" $p --longitudinal 1 --outline "$scratch/outline.csv"
+bad '--spin = nan must lie in' $p --spin nan
+bad '--lateral = x must be a number' $p --lateral x
 
 # --- steady coefficients
 good 2 "$patch" --n 12 --poisson 0.25
@@ -87,5 +93,21 @@ grep -q 'phi c' space/state_space.toml || fail 'conventions of state_space.toml'
 good 2 "$patch" --n 6 --state-space reduced --states 8 --no-timing
 awk -F, 'END { exit !(NR == 8 && NF == 8) }' reduced/A.csv || fail 'size of the reduced A'
 grep -q '^error_bound' reduced/state_space.toml || fail 'bound of the reduction'
+
+# --- friction: the limits of Kalker's program within the error of 12 x 12 elements, spin alone, full sliding, one element
+good 5 "$patch" --n 12 --longitudinal 0,0.2366 --spin 0,0.672 --no-timing --tractions t.csv
+header a_over_b,poisson,n,strips,longitudinal,lateral,spin,longitudinal_force,lateral_force,spin_moment,stick_count,rounds,complementarity_residual,time_us,status
+check 'statuses and residuals' '$13 < 1e-12 && $14 == "" && $15 == "ok"'
+check 'rest' '$5 + $7 > 0 || $8 == 0 && $9 == 0 && $10 == 0 && $11 == 144'
+check 'creepage' '$5 == 0 || $7 > 0 || $8 > 0.7187 && $8 < 0.7226 && $9 < 1e-12'
+check 'spin' '$5 > 0 || $7 == 0 || $8 < 1e-12 && $8 > -1e-12 && $9 > 0.593 && $9 < 0.607 && $10 > 0.39 && $10 < 0.41'
+mv t.csv out
+header a_over_b,poisson,n,strips,longitudinal,lateral,spin,x,y,width,strip_width,pressure_bound,traction_x,traction_y,slip_x,slip_y,stick,status
+check 'the law on each element' '$13 ^ 2 + $14 ^ 2 < $12 ^ 2 * (1 + 1e-9) && ($17 == 1 || $13 * $15 + $14 * $16 <= 0)'
+awk -F, 'NR > 1 && $5 > 0 && $7 > 0 { F += $10 * $11 * $13; N += $10 * $11 * $12; ++k } END {
+    exit !(k == 144 && N > 2.09439 && N < 2.0944 && F < 0 && F > -N) }' out || fail 'sums over the elements'
+good 3 "$patch" --n 1 --longitudinal 1 --a-over-b 0.5,2
+check 'one element slides' '$8 > 0.999999 && $8 < 1.000001 && $11 == 0 && $14 > 0'
+shards "$patch" --n 4,6 --longitudinal 0.1,0.2 --spin 0,0.3 --no-timing
 
 finish

@@ -42,6 +42,12 @@ struct Scene {
     ElementSystem<double> along() const { return rolling_system(mesh, scheme, longitudinal); }
     ElementSystem<double> across() const { return rolling_system(mesh, scheme, lateral); }
     ElementSystem<double, 2> system() const { return {along(), across()}; }
+    /// The same with slip that is not turned.
+    Scene plain() const {
+        Scene scene = *this;
+        scene.friction.turned = false;
+        return scene;
+    }
     SteadyModel steady() const { return {contact, mesh, scheme, longitudinal, lateral, friction}; }
     Model transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction, integrator};

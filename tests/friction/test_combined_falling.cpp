@@ -165,7 +165,8 @@ TEST_CASE("In two directions a law that is constant is Coulomb's", "[friction]")
 TEST_CASE("Without lateral creepage two directions are one", "[friction]") {
     for (const double distance : {0.0, 8e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const Scene scene(cosine_mesh<double>(30), distance);
+            Scene scene(cosine_mesh<double>(30), distance);
+            scene.friction.turned = false;
             const ArrayX<double>& pressure = scene.friction.normal_pressure;
             for (const bool across : {false, true}) {
                 // lateral creepage alone is one direction, too, with the lateral kernel
@@ -320,6 +321,7 @@ TEST_CASE("Random motions in two directions: each implicit step obeys kinematics
                     scene_number % 3 == 0 ? 0 : draws.decades(-6.5, -4.5),
                     scene_number % 5 == 0 ? 0 : draws.uniform(0, 0.5));
         if (scene_number % 4 == 0) scene.scheme = {.alpha_L = 0.3, .alpha_T = 0.5};
+        scene.friction.turned = false;  // p opposes s itself
         scene.friction.law = {0.3, draws.uniform(0.05, 0.3), draws.uniform(0.05, 1)};
         scene.friction.memory.least_velocity = draws.uniform(0, 2e-3);
         const Memory& memory = scene.friction.memory;
@@ -382,7 +384,8 @@ TEST_CASE("Random motions in two directions: each implicit step obeys kinematics
 TEST_CASE("Tangents by both creepages, the load and the half-length against central differences", "[friction]") {
     for (const double distance : {0.0, 10e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const Scene scene(cosine_mesh<double>(30), distance);
+            Scene scene(cosine_mesh<double>(30), distance);
+            scene.friction.turned = false;
             const Model model = scene.transient(integrator);
             Workspace workspace = model.workspace();
             State now = model.at_rest(), next = now, probe = now;

@@ -38,7 +38,7 @@ double half_length(double q) { return std::sqrt(1 + 0.5 * std::sin(2 * std::numb
 
 TEST_CASE("Motion in one direction under a varying load agrees with the model of that direction", "[friction]") {
     for (const bool breathes : {true, false}) {
-        const Scene scene(breathes ? cosine_mesh<double>(30) : uniform_mesh<double>(30));
+        const Scene scene = Scene(breathes ? cosine_mesh<double>(30) : uniform_mesh<double>(30)).plain();
         for (const Integrator integrator : integrators) {
             const Model model = scene.transient(integrator);
             for (const bool lateral : {false, true}) {
@@ -103,7 +103,7 @@ TEST_CASE("With Poisson's ratio zero, rotating the creepage under a varying load
 
 TEST_CASE("The tangents by load, half-length and creepages are derivatives of both forces", "[friction]") {
     for (const bool breathes : {true, false}) {
-        const Scene scene(breathes ? cosine_mesh<double>(20) : uniform_mesh<double>(24));
+        const Scene scene = Scene(breathes ? cosine_mesh<double>(20) : uniform_mesh<double>(24)).plain();
         for (const Integrator integrator : integrators) {
             const Model model = scene.transient(integrator);
             State now = model.at_rest(), next = now, unused = now;
@@ -215,7 +215,7 @@ TEST_CASE("A checkpoint and a new workspace continue bit for bit under a varying
 
 TEST_CASE("Newton's method for creepage and load together converges quadratically", "[friction]") {
     // The load per width P is an unknown: a ~ sqrt(P), pressures ~ a. Both forces at the end of a step are prescribed.
-    const Scene scene(cosine_mesh<double>(24));
+    const Scene scene = Scene(cosine_mesh<double>(24)).plain();
     const Model model = scene.transient();
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;

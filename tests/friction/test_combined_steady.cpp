@@ -17,7 +17,7 @@ namespace {
 using namespace combined_tests;
 
 TEST_CASE("Steady forces under both creepages agree with two other programs", "[friction]") {
-    const SteadyFrictionModel<ConstantFriction<>, 2> model = Scene(cosine_mesh<double>(160)).steady();
+    const SteadyFrictionModel<ConstantFriction<>, 2> model = Scene(cosine_mesh<double>(160)).plain().steady();
     struct Point {
         double ratio, degrees, longitudinal, lateral;
     };
@@ -62,7 +62,7 @@ TEST_CASE("Steady forces under both creepages agree with two other programs", "[
 }
 
 TEST_CASE("With Poisson's ratio zero, the solution is that of one direction, along the creepage", "[friction]") {
-    const Scene scene(cosine_mesh<double>(60), 0);
+    const Scene scene = Scene(cosine_mesh<double>(60), 0).plain();
     const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     const SteadyFrictionModel<> one(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.friction);
     State state;
@@ -114,7 +114,7 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
 }
 
 TEST_CASE("Steady rolling with creepage in one direction agrees with the model of that direction", "[friction]") {
-    const Scene scene(cosine_mesh<double>(40));
+    const Scene scene = Scene(cosine_mesh<double>(40)).plain();
     const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     const SteadyFrictionModel<> along(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
                                             scene.friction);
@@ -186,7 +186,7 @@ TEST_CASE("The whole contact slips at large creepage, and the force tends to opp
 }
 
 TEST_CASE("The steady tangent is the derivative of the force by both creepages", "[friction]") {
-    const Scene scene(cosine_mesh<double>(30));
+    const Scene scene = Scene(cosine_mesh<double>(30)).plain();
     const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     Workspace workspace = model.workspace();
     for (const double ratio : {0.15, 0.5, 0.85, 1.1, 2.0}) {

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include "../assembly/detail/contact_units.hpp"
 #include "../assembly/element_blocks.hpp"
 #include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
@@ -87,7 +88,7 @@ public:
     /// The same without checks of the eigenvalues and of convergence.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
-        : AdhesionModel(Units::of(contact), std::move(system), integrator) {
+        : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
     }
 
@@ -102,7 +103,7 @@ public:
     template <class AnyContact>
     AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, Unchecked,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
-        : AdhesionModel(Units::of(contact), system.whole(), integrator) {
+        : AdhesionModel(Units(contact), system.whole(), integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
             detail::require_same_aspect(name, contact, system);
         }
@@ -166,25 +167,10 @@ private:
 
     static constexpr const char* name = "AdhesionModel";
 
-    struct Units {
-        Scalar length;         // of the system [m]
-        Scalar width;          // in a force per tractions of G: length * width [m]
-        Scalar shear_modulus;  // [Pa]
-        std::uint64_t fingerprint;
-        bool line;
+    using Units = detail::ContactUnits<Scalar>;
 
-        static Units of(const Contact<Scalar>& contact) {
-            return {contact.half_length(), 2 * contact.half_width(), contact.shear_modulus(),
-                    detail::fingerprint_of(contact, 0), true};
-        }
-        template <class Patch>
-        static Units of(const Patch& patch) {
-            return {patch.half_length(), patch.half_length(), patch.shear_modulus(), detail::fingerprint_of(patch, 0),
-                    false};
-        }
-        // of a creepage, or of a force over that of F_x
-        Scalar arm(Eigen::Index input) const { return input == 2 ? length : Scalar(1); }
-    };
+    // Of a creepage, or of a force over that of F_x.
+    Scalar arm(Eigen::Index input) const { return input == 2 ? units_.length : Scalar(1); }
 
     AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator);
 
@@ -294,9 +280,9 @@ AdhesionModel<inputs_, Scalar_>::AdhesionModel(const Units& units, RollingSystem
                     inputs == 1 ? "be 1" : "be 3");
     steady_ = units_.shear_modulus * system_.inputs();
     for (Eigen::Index j = 0; j < inputs; ++j) {
-        steady_.col(j) *= units_.arm(j);
-        inputs_in_si_.col(j) *= units_.shear_modulus / units_.length * units_.arm(j);
-        outputs_in_si_.col(j) *= units_.width * units_.length * units_.arm(j);
+        steady_.col(j) *= arm(j);
+        inputs_in_si_.col(j) *= units_.shear_modulus / units_.length * arm(j);
+        outputs_in_si_.col(j) *= units_.width * units_.length * arm(j);
     }
     solve(system_.G_prime(), steady_);
     if (!is_exponential()) return;

@@ -247,16 +247,6 @@ void require_single_input(const char* who, const RollingSystem<Scalar>& system) 
     require(system.input_count() == 1, who, "number of inputs", system.input_count(), "be 1");
 }
 
-/// The fingerprint of a model: of a contact and of the `system` that represents it.
-template <class AnyContact>
-std::uint64_t fingerprint_of(const AnyContact& contact, std::uint64_t system) {
-    Fingerprint fingerprint;
-    fingerprint.add(contact.half_length());
-    fingerprint.add(contact.half_width());
-    fingerprint.add(contact.shear_modulus());
-    return fingerprint.value() ^ system;
-}
-
 /// Throws std::invalid_argument unless a kernel's b/a, if known, equals the contact's to 1e-12. Both may be infinite.
 template <class Scalar>
 void require_same_aspect(const char* who, const Contact<Scalar>& contact, const std::optional<Scalar>& aspect) {

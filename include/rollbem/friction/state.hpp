@@ -93,7 +93,8 @@ Value nothing() {
 
 }  // namespace detail
 
-/// Result of a steady solution, a step or a rigid shift. "Per width" refers to the centre line, y = 0. Forces and their
+/// Result of a steady solution, a step or a rigid shift. "Per width" refers to the centre line of a line contact, y = 0;
+/// a patch has no such numbers (NaN), and what follows on them holds for its totals. Forces and their
 /// derivatives are numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution;
 /// tangents also if the equations of the elements are singular.
 template <int directions = 1, class Scalar_ = double>
@@ -105,7 +106,7 @@ struct FrictionStep {
     Force force_per_width = detail::nothing<Force>();  ///< F_bar on body 1 [N/m]
     Force force = detail::nothing<Force>();            ///< 2b F_bar [N]; infinite for infinite b
     /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2]. Where slip
-    /// is turned (see Friction), at constant angles, which leaves out how they follow the creepage: 1 % of the largest
+    /// is turned (see Friction), at constant angles, which leaves out how they follow the creepage: 2 % of the largest
     /// derivative on 40 elements.
     Tangent tangent_per_width = detail::nothing<Tangent>();
     Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
@@ -124,6 +125,7 @@ struct FrictionStep {
     /// but with two directions and equations half an element ahead: an element that sticks ahead of one that slips then
     /// contributes a value of either sign, 2 % of the whole at most on 8 elements.
     Scalar slip_work_per_width = detail::unknown<Scalar>;
+    Scalar slip_work = detail::unknown<Scalar>;  ///< 2b times it [J]; of a steady solution per distance rolled [J/m]
     /// Elastic energy that jumps of the tractions release in a step [J/m], as friction that falls with slip lets them:
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
@@ -133,6 +135,7 @@ struct FrictionStep {
     /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
     /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.
     Scalar jump_work_per_width = detail::unknown<Scalar>;
+    Scalar jump_work = detail::unknown<Scalar>;  ///< 2b times it [J]
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
     /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
     /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a

@@ -5,21 +5,28 @@
 
 #include "../detail/language.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Core>
 
 #include "../adhesion/integrator.hpp"
+#include "../assembly/detail/contact_units.hpp"
 #include "../assembly/element_blocks.hpp"
 #include "../assembly/influence.hpp"
+#include "../assembly/patch_system.hpp"
 #include "../assembly/rolling_system.hpp"
 #include "../detail/fingerprint.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
+#include "../discretisation/patch_mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
+#include "../elasticity/rectangle_kernel.hpp"
 #include "../scene/contact.hpp"
+#include "../scene/patch_contact.hpp"
 #include "detail/convergence.hpp"
 #include "detail/core.hpp"
 #include "law.hpp"
@@ -63,6 +70,12 @@ namespace rollbem {
 ///                                     StripKernel<double>::lateral(contact), {0.3, pressure});
 ///     FrictionState<2> now = model.at_rest(), next = now;
 ///     const FrictionStep<2> point = model.steady(now, {1e-3, 5e-4}, next, workspace);
+///
+/// and on a patch, with spin [1/m] and the moment about its middle
+///
+///     const SteadyFrictionModel model(contact, patch_mesh(contact, 12, 12), NodeDifference{Nodes::chebyshev},
+///                                     HalfSpace<double>(contact.poisson_ratio()), {0.3, pressure});
+///     const FrictionStep<2> point = model.steady(now, {1e-3, 5e-4, 0.1}, next, workspace);
 template <class Law_ = ConstantFriction<double>, int directions_ = 1, class Scalar_ = double>
 class SteadyFrictionModel {
 public:
@@ -103,6 +116,20 @@ public:
                               line_elements(mesh, scheme), mesh.size(), friction, checks) {
         detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(longitudinal));
         detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(lateral));
+    }
+
+    /// A patch. The mesh must be in units of the contact's half_length(), as patch_mesh makes it; of an ellipse that is
+    /// checked. Throws as with lines.
+    template <RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+    requires(directions_ == 2)
+        SteadyFrictionModel(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,
+                            const Kernel& kernel, const Friction<Law, Scalar>& friction, Checks checks = {})
+        : SteadyFrictionModel(Made{}, contact, assemble_G_prime(mesh, scheme, kernel), patch_elements(mesh, scheme),
+                              mesh.size(), friction, checks) {
+        if (contact.outline()) return;
+        const Scalar ratio = contact.a_over_b() * (mesh.edges()[mesh.strip_count()] - mesh.edges()[0]) / 2;
+        const bool same = std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon();
+        detail::require(same, name, "height of the mesh over that of the contact", ratio, "be 1");
     }
 
     /// From a given matrix G' (in units of 1/G) and the widths of its elements (in units of a); the law has one
@@ -156,8 +183,9 @@ private:
 
     struct Made {};  // distinguishes this constructor from those whose law may be given in braces
 
-    SteadyFrictionModel(Made, const Contact<Scalar>& contact, Gradient G_prime, const Elements<Scalar>& elements,
-                        Eigen::Index element_count, const Friction<Law, Scalar>& friction, Checks checks)
+    SteadyFrictionModel(Made, const detail::ContactUnits<Scalar>& contact, Gradient G_prime,
+                        const Elements<Scalar>& elements, Eigen::Index element_count,
+                        const Friction<Law, Scalar>& friction, Checks checks)
         : core_(name, contact, elements, element_count, friction, G_prime), G_prime_(std::move(G_prime)) {
         elements.require_valid(name, "width");
         detail::require_gradient(name, G_prime_, size());
@@ -181,6 +209,13 @@ SteadyFrictionModel(const Contact<Scalar>&, const Mesh<Scalar>&, const Scheme&, 
                     const Friction<Law, Scalar>&, Checks = {}) -> SteadyFrictionModel<Law, 2, Scalar>;
 template <class Scalar, class Scheme, class Kernel>
 SteadyFrictionModel(const Contact<Scalar>&, const Mesh<Scalar>&, const Scheme&, const Kernel&, const Kernel&,
+                    const Friction<ConstantFriction<Scalar>, Scalar>&, Checks = {})
+    -> SteadyFrictionModel<ConstantFriction<Scalar>, 2, Scalar>;
+template <class Scalar, class Scheme, class Kernel, class Law>
+SteadyFrictionModel(const PatchContact<Scalar>&, const PatchMesh<Scalar>&, const Scheme&, const Kernel&,
+                    const Friction<Law, Scalar>&, Checks = {}) -> SteadyFrictionModel<Law, 2, Scalar>;
+template <class Scalar, class Scheme, class Kernel>
+SteadyFrictionModel(const PatchContact<Scalar>&, const PatchMesh<Scalar>&, const Scheme&, const Kernel&,
                     const Friction<ConstantFriction<Scalar>, Scalar>&, Checks = {})
     -> SteadyFrictionModel<ConstantFriction<Scalar>, 2, Scalar>;
 template <class Scalar, class Law>

@@ -61,6 +61,15 @@ namespace rollbem {
 ///                                rolling_system(mesh, scheme, StripKernel<double>::lateral(contact)));
 ///     const FrictionStep<2> step = model.advance(now, dq, Creepage{1e-3, 5e-4}, next, workspace);
 ///
+/// on a patch, whose system has both directions and one verdict for both halves
+///
+///     const PatchContact<double> contact({...});
+///     const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
+///     const FrictionModel model(contact, rolling_system(mesh, scheme, kernel),
+///                               judge_stability(patch_parts(mesh, scheme, kernel)),
+///                               {0.3, hertz_pressures(contact, mesh, load)});
+///     const FrictionStep<2> step = model.advance(now, dq, Creepage{1e-3, 5e-4, 0.1}, next, workspace);
+///
 /// and with a coefficient that depends on slip
 ///
 ///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure});
@@ -87,25 +96,34 @@ public:
     /// A plain dq will do if mu is constant.
     using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
 
+    /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths).
     /// Throws std::invalid_argument if the verdict does not belong to this system or does not establish that no
     /// eigenvalue grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), if the
     /// contact's half-width is infinite or not that of the system's kernel, if the law does not meet the requirements
     /// of Friction (one pressure per element of the mesh) or has a memory although the points of the system's equations
     /// are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
-    FrictionModel(const Contact<Scalar>& contact, System system, const StabilityVerdict& verdict,
+    template <class AnyContact>
+    FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
                   const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : FrictionModel(contact, std::move(system), unchecked, friction, integrator) {
         detail::require_usable_in_time(name, system_, verdict);
     }
 
     /// The same without checks of the eigenvalues and of convergence.
-    FrictionModel(const Contact<Scalar>& contact, System system, Unchecked, const Friction<Law, Scalar>& friction,
+    template <class AnyContact>
+    FrictionModel(const AnyContact& contact, System system, Unchecked, const Friction<Law, Scalar>& friction,
                   Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
           core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
                 system_.fingerprint()),
           integrator_(integrator) {
-        detail::require_same_aspect(name, contact, system_);
+        if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
+            detail::require_same_aspect(name, contact, system_);
+        } else {
+            detail::require(!system_.aspect() && system_.elements().places_are_known(), name,
+                            "number of places of a patch's elements", system_.elements().x.size(),
+                            "be theirs: a patch has the system of a PatchMesh");
+        }
         detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
                         "be implicit_euler or sdirk2");
         detail::require(friction.memory.distance == 0 || system_.elements().places_are_known(), name,
@@ -134,8 +152,10 @@ public:
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
     /// for any scheme. The sum of slip_work_per_width agrees with it to the orders of both in n and dq.
-    Scalar elastic_energy_per_width(const State& state) const { return core_.elastic_energy(state, system_); }
-    Scalar elastic_energy(const State& state) const { return core_.width() * elastic_energy_per_width(state); }
+    Scalar elastic_energy_per_width(const State& state) const {
+        return core_.is_line() ? core_.elastic_energy(state, system_) : detail::unknown<Scalar>;
+    }
+    Scalar elastic_energy(const State& state) const { return core_.width() * core_.elastic_energy(state, system_); }
 
     /// Steady rolling at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
     /// load of `from`, e.g. as an initial state: as SteadyFrictionModel::steady.
@@ -229,18 +249,18 @@ private:
     Integrator integrator_;
 };
 
-template <class Scalar, int directions, class Law>
-FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
+template <class AnyContact, class Scalar, int directions, class Law>
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
               const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class Scalar, int directions>
-FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
+template <class AnyContact, class Scalar, int directions>
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
               const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
     -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
-template <class Scalar, int directions, class Law>
-FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, Unchecked, const Friction<Law, Scalar>&,
+template <class AnyContact, class Scalar, int directions, class Law>
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, Unchecked, const Friction<Law, Scalar>&,
               Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class Scalar, int directions>
-FrictionModel(const Contact<Scalar>&, ElementSystem<Scalar, directions>, Unchecked,
+template <class AnyContact, class Scalar, int directions>
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, Unchecked,
               const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
     -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
 

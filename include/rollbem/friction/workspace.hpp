@@ -38,8 +38,8 @@ public:
     const ElementVectors<Scalar, directions>& slip() const { return scratch_.slip; }
 
     /// Contribution of each element to FrictionStep::slip_work_per_width, where it is said when one may be negative:
-    /// [J/m], or [J/m^2] for a steady solution. Divided by the element's width it is the work per area of contact, on
-    /// which wear depends.
+    /// [J/m], or [J/m^2] for a steady solution; of a patch to slip_work: [J], or [J/m]. Divided by the element's width
+    /// (of a patch its area) it is the work per area of contact, on which wear depends.
     const VectorX<Scalar>& slip_work() const { return scratch_.work; }
 
     Scratch& scratch() { return scratch_; }  ///< for the models

@@ -33,6 +33,12 @@ struct Rectangle {
     Scalar x_1, x_2, y_1, y_2;
 };
 
+/// Pressures of elements [Pa], and their derivatives by the load [Pa/N].
+template <class Scalar>
+struct ElementPressures {
+    ArrayX<Scalar> mean, rate;
+};
+
 namespace detail {
 
 /// Complete elliptic integrals of the modulus e = sqrt(1 - kappa^2), by the arithmetic-geometric mean (Abramowitz &
@@ -112,6 +118,37 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     return integrals;
 }
 
+/// HertzEllipse::pressures for semi-axes a, b and a load.
+template <class Scalar>
+ElementPressures<Scalar> ellipse_pressures(Scalar a, Scalar b, Scalar load,
+                                           const std::vector<Rectangle<Scalar>>& elements) {
+    const Eigen::Index count = static_cast<Eigen::Index>(elements.size());
+    ElementPressures<Scalar> result{ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
+    // in units of the load: volumes of the unit hemisphere, whose total is 2 pi/3, and their derivatives
+    Scalar carried = 0, rate = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Rectangle<Scalar>& element = elements[static_cast<std::size_t>(i)];
+        const Scalar area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+        require(is_finite(area) && element.x_1 < element.x_2 && element.y_1 < element.y_2, "HertzEllipse",
+                "area of an element", area, "be positive and finite");
+        const auto [height, inverse] =
+            integrate_hemisphere<Scalar>({element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b});
+        // p = p0 sqrt(1 - r^2), where 1/r and p0 grow as the cube root of the load: N dp/dN = p0/(3 sqrt(1 - r^2))
+        const Scalar share = 3 / (2 * std::numbers::pi_v<Scalar>)*height,
+                     growth = inverse / (2 * std::numbers::pi_v<Scalar>);
+        carried += share;
+        rate += growth;
+        result.mean[i] = share / area;
+        result.rate[i] = growth / area;
+    }
+    require(carried >= Scalar(0.9), "HertzEllipse", "share of the load on the elements", carried,
+            "be at least 0.9: they must cover the contact");
+    // N s_i/sum s, and its derivative by N where ds_i/dN = (growth_i - s_i)/N
+    result.rate = result.rate / carried + result.mean * (1 - rate / carried) / carried;
+    result.mean *= load / carried;
+    return result;
+}
+
 }  // namespace detail
 
 /// Two smooth bodies pressed together: p_n = p0 sqrt(1 - x^2/a^2 - y^2/b^2), N = 2 pi a b p0/3 (Hertz 1882; Johnson,
@@ -130,10 +167,7 @@ public:
         ElasticBody<Scalar> body_2;      ///< rail
     };
 
-    /// Pressures of elements [Pa], and their derivatives by the load [Pa/N].
-    struct Pressures {
-        ArrayX<Scalar> mean, rate;
-    };
+    using Pressures = ElementPressures<Scalar>;
 
     /// Throws std::invalid_argument naming the parameter that is out of range, or if the bodies do not separate in all
     /// directions: both principal curvatures of the gap must be positive.
@@ -169,7 +203,9 @@ public:
     /// Mean pressures of elements in coordinates along the axes a and b, scaled so that they carry the load exactly:
     /// elements within the ellipse, cut by it or beyond it. Throws std::invalid_argument if a rectangle has no area,
     /// or unless they cover nine tenths of the load.
-    Pressures pressures(const std::vector<Rectangle<Scalar>>& elements) const;
+    Pressures pressures(const std::vector<Rectangle<Scalar>>& elements) const {
+        return detail::ellipse_pressures(a_, b_, load_, elements);
+    }
 
 private:
     static void require_positive(Scalar value, const char* name) {
@@ -222,35 +258,6 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parame
     approach_ = 3 * load_ * compliance * integrals.K / (2 * pi * longer);
     require_positive(shorter, "shorter semi-axis");
     require_positive(longer, "longer semi-axis");
-}
-
-template <class Scalar_>
-auto HertzEllipse<Scalar_>::pressures(const std::vector<Rectangle<Scalar>>& elements) const -> Pressures {
-    const Eigen::Index count = static_cast<Eigen::Index>(elements.size());
-    Pressures result{ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
-    // in units of the load: volumes of the unit hemisphere, whose total is 2 pi/3, and their derivatives
-    Scalar carried = 0, rate = 0;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Rectangle<Scalar>& element = elements[static_cast<std::size_t>(i)];
-        const Scalar area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
-        detail::require(detail::is_finite(area) && element.x_1 < element.x_2 && element.y_1 < element.y_2,
-                        "HertzEllipse", "area of an element", area, "be positive and finite");
-        const auto [height, inverse] = detail::integrate_hemisphere<Scalar>(
-            {element.x_1 / a_, element.x_2 / a_, element.y_1 / b_, element.y_2 / b_});
-        // p = p0 sqrt(1 - r^2), where 1/r and p0 grow as the cube root of the load: N dp/dN = p0/(3 sqrt(1 - r^2))
-        const Scalar share = 3 / (2 * std::numbers::pi_v<Scalar>)*height,
-                     growth = inverse / (2 * std::numbers::pi_v<Scalar>);
-        carried += share;
-        rate += growth;
-        result.mean[i] = share / area;
-        result.rate[i] = growth / area;
-    }
-    detail::require(carried >= Scalar(0.9), "HertzEllipse", "share of the load on the elements", carried,
-                    "be at least 0.9: they must cover the contact");
-    // N s_i/sum s, and its derivative by N where ds_i/dN = (growth_i - s_i)/N
-    result.rate = result.rate / carried + result.mean * (1 - rate / carried) / carried;
-    result.mean *= load_ / carried;
-    return result;
 }
 
 }  // namespace rollbem

@@ -15,10 +15,10 @@
 #include <Eigen/Core>
 
 #include "../../adhesion/integrator.hpp"
+#include "../../assembly/detail/contact_units.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../normal/load.hpp"
-#include "../../scene/contact.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../../scene/travel.hpp"
 #include "../../status.hpp"
@@ -62,44 +62,14 @@ public:
     /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors by
     /// that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name of
     /// `who`, if the law is invalid.
-    FrictionCore(const char* who, const Contact<Scalar>& contact, const Elements<Scalar>& elements,
+    FrictionCore(const char* who, const ContactUnits<Scalar>& units, const Elements<Scalar>& elements,
                  Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
-                 std::optional<std::uint64_t> system = std::nullopt)
-        : half_length_(contact.half_length()),
-          width_(2 * contact.half_width()),
-          shear_modulus_(contact.shear_modulus()),
-          areas_(elements.areas.matrix()),
-          intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
-          points_(elements.x),
-          slip_work_(elements, directions),
-          unchanged_steps_(elements.size(), half_length_),
-          ones_(VectorX<Scalar>::Ones(elements.size())),
-          friction_(friction),
-          coupled_(is_coupled(G_prime)),
-          fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
-          system_(system.value_or(fingerprint_)) {
-        require_valid(who, friction, element_count, size());
-        require(friction.memory.distance == 0 || elements.is_one_strip(), who, "distance of the memory",
-                friction.memory.distance, "be 0 for elements in several strips");
-        if constexpr (directions == 2) {
-            if (elements.places_are_known()) {
-                spin_.resize(size(), 2);
-                spin_ << -elements.y.matrix(), elements.x.matrix();
-                moments_.resize(size(), 2);
-                moments_ << -(elements.areas * elements.centre_y).matrix(),
-                    (elements.areas * elements.centre_x).matrix();
-            }
-            if (friction.turned && elements.half_element_ahead) behind_ = elements.behind;
-        }
-        friction_.normal_pressure.conservativeResize(size());
-        Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
-        pressures.add(friction_.normal_pressure);
-        fingerprint_ = fingerprint_of(contact, fingerprint_) ^ pressures.value();
-    }
+                 std::optional<std::uint64_t> system = std::nullopt);
 
     Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
     Scalar width() const { return width_; }
+    bool is_line() const { return line_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
 
@@ -122,33 +92,11 @@ public:
         return total(state.traction, width_ * state.half_length, state.half_length);
     }
 
-    /// Per unit width [J/m]; NaN if the system cannot represent the half-length.
-    Scalar elastic_energy(const State& state, const System& system) const {
-        const Scalar a = state.half_length / half_length_;
-        if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
-        ElementVectors<Scalar, directions> displacement = state.traction;
-        find_displacements(system, a, state.traction, displacement);
-        return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) /
-               (2 * shear_modulus_);
-    }
+    /// Per width() [J/m]; NaN if the system cannot represent the half-length.
+    Scalar elastic_energy(const State& state, const System& system) const;
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
-    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept {
-        const Eigen::Index n = size();
-        const auto sized = [n](const State& state) {
-            return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
-                   state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
-        };
-        const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
-                             workspace.fits(n, slip_dependent, coupled_);
-        const Eigen::Index kept = from.solver.stage_coefficient.size();
-        if (!belongs || (kept != 0 && kept != from.friction_coefficient.size()) ||
-            !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
-            return StepStatus::wrong_state;
-        }
-        const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
-        return valid ? StepStatus::ok : StepStatus::invalid_load;
-    }
+    StepStatus check(const State& from, const State& to, const Workspace& workspace) const noexcept;
 
     /// Whether the rigid slip of a creepage is known.
     bool can_impose([[maybe_unused]] const Value& creepage) const noexcept {
@@ -178,91 +126,12 @@ public:
 
     /// Steady rolling, s/V = creepage - G' p, sought from `from`, whose load and the given one have been checked.
     Step solve_steady(const Gradient& G_prime, const State& from, const Value& creepage, Scalar speed, const Load& load,
-                      State& to, Workspace& workspace) const noexcept {
-        if (!is_finite(creepage)) return failed(StepStatus::not_finite);
-        if (!can_impose(creepage)) return failed(StepStatus::needs_places);
-        if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
-        Scratch& scratch = workspace.scratch();
-        const Stage stage{.distance = steadily};
-        if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
-        Bounds bounds = [&] {
-            if constexpr (slip_dependent) {
-                return Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling);
-            } else {
-                return Bounds();
-            }
-        }();
-        begin(from, scratch);
-        if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
-        set_bounds(load.pressure, scratch);
-        Progress progress;
-        solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
-        Step step = finish(bounds, from, progress, load, 1, to, scratch);
-        if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
-        return step;
-    }
+                      State& to, Workspace& workspace) const noexcept;
 
     /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
     /// for the duration.
     Step roll(const System& system, Integrator integrator, const State& from, const rollbem::Travel<Scalar>& travel,
-              const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept {
-        if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
-        if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
-        Scratch& scratch = workspace.scratch();
-        const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
-                     a_end = load.half_length / half_length_;
-        // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
-        const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
-        const Scalar part = two_stages ? gamma : Scalar(1);
-        const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
-        const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
-                          .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system)};
-        if (asked.by_load) {
-            scratch.bound_rate = bound_per_pressure() * load.pressure_rate->head(size()).matrix();
-        }
-        Bounds bounds = [&] {
-            if constexpr (slip_dependent) {
-                return Bounds(friction_, points_, from, half_length_, travel, scratch.falling);
-            } else {
-                return Bounds();
-            }
-        }();
-        begin(from, scratch);
-        if constexpr (directions == 1) {
-            scratch.solver.begin(a != a_end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
-        }
-        find_displacements(system, a, scratch.start, scratch.displacement);
-        Progress progress;
-        Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
-        if (two_stages) {
-            enter(system, {part, part}, Stage::within(part, dq, a, a_end), bounds, scratch);
-            if (load.pressure_rate != nullptr) {
-                set_bounds(from.normal_pressure, load.pressure, part, scratch);
-            } else {
-                set_bounds(load.pressure, scratch);  // for both stages
-            }
-            solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
-                        progress);
-            carried = motion.is_linear() ? gamma * imposed : imposed;
-            if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-            if (progress.tangent_exists) {
-                carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
-            }
-            find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
-            scratch.displacement += ratio * (scratch.change - scratch.displacement);
-        }
-        enter(system, {part, 1}, Stage::last(part, dq, a, a_end), bounds, scratch);
-        if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
-        solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
-                    scratch.stage.half_length, scratch, progress);
-        Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
-        if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-        if (!progress.tangent_exists) return step;
-        add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
-        add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch,
-                          step);
-        return step;
-    }
+              const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept;
 
 private:
     using Scratch = FrictionScratch<directions, Scalar>;
@@ -291,6 +160,9 @@ private:
         bool by_load = false, by_half_length = false;
     };
 
+    static bool turns(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements) {
+        return directions == 2 && friction.turned && elements.half_element_ahead;
+    }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
 
     static bool are_coefficients(const ArrayX<Scalar>& values) {
@@ -420,6 +292,7 @@ private:
         to.system = fingerprint_;
         const Force force = total(scratch.start, load.half_length * shear_modulus_, load.half_length);
         const Scalar work = scratch.work.sum();
+        if (!line_) scratch.work *= width_;
         progress.finite = progress.finite && is_finite(force) && is_finite(work);
         if (!progress.finite) {
             progress.tangent_exists = false;
@@ -439,7 +312,6 @@ private:
         }
         Step step;
         step.force_per_width = force;
-        step.force = width_ * force;
         step.slip_work_per_width = work;
         step.jump_work_per_width = 0;
         step.complementarity_residual = progress.residual;
@@ -534,7 +406,6 @@ private:
                 *forces[creepage] = total(scratch.response, unit, arm);
             }
         }
-        step.tangent = width_ * step.tangent_per_width;
     }
 
     // `spin` is the angle imposed on the stage.
@@ -544,14 +415,31 @@ private:
         if (asked.by_load) {
             Tangent(bounds, scratch, By::load, carried).by_load(1);
             step.tangent_by_load_per_width = total(scratch.response, arm * shear_modulus_, arm);
-            step.tangent_by_load = width_ * step.tangent_by_load_per_width;
         }
         if (asked.by_half_length) {
             Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1}, spin, spin_);
             step.tangent_by_half_length_per_width = total(scratch.start, shear_modulus_, 2 * arm) +
                                                     total(scratch.response, arm / half_length_ * shear_modulus_, arm);
-            step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
         }
+    }
+
+    // From numbers per unit width, of a patch per `width_`, which only there are not for the user.
+    Step with_totals(Step step) const {
+        step.force = width_ * step.force_per_width;
+        step.tangent = width_ * step.tangent_per_width;
+        step.tangent_by_load = width_ * step.tangent_by_load_per_width;
+        step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
+        step.slip_work = width_ * step.slip_work_per_width;
+        step.jump_work = width_ * step.jump_work_per_width;
+        if (line_) return step;
+        const Step none;
+        step.force_per_width = none.force_per_width;
+        step.tangent_per_width = none.tangent_per_width;
+        step.tangent_by_load_per_width = none.tangent_by_load_per_width;
+        step.tangent_by_half_length_per_width = none.tangent_by_half_length_per_width;
+        step.slip_work_per_width = none.slip_work_per_width;
+        step.jump_work_per_width = none.jump_work_per_width;
+        return step;
     }
 
     // `factor` times the sum of area times vector; the moment also times `arm`.
@@ -565,7 +453,8 @@ private:
         }
     }
 
-    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m], G [Pa]
+    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m] (of a patch a_0), G [Pa]
+    bool line_;
     VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
     // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit tractions.
@@ -578,5 +467,159 @@ private:
     bool coupled_;
     std::uint64_t fingerprint_, system_;
 };
+
+template <class Law, int directions, class Scalar>
+FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const ContactUnits<Scalar>& units,
+                                                    const Elements<Scalar>& elements, Eigen::Index element_count,
+                                                    const Friction<Law, Scalar>& friction, const Gradient& G_prime,
+                                                    std::optional<std::uint64_t> system)
+    : half_length_(units.length),
+      width_(units.width),
+      shear_modulus_(units.shear_modulus),
+      line_(units.line),
+      areas_(elements.areas.matrix()),
+      intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
+      points_(elements.x),
+      slip_work_(elements, turns(friction, elements)),
+      unchanged_steps_(elements.size(), half_length_),
+      ones_(VectorX<Scalar>::Ones(elements.size())),
+      friction_(friction),
+      coupled_(is_coupled(G_prime)),
+      fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
+      system_(system.value_or(fingerprint_)) {
+    require_valid(who, friction, element_count, size());
+    require(friction.memory.distance == 0 || elements.is_one_strip(), who, "distance of the memory",
+            friction.memory.distance, "be 0 for elements in several strips");
+    if constexpr (directions == 2) {
+        if (elements.places_are_known()) {
+            spin_.resize(size(), 2);
+            spin_ << -elements.y.matrix(), elements.x.matrix();
+            moments_.resize(size(), 2);
+            moments_ << -(elements.areas * elements.centre_y).matrix(), (elements.areas * elements.centre_x).matrix();
+        }
+        if (turns(friction, elements)) behind_ = elements.behind;
+    }
+    friction_.normal_pressure.conservativeResize(size());
+    Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
+    pressures.add(friction_.normal_pressure);
+    fingerprint_ = units.fingerprint ^ fingerprint_ ^ pressures.value();
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, const System& system) const -> Scalar {
+    const Scalar a = state.half_length / half_length_;
+    if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
+    ElementVectors<Scalar, directions> displacement = state.traction;
+    find_displacements(system, a, state.traction, displacement);
+    return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) / (2 * shear_modulus_);
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State& to,
+                                                  const Workspace& workspace) const noexcept -> StepStatus {
+    const Eigen::Index n = size();
+    const auto sized = [n](const State& state) {
+        return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
+               state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
+    };
+    const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
+                         workspace.fits(n, slip_dependent, coupled_);
+    const Eigen::Index kept = from.solver.stage_coefficient.size();
+    if (!belongs || (kept != 0 && kept != from.friction_coefficient.size()) ||
+        !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
+        return StepStatus::wrong_state;
+    }
+    const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
+    return valid ? StepStatus::ok : StepStatus::invalid_load;
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime, const State& from,
+                                                         const Value& creepage, Scalar speed, const Load& load,
+                                                         State& to, Workspace& workspace) const noexcept -> Step {
+    if (!is_finite(creepage)) return failed(StepStatus::not_finite);
+    if (!can_impose(creepage)) return failed(StepStatus::needs_places);
+    if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
+    Scratch& scratch = workspace.scratch();
+    const Stage stage{.distance = steadily};
+    if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
+    Bounds bounds = [&] {
+        if constexpr (slip_dependent) {
+            return Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling);
+        } else {
+            return Bounds();
+        }
+    }();
+    begin(from, scratch);
+    if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
+    set_bounds(load.pressure, scratch);
+    Progress progress;
+    solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
+    Step step = finish(bounds, from, progress, load, 1, to, scratch);
+    if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
+    return with_totals(step);
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrator integrator, const State& from,
+                                                 const rollbem::Travel<Scalar>& travel, const Motion& motion,
+                                                 const Load& load, State& to, Workspace& workspace) const noexcept
+    -> Step {
+    if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
+    if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
+    Scratch& scratch = workspace.scratch();
+    const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
+                 a_end = load.half_length / half_length_;
+    // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
+    const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
+    const Scalar part = two_stages ? gamma : Scalar(1);
+    const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
+    const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
+                      .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system)};
+    if (asked.by_load) {
+        scratch.bound_rate = bound_per_pressure() * load.pressure_rate->head(size()).matrix();
+    }
+    Bounds bounds = [&] {
+        if constexpr (slip_dependent) {
+            return Bounds(friction_, points_, from, half_length_, travel, scratch.falling);
+        } else {
+            return Bounds();
+        }
+    }();
+    begin(from, scratch);
+    if constexpr (directions == 1) {
+        scratch.solver.begin(a != a_end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
+    }
+    find_displacements(system, a, scratch.start, scratch.displacement);
+    Progress progress;
+    Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
+    if (two_stages) {
+        enter(system, {part, part}, Stage::within(part, dq, a, a_end), bounds, scratch);
+        if (load.pressure_rate != nullptr) {
+            set_bounds(from.normal_pressure, load.pressure, part, scratch);
+        } else {
+            set_bounds(load.pressure, scratch);  // for both stages
+        }
+        solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
+                    progress);
+        carried = motion.is_linear() ? gamma * imposed : imposed;
+        if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
+        if (progress.tangent_exists) {
+            carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
+        }
+        find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
+        scratch.displacement += ratio * (scratch.change - scratch.displacement);
+    }
+    enter(system, {part, 1}, Stage::last(part, dq, a, a_end), bounds, scratch);
+    if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
+    solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
+                scratch.stage.half_length, scratch, progress);
+    Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
+    if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
+    if (!progress.tangent_exists) return with_totals(step);
+    add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
+    add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch, step);
+    return with_totals(step);
+}
 
 }  // namespace rollbem::detail

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/finite.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 
@@ -59,10 +60,12 @@ public:
             if (other < 0) continue;
             const Scalar own = trails ? Scalar(3) : Scalar(1), share = stick[other] != 0 ? 0 : trails ? -1 : 1;
             const Scalar x = own * slip(i, 0) + share * slip(other, 0), y = own * slip(i, 1) + share * slip(other, 1);
-            const Scalar product = std::hypot(slip(i, 0), slip(i, 1)) * std::hypot(x, y);
-            const Scalar across = slip(i, 0) * y - slip(i, 1) * x;
-            if (!(product > 0) || across == 0) continue;
-            const Scalar cosine = (slip(i, 0) * x + slip(i, 1) * y) / product, sine = across / product;
+            const Scalar size = std::hypot(slip(i, 0), slip(i, 1)), length = std::hypot(x, y);
+            if (!(size > 0) || !(length > 0)) continue;
+            // unit vectors, as products of large slips overflow
+            const Scalar along = slip(i, 0) / size, across = slip(i, 1) / size;
+            const Scalar cosine = (along * x + across * y) / length, sine = (along * y - across * x) / length;
+            if (!(sine != 0) || !is_finite(cosine)) continue;
             const bool cut = cosine < Scalar(0.5);
             rotation_(i, 0) = cut ? Scalar(0.5) : cosine;
             rotation_(i, 1) = cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine;

@@ -19,7 +19,7 @@ namespace rollbem::detail {
 /// the collocation point of an element is its leading edge, this is the mean of the slips at its two edges. The slip of
 /// the element's own equation would give an error of first order.
 ///
-/// In two directions, with equations half an element ahead of the centres, the slip at a centre is m_i/2 of SlipTurn:
+/// Where slip is turned, the slip at a centre is m_i/2 of SlipTurn:
 /// with the traction against it, elements that slip never gain energy. One that sticks ahead of one that slips gets
 /// -p_i . s_(i-1)/2, of either sign, which the sum needs.
 ///
@@ -40,11 +40,10 @@ public:
         find_run();
     }
 
-    /// For one direction of creepage or two, on a line or, in strips, on a patch. On a patch the slip of each element's
-    /// own equation is used unless that holds half an element ahead.
-    SlipWork(const Elements<Scalar>& elements, int directions)
+    /// On a line or, in strips, on a patch. There the slip of each element's own equation is used unless slip is turned.
+    SlipWork(const Elements<Scalar>& elements, bool turned)
         : SlipWork(elements.areas, elements.is_one_strip() ? elements.x : ArrayX<Scalar>()) {
-        if (directions == 1 || !elements.half_element_ahead) return;
+        if (!turned) return;
         std::vector<Index> ahead(between_.size(), -1);
         for (std::size_t i = 0; i < ahead.size(); ++i) {
             if (elements.behind[i] >= 0) ahead[static_cast<std::size_t>(elements.behind[i])] = static_cast<Index>(i);

@@ -1,0 +1,52 @@
+// Steady friction on the patches of patch_study: forces over creepages and spin, and the tractions of all elements.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "patches.hpp"
+#include "support/csv.hpp"
+#include "support/options.hpp"
+#include "support/plot.hpp"
+#include "support/table.hpp"
+
+namespace patch {
+
+/// Creepages times G a b/(mu N), spin times G a b c/(mu N).
+struct CreepPoint {
+    double longitudinal, lateral, spin;
+};
+
+/// Declares --longitudinal, --lateral, --spin and --tractions.
+void add_friction_options(study::Options& options);
+
+/// Whether any of the creepages was given.
+bool asks_for_friction(const study::Options& options);
+
+/// All creepages, longitudinal outermost. Throws BadInput.
+std::vector<CreepPoint> read_points(const study::Options& options);
+
+/// The rows of --tractions, which several threads may add to.
+class Tractions {
+public:
+    void add(std::size_t task, std::size_t point, std::vector<study::Row> rows);
+    void write(bool with_header, study::TableFile& file) const;
+
+private:
+    std::mutex mutex_;
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<study::Row>> rows_;
+};
+
+const std::vector<std::string>& friction_columns();
+
+/// The rows of a patch, each solved from rest; `tractions` may be null.
+void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
+                   std::size_t task, study::RowRange range, const study::Emit& emit, Tractions* tractions);
+
+/// Forces and moment over the creepage that varies most.
+study::Plot draw_friction(const std::vector<study::Row>& rows);
+
+}  // namespace patch

@@ -1,0 +1,41 @@
+// The units of a contact's systems: of a line contact 2a x 2b, or of a patch.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <cstdint>
+
+#include "../../detail/fingerprint.hpp"
+#include "../../scene/contact.hpp"
+#include "../../scene/patch_contact.hpp"
+
+namespace rollbem::detail {
+
+/// Systems have lengths in `length` and tractions in `shear_modulus`. Their areas are in length * width: widths of a line
+/// contact of width 2b, areas of a patch.
+template <class Scalar>
+struct ContactUnits {
+    Scalar length;         ///< a [m]
+    Scalar width;          ///< 2b [m]; of a patch a
+    Scalar shear_modulus;  ///< G [Pa]
+    std::uint64_t fingerprint;
+    bool line;  ///< forces per width exist
+
+    ContactUnits(const Contact<Scalar>& contact)  // NOLINT: implicit on purpose
+        : ContactUnits(contact, 2 * contact.half_width(), true) {}
+    ContactUnits(const PatchContact<Scalar>& contact)  // NOLINT: implicit on purpose
+        : ContactUnits(contact, contact.half_length(), false) {}
+
+private:
+    template <class AnyContact>
+    ContactUnits(const AnyContact& contact, Scalar unit_width, bool is_line)
+        : length(contact.half_length()), width(unit_width), shear_modulus(contact.shear_modulus()), line(is_line) {
+        Fingerprint all;
+        all.add(length);
+        all.add(contact.half_width());
+        all.add(shear_modulus);
+        fingerprint = all.value();
+    }
+};
+
+}  // namespace rollbem::detail

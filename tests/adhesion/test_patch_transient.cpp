@@ -1,0 +1,125 @@
+// rollbem/adhesion/transient.hpp on contact patches: the response to a step of creepage and spin.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/transient.hpp>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+
+using namespace rollbem;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr NodeDifference chebyshev{Nodes::chebyshev};
+constexpr double a = 5e-3, G = 8e10, nu = 0.28;
+
+struct Patch {
+    PatchContact<double> contact;
+    PatchMesh<double> mesh;
+    ElementSystem<double, 2> system;
+    StabilityVerdict verdict;  ///< by halves
+};
+
+Patch ellipse(double b, Eigen::Index n) {
+    const PatchContact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
+    const PatchMesh<double> mesh = patch_mesh(contact, n, n);
+    const HalfSpace<double> kernel(nu);
+    return {contact, mesh, rolling_system(mesh, chebyshev, kernel),
+            judge_stability(patch_parts(mesh, chebyshev, kernel))};
+}
+
+/// The force at each distance, in steps of dq after a step of creepage from rest.
+std::vector<TangentialForce<double>> step_response(const AdhesionModel<3>& model, const Creepage<double>& creepage,
+                                                   double dq, const std::vector<double>& distances) {
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    std::vector<TangentialForce<double>> forces;
+    int done = 0;
+    for (const double distance : distances) {
+        AdhesionStep<3> step;
+        for (; done < std::lround(distance / dq); ++done) {
+            step = model.advance(now, dq, creepage, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            std::swap(now, next);
+        }
+        forces.push_back(step.force);
+    }
+    return forces;
+}
+
+}  // namespace
+
+TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady rolling") {
+    const Patch circle = ellipse(a, 12);
+    const AdhesionModel model(circle.contact, circle.system, circle.verdict);
+    const std::vector<double> distances{0.5 * a, a, 2 * a, 4 * a, 20 * a};
+    // limits of small elements and steps, extrapolated
+    constexpr std::array limits{std::array{1.073, 1.961, 3.162, 3.981}, std::array{1.062, 1.921, 3.006, 3.588},
+                                std::array{1.021, 1.472, 1.383, 1.223}};
+    constexpr double xi = 1e-3, eta = -2e-3, phi = 0.4;  // each causes forces of its own sign
+    const auto by_xi = step_response(model, {xi, 0, 0}, 0.05 * a, distances);
+    const auto by_eta = step_response(model, {0, eta, 0}, 0.05 * a, distances);
+    const auto by_phi = step_response(model, {0, 0, phi}, 0.05 * a, distances);
+    const auto all = step_response(model, {xi, eta, phi}, 0.05 * a, distances);
+    const auto c11 = [](const auto& force) { return -force.longitudinal / (G * a * a * xi); };
+    const auto c22 = [](const auto& force) { return -force.lateral / (G * a * a * eta); };
+    const auto c33 = [](const auto& force) { return -force.moment / (G * a * a * a * a * phi); };
+    for (std::size_t k = 0; k < 4; ++k) {
+        INFO("q/a " << distances[k] / a);
+        CHECK_THAT(c11(by_xi[k]), WithinRel(limits[0][k], 1.5e-2));
+        CHECK_THAT(c22(by_eta[k]), WithinRel(limits[1][k], 1.5e-2));
+        CHECK_THAT(c33(by_phi[k]), WithinRel(limits[2][k], 1.5e-2));
+        CHECK_THAT(all[k].longitudinal, WithinRel(by_xi[k].longitudinal, 1e-10));
+        CHECK_THAT(all[k].lateral, WithinRel(by_eta[k].lateral + by_phi[k].lateral, 1e-10));
+        CHECK_THAT(all[k].moment, WithinRel(by_eta[k].moment + by_phi[k].moment, 1e-10));
+    }
+    const auto steady = solve_steady(circle.contact, circle.mesh, chebyshev);
+    const PatchForces<double> reached = forces(circle.contact, steady, xi, eta, phi);
+    CHECK_THAT(all.back().longitudinal, WithinRel(reached.x, 1e-6));
+    CHECK_THAT(all.back().lateral, WithinRel(reached.y, 1e-6));
+    CHECK_THAT(all.back().moment, WithinRel(reached.moment, 1e-6));
+    const TangentialForce<double> at_once = model.force(model.steady({xi, eta, phi}));
+    CHECK_THAT(at_once.longitudinal, WithinRel(reached.x, 1e-10));
+    CHECK_THAT(at_once.moment, WithinRel(reached.moment, 1e-10));
+}
+
+TEST_CASE("patch_transient: sdirk2 is of second order in dq, against steps exact in dq") {
+    const Patch long_ellipse = ellipse(a / 2, 6);
+    const Creepage<double> creepage{1e-3, -2e-3, 0.4};
+    const auto force = [&](Integrator integrator, double dq) {
+        const AdhesionModel model(long_ellipse.contact, long_ellipse.system, long_ellipse.verdict, integrator);
+        return step_response(model, creepage, dq, {a}).back();
+    };
+    const TangentialForce<double> exact = force(Integrator::matrix_exponential, a);
+    std::vector<double> counts, longitudinal, lateral, moment;
+    for (const double count : {8.0, 16.0, 32.0, 64.0}) {
+        const TangentialForce<double> computed = force(Integrator::sdirk2, a / count);
+        counts.push_back(count);
+        longitudinal.push_back(computed.longitudinal - exact.longitudinal);
+        lateral.push_back(computed.lateral - exact.lateral);
+        moment.push_back(computed.moment - exact.moment);
+    }
+    for (const auto& errors : {longitudinal, lateral, moment}) {
+        const double order = support::observed_order(counts, errors);
+        INFO("order " << order);
+        CHECK(order > 1.8);
+        CHECK(order < 2.3);
+    }
+}
+
+TEST_CASE("patch_transient: the verdict must be one on all halves") {
+    const Patch circle = ellipse(a, 4);
+    CHECK(circle.verdict.n == 32);
+    StabilityVerdict half = circle.verdict;
+    half.n = 16;
+    CHECK_THROWS_WITH((AdhesionModel(circle.contact, circle.system, half)),
+                      Catch::Matchers::ContainsSubstring("n of the verdict"));
+}

@@ -1,0 +1,310 @@
+// Friction on a contact patch: steady forces against limits of small elements, steps in time, symmetries, work, units.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/stability.hpp>
+
+#include "support/catch.hpp"
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+constexpr NodeDifference chebyshev{Nodes::chebyshev};
+constexpr double mu = 0.3, nu = 0.28, G = 8e10;
+
+/// A patch of semi-axes a and b [m] with G a b = 250/3 mu N.
+struct Scene {
+    PatchContact<double> contact;
+    PatchMesh<double> mesh;
+    HalfSpace<double> kernel{nu};
+    double load, c;
+    Friction<ConstantFriction<double>> friction;
+
+    Scene(double a, double b, Eigen::Index n, Eigen::Index m)
+        : contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu}),
+          mesh(patch_mesh(contact, n, m)),
+          load(G * a * b * 3 / 250 / mu),
+          c(std::sqrt(a * b)),
+          friction{mu, hertz_pressures(contact, mesh, load)} {}
+
+    SteadyFrictionModel<ConstantFriction<double>, 2> steady() const {
+        return {contact, mesh, chebyshev, kernel, friction};
+    }
+    /// -F_x, -F_y over mu N, -M_z over mu N c.
+    std::array<double, 3> ratios(const TangentialForce<double>& force) const {
+        const double unit = -mu * load;
+        return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
+    }
+    /// A circle: of the creepages that act together, each is the part 1/sqrt(their number) of what would need `level` mu
+    /// N without slip.
+    Creepage<double> creepage(double level, bool xi, bool eta, bool phi) const {
+        const double unit = level * 3 / 250 / std::sqrt(int(xi) + int(eta) + int(phi));
+        return {xi ? unit / 4.2262 : 0, eta ? unit / 3.7049 : 0, phi ? unit / 1.4881 / c : 0};
+    }
+};
+
+/// A steady solution from rest.
+struct Solved {
+    FrictionStep<2> step;
+    FrictionState<2> state;
+    Eigen::MatrixXd slip;
+    Eigen::VectorXd work;
+};
+
+template <class Model>
+Solved solve(const Model& model, const Creepage<double>& creepage) {
+    auto workspace = model.workspace();
+    const auto rest = model.at_rest();
+    auto state = rest;
+    const auto step = model.steady(rest, creepage, state, workspace);
+    return {step, state, workspace.slip(), workspace.slip_work()};
+}
+
+/// What the rigid bodies do on the contact per distance rolled [J/m].
+double creep_work(const Creepage<double>& creepage, const TangentialForce<double>& force) {
+    return -(creepage.longitudinal * force.longitudinal + creepage.lateral * force.lateral +
+             creepage.spin * force.moment);
+}
+
+/// Limits of -F_x, -F_y over mu N and -M_z over mu N a: 16 x 16 and 32 x 32 elements of another program, extrapolated;
+/// Kalker's program CONTACT tends to the same forces within 5e-4.
+struct Limit {
+    bool xi, eta, phi;
+    double level;
+    std::array<double, 3> ratios;
+};
+constexpr Limit limits[] = {
+    {1, 0, 0, 0.4, {.35294, 0, 0}},
+    {1, 0, 0, 1, {.72065, 0, 0}},
+    {1, 0, 0, 2.5, {.99914, 0, 0}},
+    {0, 1, 0, 0.4, {0, .35213, -.10642}},
+    {0, 1, 0, 1, {0, .71638, -.12457}},
+    {0, 1, 0, 2.5, {0, .99916, -.01709}},
+    {1, 1, 0, 0.4, {.24873, .24974, -.07466}},
+    {1, 1, 0, 1, {.50492, .51144, -.08572}},
+    {1, 1, 0, 2.5, {.68261, .72987, -.01108}},
+    {0, 0, 1, 0.4, {0, .37446, .22556}},
+    {0, 0, 1, 1, {0, .60539, .40032}},
+    {0, 0, 1, 2.5, {0, .38034, .51395}},
+    {0, 1, 1, 0.4, {0, .50366, .10635}},
+    {0, 1, 1, 1, {0, .84704, .24648}},
+    {0, 1, 1, 2.5, {0, .75458, .32506}},
+    {1, 1, 1, 0.4, {.18327, .41848, .08348}},
+    {1, 1, 1, 1, {.30871, .78900, .20493}},
+    {1, 1, 1, 2.5, {.34967, .73684, .27746}},
+};
+
+}  // namespace
+
+TEST_CASE("patch_friction: steady forces of a circle tend to their limits") {
+    struct Errors {
+        double mean[2] = {0, 0}, largest[2] = {0, 0}, moment = 0;  // without, with spin
+
+        void add(const std::array<double, 3>& ratios, const Limit& limit) {
+            const double error = std::max(std::abs(ratios[0] - limit.ratios[0]), std::abs(ratios[1] - limit.ratios[1]));
+            mean[limit.phi] += error / 9;
+            largest[limit.phi] = std::max(largest[limit.phi], error);
+            moment = std::max(moment, std::abs(ratios[2] - limit.ratios[2]));
+        }
+    };
+    const auto extrapolated = [](const std::array<double, 3>& coarse, const std::array<double, 3>& fine) {
+        std::array<double, 3> result;
+        for (std::size_t i = 0; i < 3; ++i) result[i] = fine[i] + (fine[i] - coarse[i]) / (1.5 * 1.5 - 1);
+        return result;
+    };
+    const Scene coarse(5e-3, 5e-3, 8, 8), fine(5e-3, 5e-3, 12, 12);
+    const auto coarse_model = coarse.steady(), fine_model = fine.steady();
+    Errors eight, twelve, both;
+    int rounds = 0;
+    for (const Limit& limit : limits) {
+        CAPTURE(limit.xi, limit.eta, limit.phi, limit.level);
+        const Creepage<double> creepage = coarse.creepage(limit.level, limit.xi, limit.eta, limit.phi);
+        const Solved first = solve(coarse_model, creepage), second = solve(fine_model, creepage);
+        CHECK(first.step.status == StepStatus::ok);
+        CHECK(second.step.status == StepStatus::ok);
+        CHECK(second.step.complementarity_residual < 1e-12);
+        const auto at_8 = coarse.ratios(first.step.force), at_12 = fine.ratios(second.step.force);
+        eight.add(at_8, limit);
+        twelve.add(at_12, limit);
+        both.add(extrapolated(at_8, at_12), limit);
+        rounds += second.step.rounds;
+    }
+    CHECK(eight.mean[0] < 3.1e-3);
+    CHECK(eight.mean[1] < 1.44e-2);
+    CHECK(eight.largest[0] < 8.4e-3);
+    CHECK(eight.largest[1] < 4.7e-2);
+    CHECK(twelve.mean[0] < 7.2e-4);
+    CHECK(twelve.mean[1] < 6.7e-3);
+    CHECK(twelve.largest[0] < 2.04e-3);
+    CHECK(twelve.largest[1] < 2.4e-2);
+    CHECK(both.mean[0] < 1.32e-3);
+    CHECK(both.mean[1] < 1.32e-3);
+    CHECK(both.largest[0] < 4.8e-3);
+    CHECK(both.largest[1] < 4.8e-3);
+    CHECK(twelve.moment < 9e-3);
+    CHECK(both.moment < 3e-3);
+    CHECK(rounds < 18 * 11);
+}
+
+TEST_CASE("patch_friction: slip work is the work of the creepages") {
+    const auto residual = [](const Limit& limit, Eigen::Index n) {
+        const Scene scene(5e-3, 5e-3, n, n);
+        const Creepage<double> creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
+        const Solved solved = solve(scene.steady(), creepage);
+        CHECK(solved.work.sum() == Approx(solved.step.slip_work).epsilon(1e-13));
+        return solved.step.slip_work / creep_work(creepage, solved.step.force) - 1;
+    };
+    // of second order; measured with another program
+    for (const auto& [which, at_8, at_12] :
+         {std::tuple{0, 7.6e-2, 2.8e-2}, {1, 1.5e-2, 6.2e-3}, {11, -5e-3, -2.7e-3}}) {
+        CAPTURE(which);
+        CHECK(residual(limits[which], 8) == Approx(at_8).epsilon(0.04));
+        CHECK(residual(limits[which], 12) == Approx(at_12).epsilon(0.04));
+    }
+}
+
+TEST_CASE("patch_friction: limits and symmetries") {
+    const Scene scene(6e-3, 4e-3, 8, 7);
+    const auto model = scene.steady();
+
+    const Solved nothing = solve(model, {0, 0, 0});
+    CHECK(nothing.step.status == StepStatus::ok);
+    CHECK(nothing.step.stick_count == 56);
+    CHECK(nothing.state.traction.norm() == 0);
+    CHECK(nothing.step.slip_work == 0);
+    CHECK(std::isnan(nothing.step.force_per_width.longitudinal));
+    CHECK(std::isnan(nothing.step.tangent_per_width.by_spin.moment));
+    CHECK(std::isnan(nothing.step.slip_work_per_width));
+
+    // full sliding: F opposes the creepage, and there is no moment
+    const Solved sliding = solve(model, {0.3, -0.4, 0});
+    const auto sides = scene.ratios(sliding.step.force);
+    CHECK(sliding.step.stick_count == 0);
+    CHECK(sides[0] == Approx(0.6).epsilon(1e-4));
+    CHECK(sides[1] == Approx(-0.8).epsilon(1e-4));
+    CHECK(std::abs(sides[2]) < 1e-3);
+    CHECK(sliding.step.slip_work == Approx(0.5 * mu * scene.load).epsilon(2e-2));
+
+    // spin alone: no longitudinal force, and the pole of slip lies in the contact
+    const Solved spin = solve(model, {0, 0, 1});
+    const auto turning = scene.ratios(spin.step.force);
+    CHECK(std::abs(turning[0]) < 1e-13);
+    CHECK(turning[1] > 0.1);
+    CHECK(spin.slip.col(1).minCoeff() < 0);
+    CHECK(spin.slip.col(1).maxCoeff() > 0);
+    // M_z of full sliding about the middle, 3 pi/16 mu N a of a circle
+    const Scene circle(5e-3, 5e-3, 8, 8);
+    const auto full = circle.ratios(solve(circle.steady(), {0, 0, 1e4}).step.force);
+    CHECK(std::abs(full[0]) < 1e-10);
+    CHECK(std::abs(full[1]) < 1e-3);
+    CHECK(full[2] == Approx(3 * std::numbers::pi / 16).epsilon(1e-2));
+
+    // the mirror image at -y: F_y and M_z change their signs with eta and phi
+    const Creepage<double> some{1e-3, 5e-4, 0.2};
+    const TangentialForce<double> force = solve(model, some).step.force,
+                                  mirrored = solve(model, {1e-3, -5e-4, -0.2}).step.force,
+                                  opposite = solve(model, {-1e-3, -5e-4, -0.2}).step.force;
+    CHECK(mirrored.longitudinal == Approx(force.longitudinal).epsilon(1e-11));
+    CHECK(mirrored.lateral == Approx(-force.lateral).epsilon(1e-11));
+    CHECK(mirrored.moment == Approx(-force.moment).epsilon(1e-11));
+    CHECK(opposite.longitudinal == Approx(-force.longitudinal).epsilon(1e-11));
+    CHECK(opposite.moment == Approx(-force.moment).epsilon(1e-11));
+
+    // one element
+    const Scene single(5e-3, 5e-3, 1, 1);
+    const auto alone = solve(single.steady(), {1, 0, 0});
+    CHECK(alone.step.status == StepStatus::ok);
+    CHECK(alone.step.force.longitudinal == Approx(-mu * single.load).epsilon(1e-14));
+    CHECK(alone.step.slip_work > 0);
+}
+
+TEST_CASE("patch_friction: small creepages adhere as Kalker's coefficients say") {
+    const Scene scene(6e-3, 4e-3, 6, 5);
+    const auto adhesion = solve_steady(scene.contact, scene.mesh, chebyshev, scene.kernel);
+    const auto model = scene.steady();
+    // without slip tangents are those of full adhesion
+    const auto tangent = solve(model, {0, 0, 0}).step.tangent;
+    const TangentialForce<double> columns[] = {tangent.by_longitudinal, tangent.by_lateral, tangent.by_spin};
+    const double units[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto exact = forces(scene.contact, adhesion, units[k][0], units[k][1], units[k][2]);
+        const double scale = G * scene.c * scene.c * (k == 2 ? scene.c : 1);
+        CHECK(std::abs(columns[k].longitudinal - exact.x) < 1e-11 * scale);
+        CHECK(std::abs(columns[k].lateral - exact.y) < 1e-11 * scale);
+        CHECK(std::abs(columns[k].moment - exact.moment) < 1e-11 * scale * scene.c);
+    }
+}
+
+TEST_CASE("patch_friction: a step of creepage from rest") {
+    // -F_x, -F_y over mu N, -M_z over mu N a at q/a = 0.5, 1, 2, 4, by implicit Euler, dq = 0.05 a, of another program
+    struct Series {
+        Creepage<double> creepage;
+        double ratios[4][3];
+    };
+    const Series all[] = {
+        {{0.00113576, 0, 0}, {{.0997, 0, 0}, {.1801, 0, 0}, {.2801, 0, 0}, {.3398, 0, 0}}},
+        {{0.00163933, 0.0018699954, 0.93115721},
+         {{.1270, .2212, .3053}, {.2062, .4525, .3499}, {.2763, .7266, .2424}, {.3060, .7871, .2104}}}};
+    const Scene scene(5e-3, 5e-3, 12, 12);
+    const FrictionModel model(scene.contact, rolling_system(scene.mesh, chebyshev, scene.kernel), unchecked,
+                              scene.friction, Integrator::implicit_euler);
+    auto workspace = model.workspace();
+    const double dq = 0.05 * 5e-3;
+    for (const Series& series : all) {
+        auto now = model.at_rest(), next = now;
+        int row = 0;
+        double imposed = 0, heat = 0;
+        for (int k = 1; k <= 80; ++k) {
+            const auto step = model.advance(now, dq, series.creepage, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            std::swap(now, next);
+            imposed += dq * creep_work(series.creepage, step.force);
+            heat += step.slip_work;
+            if (k != 10 && k != 20 && k != 40 && k != 80) continue;
+            CAPTURE(k);
+            const auto ratios = scene.ratios(step.force), again = scene.ratios(model.force(now));
+            for (std::size_t i = 0; i < 3; ++i) {
+                CHECK(std::abs(ratios[i] - series.ratios[row][i]) < 1.5e-4);
+                CHECK(again[i] == Approx(ratios[i]).margin(1e-12));
+            }
+            ++row;
+        }
+        const double elastic = model.elastic_energy(now);
+        CHECK(elastic > 0);
+        CHECK(std::isnan(model.elastic_energy_per_width(now)));
+        CHECK(imposed == Approx(heat + elastic).epsilon(0.03));
+    }
+}
+
+TEST_CASE("patch_friction: bad input and foreign states") {
+    const Scene scene(6e-3, 4e-3, 4, 4), other(4e-3, 6e-3, 4, 4);
+    CHECK_THROWS_WITH(SteadyFrictionModel(scene.contact, other.mesh, chebyshev, scene.kernel, scene.friction),
+                      ContainsSubstring("height of the mesh over that of the contact"));
+    CHECK_THROWS_WITH(hertz_pressures(scene.contact, scene.mesh, 0), ContainsSubstring("load"));
+    CHECK(hertz_pressures(scene.contact, scene.mesh, 2)
+                  .matrix()
+                  .dot(patch_elements(scene.mesh, chebyshev).areas.matrix()) *
+              6e-3 * 6e-3 ==
+          Approx(2).epsilon(1e-13));
+    const auto system = rolling_system(scene.mesh, chebyshev, scene.kernel);
+    const FrictionModel model(scene.contact, system, judge_stability(patch_parts(scene.mesh, chebyshev, scene.kernel)),
+                              scene.friction);
+    CHECK(model.fingerprint() == scene.steady().fingerprint());
+    CHECK(model.fingerprint() != other.steady().fingerprint());
+    auto workspace = model.workspace();
+    auto state = model.at_rest();
+    CHECK(model.steady(other.steady().at_rest(), {1e-3, 0, 0}, state, workspace).status == StepStatus::wrong_state);
+    NormalLoad<double> longer{.normal_pressure = scene.friction.normal_pressure, .half_length = 7e-3, .pressure_rate = {}};
+    CHECK(model.advance(model.at_rest(), 1e-4, Creepage<double>{1e-3, 0, 0}, longer, state, workspace).status ==
+          StepStatus::needs_fixed_mesh);
+}

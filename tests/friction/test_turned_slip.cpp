@@ -1,0 +1,307 @@
+// rollbem/friction: slip turned by half an element, and spin
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include <rollbem/compiled/friction.hpp>
+
+#include "friction/combined_scene.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace combined_tests;
+
+constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
+
+/// A scene of combined_scene.hpp whose equations are node differences between Chebyshev points.
+struct Nodal : Scene {
+    explicit Nodal(Eigen::Index n, double nu_ = 0.28, double aspect = 1000)
+        : Scene(cosine_mesh<double>(n), nu_, half, aspect) {}
+
+    Creepage<double> creepage(double ratio, double degrees, double spin) const {
+        Creepage<double> creepage = Scene::creepage(ratio, degrees);
+        creepage.spin = 2 * (1 - nu) * peak * spin;
+        return creepage;
+    }
+    SteadyModel steady() const { return {contact, mesh, nodes, longitudinal, lateral, friction}; }
+    ElementSystem<double, 2> system() const {
+        return {rolling_system(mesh, nodes, longitudinal), rolling_system(mesh, nodes, lateral)};
+    }
+    Model transient(Integrator integrator = Integrator::sdirk2) const {
+        return {contact, system(), unchecked, friction, integrator};
+    }
+
+    NodeDifference nodes{.nodes = Nodes::chebyshev};
+};
+
+double work_of(const TangentialForce<double>& force, const Creepage<double>& motion) {
+    return -force.longitudinal * motion.longitudinal - force.lateral * motion.lateral - force.moment * motion.spin;
+}
+
+TEST_CASE("With turned slip, forces agree with two other programs to second order", "[friction]") {
+    struct Point {
+        double ratio, degrees, spin, longitudinal, lateral, errors[3];  // at n = 20, 40, 80
+    };
+    for (const Point& point : {Point{0.5, 45, 0, 0.54355, 0.40941, {2.6e-4, 9.1e-5, 5.5e-5}},
+                               Point{0.25, 60, 0, 0.22240, 0.28242, {3.0e-4, 1.0e-4, 4.4e-5}},
+                               Point{0.9, 45, 0, 0.74289, 0.59337, {4.5e-4, 1.5e-4, 3.6e-5}},
+                               Point{0, 0, 0.5, 0, 0.36000, {1.0e-3, 2.7e-4, 6.8e-5}},
+                               Point{0.3, 0, 1, 0.49107, 0.67344, {1.3e-3, 2.1e-4, 6.0e-5}},
+                               Point{0.3, 90, 1, 0, 0.98537, {9.6e-4, 2.1e-4, 6.7e-5}}}) {
+        Eigen::Index n = 20;
+        for (const double expected : point.errors) {
+            const Nodal scene(n);
+            const Step step = from_scratch(scene.steady(), scene.creepage(point.ratio, point.degrees, point.spin));
+            const double error = std::max(std::abs(ratios(step).longitudinal - point.longitudinal),
+                                          std::abs(ratios(step).lateral - point.lateral));
+            CAPTURE(point.ratio, point.degrees, point.spin, n, error);
+            CHECK(step.status == StepStatus::ok);
+            CHECK(std::abs(error - expected) < std::max(0.1 * expected, 1e-5));
+            if (n == 40) CHECK(error < 3e-4);
+            n *= 2;
+        }
+    }
+}
+
+TEST_CASE("Slip that is not turned leaves an error of first order", "[friction]") {
+    for (const bool turned : {true, false}) {
+        double errors[3];
+        for (int k = 0; k < 3; ++k) {
+            Nodal scene(20 << k);
+            scene.friction.turned = turned;
+            const Step step = from_scratch(scene.steady(), scene.creepage(0.9, 45, 0));
+            errors[k] = std::hypot(ratios(step).longitudinal - 0.74289, ratios(step).lateral - 0.59337);
+        }
+        CAPTURE(turned, errors[0], errors[1], errors[2]);
+        const double order = std::log2(errors[0] / errors[2]) / 2;
+        CHECK(order > (turned ? 1.5 : 0.8));
+        CHECK(order < (turned ? 2.5 : 1.3));
+    }
+}
+
+TEST_CASE("In full adhesion spin has the force and creepage the moment of the closed forms", "[friction]") {
+    // p = -(G phi/(2 c)) sqrt(a^2 - x^2) by spin, F = -pi a^2 G phi/(4 c); the moment by creepage is opposite. Both
+    // with the force by creepage, -pi a G eta/(2 c), give the ratio a/2 for any c.
+    constexpr double force_errors[] = {1.1e-2, 2.9e-3, 7.4e-4}, moment_errors[] = {-1.4e-3, -1.7e-4, -2.1e-5};
+    for (std::size_t k = 0; k < 3; ++k) {
+        // nu = 0.28 and the lateral equations of longitudinal ones: c = 1 - nu
+        Nodal scene(10 << k);
+        scene.lateral = scene.longitudinal;
+        scene.friction.normal_pressure.setConstant(1e6);
+        const double exact = std::numbers::pi / (4 * (1 - scene.nu)) * 1e-3;
+        const Step spin = from_scratch(scene.steady(), {0, 0, 1e-3});
+        const Step creepage = from_scratch(scene.steady(), {0, 1e-3});
+        REQUIRE(spin.stick_count == scene.mesh.size());
+        CAPTURE(k, spin.force_per_width.lateral / exact, creepage.force_per_width.moment / exact);
+        CHECK(std::abs(std::abs(spin.force_per_width.lateral / exact + 1) - force_errors[k]) < 0.1 * force_errors[k]);
+        CHECK(std::abs(creepage.force_per_width.moment / exact - 1 - moment_errors[k]) <
+              std::max(1e-5, -0.1 * moment_errors[k]));
+        CHECK(spin.force_per_width.longitudinal == 0);
+        CHECK(std::abs(spin.force_per_width.moment) < 1e-2 * exact);
+    }
+}
+
+TEST_CASE("Work by creepage and spin becomes heat, to second order", "[friction]") {
+    for (const auto& [ratio, spin] : {std::pair{0.5, 0.0}, std::pair{0.3, 1.0}, std::pair{0.0, 2.5}}) {
+        for (const Eigen::Index n : {20, 40, 80}) {
+            const Nodal scene(n);
+            const Creepage<double> creepage = scene.creepage(ratio, 40, spin);
+            const Step step = from_scratch(scene.steady(), creepage);
+            const double error = std::abs(step.slip_work_per_width / work_of(step.force_per_width, creepage) - 1);
+            CAPTURE(ratio, spin, n, error);
+            CHECK(error < 4e-3 * 400 / static_cast<double>(n * n));
+        }
+    }
+}
+
+TEST_CASE("Spin that makes everything slip has the moment of full sliding about the middle", "[friction]") {
+    // the lateral slip phi x changes its sign in the middle: M = -mu int p_n |x| dx = -(4/(3 pi)) mu N a
+    const Nodal scene(80);
+    const Step step = from_scratch(scene.steady(), {0, 0, 1e4});
+    CHECK(step.status == StepStatus::ok);
+    CHECK(std::abs(-step.force_per_width.moment / full_force - 4 / (3 * std::numbers::pi)) < 1e-3);
+    // slip reverses at the middle, the point of a row: its element, with 2/n of the load, slides either way
+    CHECK(std::abs(ratios(step).lateral) < 4.01 / 80);
+    const Step opposite = from_scratch(scene.steady(), {0, 0, -1e4});
+    CHECK(opposite.force_per_width.moment == Approx(-step.force_per_width.moment).epsilon(1e-12));
+    const Step none = from_scratch(scene.steady(), {});
+    CHECK(none.status == StepStatus::ok);
+    CHECK(none.force_per_width.lateral == 0);
+    CHECK(none.force_per_width.moment == 0);
+    const Scene one(uniform_mesh<double>(1));
+    const Step single = from_scratch(one.steady(), {1e-2, 0, 1e-2});
+    CHECK(single.status == StepStatus::ok);
+    CHECK(single.stick_count == 0);
+}
+
+TEST_CASE("Lengths enter spin and moment as they should", "[friction]") {
+    // a scene of another size, with the same spin times a
+    const Nodal scene(20);
+    const Contact<double> large({.half_length = 5e-3, .half_width = 5, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const SteadyModel model(large, scene.mesh, scene.nodes, scene.longitudinal, scene.lateral,
+                            {1, 8e10 * scene.friction.normal_pressure});
+    const Creepage<double> creepage = scene.creepage(0.3, 30, 0.8);
+    const Step small = from_scratch(scene.steady(), creepage);
+    const Step step = from_scratch(model, {creepage.longitudinal, creepage.lateral, creepage.spin / 5e-3});
+    const double unit = 8e10 * 5e-3;
+    CHECK(step.force_per_width.lateral == Approx(unit * small.force_per_width.lateral).epsilon(1e-10));
+    CHECK(step.force_per_width.moment == Approx(unit * 5e-3 * small.force_per_width.moment).epsilon(1e-10));
+    CHECK(step.force.moment == Approx(10 * step.force_per_width.moment));
+    CHECK(step.tangent_per_width.by_spin.moment ==
+          Approx(unit * 5e-3 * 5e-3 * small.tangent_per_width.by_spin.moment).epsilon(1e-8));
+}
+
+TEST_CASE("The tangents of steps with spin are derivatives at constant angles", "[friction]") {
+    // slip that is not turned has no angles
+    for (const Integrator integrator : integrators) {
+        Nodal scene(20);
+        scene.friction.turned = false;
+        const Model model = scene.transient(integrator);
+        Workspace workspace = model.workspace();
+        State now = model.at_rest(), next = now, unused = now;
+        int mixed = 0;
+        for (int k = 0; k < 24; ++k) {
+            const double a = std::sqrt(1 + 0.3 * std::sin(0.3 * k)), e = 1e-7;
+            const bool shifts = k % 4 == 3;
+            if (shifts) continue;
+            const Creepage<double> start = scene.creepage(0.4, 6.0 * k, 0.5 * std::cos(0.7 * k));
+            const Creepage<double> end = scene.creepage(0.4, 6.0 * k + 6, 0.5 * std::cos(0.7 * k + 0.7));
+            const auto run = [&](double longitudinal, double lateral, double spin, double longer) {
+                const Creepage<double> last{end.longitudinal + longitudinal * peak, end.lateral + lateral * peak,
+                                            end.spin + spin * peak};
+                const Motion motion = k % 4 == 0 ? Motion(last) : Motion::linear(start, last);
+                const NormalLoad<double> load{a * scene.friction.normal_pressure, a + longer, {}};
+                return model.advance(now, 0.3, motion, load, unused, workspace).force_per_width;
+            };
+            const auto check = [&](const TangentialForce<double>& own, const TangentialForce<double>& ahead,
+                                   const TangentialForce<double>& behind, double step, double margin) {
+                CHECK((ahead.longitudinal - behind.longitudinal) / step == Approx(own.longitudinal).margin(margin));
+                CHECK((ahead.lateral - behind.lateral) / step == Approx(own.lateral).margin(margin));
+                CHECK((ahead.moment - behind.moment) / step == Approx(own.moment).margin(margin));
+            };
+            const NormalLoad<double> load{a * scene.friction.normal_pressure, a, {}};
+            const Motion motion = k % 4 == 0 ? Motion(end) : Motion::linear(start, end);
+            const Step step = model.advance(now, 0.3, motion, load, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            mixed += step.stick_count > 0 && step.stick_count < 20 ? 1 : 0;
+            CAPTURE(k, name(integrator));
+            check(step.tangent_per_width.by_longitudinal, run(e, 0, 0, 0), run(-e, 0, 0, 0), 2 * e * peak, 1e-5);
+            check(step.tangent_per_width.by_lateral, run(0, e, 0, 0), run(0, -e, 0, 0), 2 * e * peak, 1e-5);
+            check(step.tangent_per_width.by_spin, run(0, 0, e, 0), run(0, 0, -e, 0), 2 * e * peak, 1e-5);
+            check(step.tangent_by_half_length_per_width, run(0, 0, 0, e), run(0, 0, 0, -e), 2 * e, 1e-5 * peak);
+            std::swap(now, next);
+        }
+        CHECK(mixed > 10);
+    }
+}
+
+TEST_CASE("Turning changes the tangents little", "[friction]") {
+    const Nodal scene(40);
+    const SteadyModel model = scene.steady();
+    Workspace workspace = model.workspace();
+    State state, unused = model.at_rest();
+    double off = 0, largest = 0;
+    for (const double degrees : {10.0, 45.0, 80.0}) {
+        for (const double spin : {0.0, 0.4}) {
+            const Creepage<double> at = scene.creepage(0.5, degrees, spin);
+            const Step step = from_scratch(model, at, state);
+            const double e = 1e-6 * peak;
+            const auto lateral = [&](double by) {
+                return model.steady(state, {at.longitudinal, at.lateral + by, at.spin}, unused, workspace)
+                    .force_per_width.lateral;
+            };
+            const double own = step.tangent_per_width.by_lateral.lateral;
+            largest = std::max(largest, std::abs(own));
+            off = std::max(off, std::abs((lateral(e) - lateral(-e)) / (2 * e) - own));
+        }
+    }
+    CAPTURE(off, largest);
+    CHECK(off < 0.02 * largest);
+    CHECK(off > 1e-7 * largest);
+}
+
+TEST_CASE("Rolling with turned slip and spin tends to a steady state, to second order the one of steady rolling",
+          "[friction]") {
+    for (const Integrator integrator : integrators) {
+        double before = 1;
+        for (const Eigen::Index n : {10, 20, 40}) {
+            const Nodal scene(n, 0.28, 10);
+            const Model model = scene.transient(integrator);
+            Workspace workspace = model.workspace();
+            const Creepage<double> creepage = scene.creepage(0.5, 40, 0.4);
+            State now = model.at_rest(), next = now;
+            Step step, last;
+            for (int k = 0; k < 120; ++k) {
+                last = step;
+                step = model.advance(now, 0.5, creepage, next, workspace);
+                REQUIRE(step.status == StepStatus::ok);
+                std::swap(now, next);
+            }
+            const Step steady = model.steady(model.at_rest(), creepage, next, workspace);
+            const double off = std::hypot(step.force_per_width.longitudinal - steady.force_per_width.longitudinal,
+                                          step.force_per_width.lateral - steady.force_per_width.lateral) /
+                               full_force;
+            CAPTURE(name(integrator), n, off);
+            CHECK(std::abs(step.force.lateral - last.force.lateral) < 1e-8 * std::abs(step.force.lateral));
+            CHECK(step.force_per_width.moment == Approx(steady.force_per_width.moment).margin(2e-3 * full_force));
+            CHECK(step.slip_work_per_width == Approx(0.5 * steady.slip_work_per_width).epsilon(2e-3));
+            CHECK(off < 6e-2 / static_cast<double>(n * n));
+            CHECK(off < before / 2);
+            before = off;
+        }
+    }
+}
+
+TEST_CASE("A rigid shift turns by an angle about the middle", "[friction]") {
+    Nodal scene(20, 0.28, 10);
+    scene.friction.normal_pressure.setConstant(1);
+    const Model model = scene.transient();
+    Workspace workspace = model.workspace();
+    const State rest = model.at_rest();
+    State turned = rest, moved = rest, both = rest;
+    const double angle = 1e-5, shift = 2e-5;
+    const Step spin = model.shift(rest, {0, 0, angle}, turned, workspace);
+    REQUIRE(spin.stick_count == 20);
+    const ElementSystem<double, 2> system = scene.system();
+    const VectorX<double> slip = system.G(1, 1) * turned.traction.col(1) + angle * system.elements().x.matrix();
+    CHECK(slip.cwiseAbs().maxCoeff() < 1e-12 * angle);
+    CHECK(turned.traction.col(0).isZero(0));
+    // small shifts add up
+    const Step lateral = model.shift(rest, {0, shift}, moved, workspace);
+    const Step sum = model.shift(rest, {0, shift, angle}, both, workspace);
+    REQUIRE(sum.stick_count == 20);
+    CHECK((both.traction - turned.traction - moved.traction).cwiseAbs().maxCoeff() < 1e-16);
+    CHECK(sum.force.moment == Approx(spin.force.moment + lateral.force.moment).epsilon(1e-9));
+    CHECK(spin.tangent.by_spin.moment == Approx(spin.force.moment / angle).epsilon(1e-9));
+}
+
+TEST_CASE("Spin needs the points of the equations", "[friction]") {
+    const Nodal scene(8);
+    const ElementSystem<double, 2> system = scene.system();
+    const ElementSystem<double> x(system.G(0, 0), system.G_prime(0, 0), scene.mesh.widths());
+    const ElementSystem<double> y(system.G(1, 1), system.G_prime(1, 1), scene.mesh.widths());
+    const Model model(scene.contact, {x, y}, unchecked, scene.friction);
+    Workspace workspace = model.workspace();
+    const State rest = model.at_rest();
+    State next = rest;
+    const Creepage<double> spin = scene.creepage(0.3, 40, 0.1);
+    CHECK(model.steady(rest, spin, next, workspace).status == StepStatus::needs_places);
+    CHECK(model.advance(rest, 0.2, spin, next, workspace).status == StepStatus::needs_places);
+    CHECK(model.advance(rest, 0.2, Motion::linear(spin, {}), next, workspace).status == StepStatus::needs_places);
+    CHECK(model.advance(rest, 0.2, Motion::linear({}, spin), next, workspace).status == StepStatus::needs_places);
+    CHECK(model.shift(rest, spin, next, workspace).status == StepStatus::needs_places);
+    CHECK(next.traction == rest.traction);
+    // without spin its slip is not turned, and its moment is not known
+    const Step step = model.steady(rest, scene.creepage(0.3, 40, 0), next, workspace);
+    CHECK(step.status == StepStatus::ok);
+    CHECK(std::isnan(step.force.moment));
+    Nodal unturned = scene;
+    unturned.friction.turned = false;
+    const Step expected = from_scratch(unturned.steady(), scene.creepage(0.3, 40, 0));
+    CHECK(step.force.lateral == Approx(expected.force.lateral).epsilon(1e-12));
+}
+
+}  // namespace
