@@ -77,9 +77,9 @@ long double; there the bound is the rounding error times the condition of the pr
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
         std::vector<Case> cases = extremes::steady_cases(given.flag("large"));
-        for (const auto& more :
-             {extremes::harmonic_cases(), extremes::time_cases(), extremes::chebyshev_cases(given.flag("large")),
-              extremes::friction_cases(), extremes::load_cases(), extremes::direction_cases(), extremes::patch_cases()}) {
+        for (const auto& more : {extremes::harmonic_cases(), extremes::time_cases(),
+                                 extremes::chebyshev_cases(given.flag("large")), extremes::friction_cases(),
+                                 extremes::load_cases(), extremes::direction_cases(), extremes::patch_cases()}) {
             cases.insert(cases.end(), more.begin(), more.end());
         }
 

@@ -88,7 +88,7 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
-                                      scene.friction, integrator);
+                                scene.friction, integrator);
     FrictionWorkspace<> workspace = model.workspace();
     FrictionState<> now = model.at_rest(), next = now;
     FrictionStep<> step = model.steady(next, creepage(0.5), now, workspace);
@@ -154,7 +154,7 @@ BENCHMARK(BM_FrictionStepFallingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void steps_changing(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
-                                      scene.friction, integrator);
+                                scene.friction, integrator);
     FrictionWorkspace<> workspace = model.workspace();
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
     FrictionState<> now = model.at_rest(), next = now;
@@ -182,7 +182,7 @@ BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
     const Scene scene(state.range(0));
     const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
-                                      scene.friction, integrator);
+                                scene.friction, integrator);
     FrictionWorkspace<> workspace = model.workspace();
     FrictionState<> now = model.at_rest(), next = now;
     double q = 0, rounds = 0, dq = 0.05;

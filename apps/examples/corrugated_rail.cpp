@@ -53,7 +53,7 @@ struct State {
 // 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method; `load` is that at the end
 // of the step. The status is not ok if the contact refuses the step or Newton's method does not converge.
 rollbem::FrictionStep<> advance(const Model& model, double dq, const rollbem::NormalLoad<double>& load,
-                                      const State& now, State& next, Model::Workspace& workspace) {
+                                const State& now, State& next, Model::Workspace& workspace) {
     next.speed = now.speed;
     next.rotation = now.rotation;
     const double start = creepage(now.speed, now.rotation);

@@ -38,8 +38,8 @@ struct Combined {
 
     /// -F/(mu N) in both directions at the creepage ratio delta; cosine and sine give the direction of the creepage.
     Vector force(double delta, double cosine, double sine) {
-        const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(contact, slopes(false), slopes(true), mesh.widths(),
-                                                         {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(
+            contact, slopes(false), slopes(true), mesh.widths(), {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const auto rest = model.at_rest();
         auto state = rest;
         auto workspace = model.workspace();
@@ -53,7 +53,7 @@ struct Combined {
     /// The same by the solver of one direction.
     double force_alone(bool lateral, double delta) const {
         const rollbem::SteadyFrictionModel<> model(contact, slopes(lateral), mesh.widths(),
-                                                         {1, peak * rollbem::mean_hertz_pressure(mesh)});
+                                                   {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const auto rest = model.at_rest();
         auto state = rest;
         auto workspace = model.workspace();

@@ -105,7 +105,7 @@ void add_strips(std::vector<Case>& cases) {
         const Contact<double> own = contact(aspect);
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(320);
         const rollbem::SteadyFrictionModel<> model(own, mesh, equal, StripKernel<double>::longitudinal(own),
-                                                         {1, HertzPressure<double>{peak}(mesh)});
+                                                   {1, HertzPressure<double>{peak}(mesh)});
         const rollbem::FrictionState<> rest = model.at_rest();
         rollbem::FrictionState<> state = rest;
         rollbem::FrictionWorkspace<> workspace = model.workspace();

@@ -235,8 +235,7 @@ private:
     void roll_steadily() {
         require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
         const rollbem::Creepage<Scalar> creepage{slip_[0].value / speed_.value, slip_[1].value / speed_.value};
-        const rollbem::FrictionStep<2, Scalar> steady =
-            model_->steady(now_, creepage, end_load_, next_, *workspace_);
+        const rollbem::FrictionStep<2, Scalar> steady = model_->steady(now_, creepage, end_load_, next_, *workspace_);
         require(steady.status == StepStatus::ok, "status of steady rolling at the first inputs", name(steady.status),
                 "be ok");
         std::swap(now_, next_);

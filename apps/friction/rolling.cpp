@@ -40,7 +40,13 @@ public:
 
     RollingOf(const Model& model, const rollbem::HertzLoad<double>* hertz, double first_load_ratio, double unit,
               double dq)
-        : model_(model), hertz_(hertz), unit_(unit), dq_(dq), workspace_(model.workspace()), now_(model.at_rest()), next_(now_) {
+        : model_(model),
+          hertz_(hertz),
+          unit_(unit),
+          dq_(dq),
+          workspace_(model.workspace()),
+          now_(model.at_rest()),
+          next_(now_) {
         if (hertz_ == nullptr) return;
         load_ = hertz_->at(first_load_ratio * mu_N);
         now_.normal_pressure = load_.normal_pressure.head(now_.normal_pressure.size());
@@ -140,8 +146,7 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
         if (falling) {
             return make(rollbem::FrictionModel(contact, of, rollbem::unchecked, falling->under(means), integrator));
         }
-        return make(
-            rollbem::FrictionModel(contact, of, rollbem::unchecked, rollbem::Friction<>{1, means}, integrator));
+        return make(rollbem::FrictionModel(contact, of, rollbem::unchecked, rollbem::Friction<>{1, means}, integrator));
     };
     if (!both_directions) return make_of(system);
     const rollbem::ElementSystem<double> across = surface.system(Direction::lateral);

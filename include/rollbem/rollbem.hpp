@@ -1,4 +1,4 @@
-// rollbem: the two-dimensional tangential rolling contact problem by boundary elements. Includes every header that
+// rollbem: tangential rolling contact by boundary elements, on lines and on contact patches. Includes every header that
 // needs Eigen alone; what a program does not use costs next to nothing to compile. Not included are rollbem/reference/,
 // which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
 #pragma once

@@ -32,7 +32,8 @@ PlaneKernel<double> plane(double aspect) {
 Complex exact_c11(double z, double aspect, double poisson_ratio = nu) {
     const Complex wave(gsl_sf_bessel_J0(z), gsl_sf_bessel_J1(z));
     const Complex i(0, 1);
-    return steady_c11(poisson_ratio) * wave / (gsl_sf_bessel_J0(z) + i * z * plane_lambda(poisson_ratio, aspect) * wave);
+    return steady_c11(poisson_ratio) * wave /
+           (gsl_sf_bessel_J0(z) + i * z * plane_lambda(poisson_ratio, aspect) * wave);
 }
 
 std::vector<double> logarithmic(double first, double last, int count) {

@@ -65,11 +65,15 @@ TEST_CASE("Schemes reject invalid parameters and give name and value", "[scheme]
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_NOTHROW(check_scheme(Collocation{2, -2}, uniform_mesh(2)));
     CHECK_NOTHROW(check_scheme(Collocation{0.5, 0.5}, uniform_mesh(1)));
-    CHECK_THROWS_WITH(check_scheme(Collocation{2.5, 0}, uniform_mesh(4)), "Collocation: alpha_L = 2.5 must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{0, nan}, uniform_mesh(4)), "Collocation: alpha_T = nan must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{2.5, 0}, uniform_mesh(4)),
+                      "Collocation: alpha_L = 2.5 must lie in [-2, 2]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{0, nan}, uniform_mesh(4)),
+                      "Collocation: alpha_T = nan must lie in [-2, 2]");
     CHECK_THROWS_WITH(check_scheme(Galerkin{0, -3}, uniform_mesh(4)), "Galerkin: alpha_T = -3 must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, uniform_mesh(4)), "Collocation: lambda = 1.5 must lie in [0, 1]");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, uniform_mesh(4)), "Galerkin: lambda = nan must lie in [0, 1]");
+    CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, uniform_mesh(4)),
+                      "Collocation: lambda = 1.5 must lie in [0, 1]");
+    CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, uniform_mesh(4)),
+                      "Galerkin: lambda = nan must lie in [0, 1]");
     CHECK_THROWS_WITH(check_scheme(Collocation{0, 0.63}, uniform_mesh(1)),
                       "Collocation: n = 1 must be at least 2 where alpha_L and alpha_T differ");
     CHECK_THROWS_WITH(check_scheme(Galerkin{0, 0.63}, uniform_mesh(1)),
@@ -87,7 +91,8 @@ TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last ro
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index n : {1, 2, 3, 8, 41}) {
-        for (const auto& [name, mesh] : {std::pair{"cosine", cosine_mesh<Scalar>(n)}, {"uniform", uniform_mesh<Scalar>(n)}}) {
+        for (const auto& [name, mesh] :
+             {std::pair{"cosine", cosine_mesh<Scalar>(n)}, {"uniform", uniform_mesh<Scalar>(n)}}) {
             for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
                 if (nodes == Nodes::chebyshev && name == std::string("uniform")) continue;
                 const SchemeRows<Scalar> slope = NodeDifference{nodes}.rows(Quantity::slope, mesh);
@@ -117,9 +122,10 @@ TEST_CASE("Chebyshev nodes require the cosine mesh", "[scheme]") {
     const NodeDifference chebyshev{Nodes::chebyshev};
     CHECK_NOTHROW(check_scheme(chebyshev, mesh_from_edges<double>(cosine_mesh(40).edges())));
     CHECK_NOTHROW(check_scheme(chebyshev, uniform_mesh(2)));  // both are the same
-    CHECK_THROWS_WITH(check_scheme(chebyshev, uniform_mesh(3)),
-                      ContainsSubstring("NodeDifference: width of an element over that of the cosine mesh = 1.333333") &&
-                          ContainsSubstring("must be 1: Chebyshev nodes require the cosine mesh"));
+    CHECK_THROWS_WITH(
+        check_scheme(chebyshev, uniform_mesh(3)),
+        ContainsSubstring("NodeDifference: width of an element over that of the cosine mesh = 1.333333") &&
+            ContainsSubstring("must be 1: Chebyshev nodes require the cosine mesh"));
     CHECK_THROWS_AS(check_scheme(chebyshev, geometric_mesh(8, 1.5)), std::invalid_argument);
 }
 

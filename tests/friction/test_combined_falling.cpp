@@ -48,9 +48,7 @@ struct Scene {
     PlaneKernel<double> lateral() const { return PlaneKernel<double>::lateral(contact); }
     ElementSystem<double> along() const { return rolling_system(mesh, scheme, longitudinal()); }
     ElementSystem<double> across() const { return rolling_system(mesh, scheme, lateral()); }
-    SteadyFrictionModel<Law, 2> steady() const {
-        return {contact, mesh, scheme, longitudinal(), lateral(), friction};
-    }
+    SteadyFrictionModel<Law, 2> steady() const { return {contact, mesh, scheme, longitudinal(), lateral(), friction}; }
     Model transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, {along(), across()}, unchecked, friction, integrator};
     }
@@ -89,7 +87,7 @@ TEST_CASE("In two directions the steady forces of a wheel at 45 m/s, along and a
         const Scene scene(uniform_mesh<double>(160), distances[k]);
         const StripKernel<double> along = StripKernel<double>::longitudinal(scene.contact);
         const SteadyFrictionModel model(scene.contact, scene.mesh, scene.scheme, along,
-                                               StripKernel<double>::lateral(scene.contact), scene.friction);
+                                        StripKernel<double>::lateral(scene.contact), scene.friction);
         Workspace workspace = model.workspace();
         const State rest = model.at_rest();
         State state = rest;
@@ -110,10 +108,10 @@ TEST_CASE("In two directions a law that is constant is Coulomb's", "[friction]")
     const ArrayX<double>& pressure = scene.friction.normal_pressure;
     for (const double distance : {0.0, 3e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const FrictionModel<ConstantFriction<>, 2> expected(scene.contact, {scene.along(), scene.across()}, unchecked,
-                                                         {0.25, pressure}, integrator);
+            const FrictionModel<ConstantFriction<>, 2> expected(scene.contact, {scene.along(), scene.across()},
+                                                                unchecked, {0.25, pressure}, integrator);
             const FrictionModel<Constant, 2> model(scene.contact, {scene.along(), scene.across()}, unchecked,
-                                                       {constant, pressure, {distance, 1e-3}}, integrator);
+                                                   {constant, pressure, {distance, 1e-3}}, integrator);
             Workspace workspace = model.workspace();
             FrictionWorkspace<2> expected_workspace = expected.workspace();
             State now = model.at_rest(), next = now;
@@ -171,7 +169,7 @@ TEST_CASE("Without lateral creepage two directions are one", "[friction]") {
             for (const bool across : {false, true}) {
                 // lateral creepage alone is one direction, too, with the lateral kernel
                 const FrictionModel<Law> line(scene.contact, across ? scene.across() : scene.along(), unchecked,
-                                                     scene.friction, integrator);
+                                              scene.friction, integrator);
                 const Model model = scene.transient(integrator);
                 const auto vector = [&](double size) {
                     return across ? Creepage<double>{0, size} : Creepage<double>{size, 0};
@@ -621,8 +619,7 @@ TEST_CASE("In two directions a falling law out of range is refused", "[friction]
                       ContainsSubstring("distance of the memory = 1e-06 must be 0"));
     scene.friction.memory.distance = 0;
     CHECK_NOTHROW(Model(scene.contact, {pointless, across}, unchecked, scene.friction));
-    CHECK_THROWS_AS(Model(scene.contact, {along, across}, StabilityVerdict{}, scene.friction),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(Model(scene.contact, {along, across}, StabilityVerdict{}, scene.friction), std::invalid_argument);
 
     const Model model = scene.transient();
     Workspace workspace = model.workspace();
@@ -654,7 +651,8 @@ TEST_CASE("In two directions a falling law out of range is refused", "[friction]
     wrong.friction_coefficient.resize(9);
     CHECK(model.advance(wrong, {dq, duration}, creepage, to, workspace).status == StepStatus::wrong_state);
     CHECK(model.advance(rest, {dq, duration}, creepage, wrong, workspace).status == StepStatus::wrong_state);
-    CHECK(model.advance(rest, {dq, duration}, Creepage<double>{nan, 0}, to, workspace).status == StepStatus::not_finite);
+    CHECK(model.advance(rest, {dq, duration}, Creepage<double>{nan, 0}, to, workspace).status ==
+          StepStatus::not_finite);
     CHECK(model.steady(rest, {0, infinite}, rolling_speed, to, workspace).status == StepStatus::not_finite);
     CHECK(scene.steady().steady(scene.steady().at_rest(), {nan, 0}, rolling_speed, to, workspace).status ==
           StepStatus::not_finite);
@@ -670,7 +668,7 @@ TEST_CASE("In two directions a law that is no number, or has no solution, ends i
     const Scene scene(cosine_mesh<double>(20));
     const ArrayX<double>& pressure = scene.friction.normal_pressure;
     const FrictionModel<decltype(broken), 2> model(scene.contact, {scene.along(), scene.across()}, unchecked,
-                                                       {broken, pressure});
+                                                   {broken, pressure});
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
@@ -687,14 +685,15 @@ TEST_CASE("In two directions a law that is no number, or has no solution, ends i
     const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene one(uniform_mesh<double>(1));
     const FrictionModel<decltype(torn), 2> without_solution(one.contact, {one.along(), one.across()}, unchecked,
-                                                                {torn, one.friction.normal_pressure},
-                                                                Integrator::implicit_euler);
+                                                            {torn, one.friction.normal_pressure},
+                                                            Integrator::implicit_euler);
     Workspace small = without_solution.workspace();
     const State rest = without_solution.at_rest();
     State to = rest;
     int failed = 0;
     for (int k = 1; k <= 60; ++k) {
-        const Step step = without_solution.advance(rest, {dq, duration}, Creepage<double>{8e-4 * k, 6e-4 * k}, to, small);
+        const Step step =
+            without_solution.advance(rest, {dq, duration}, Creepage<double>{8e-4 * k, 6e-4 * k}, to, small);
         if (step.status == StepStatus::ok) continue;
         REQUIRE(step.status == StepStatus::no_solution);
         CHECK(step.complementarity_residual > 0.05);

@@ -43,7 +43,7 @@ TEST_CASE("Motion in one direction under a varying load agrees with the model of
             const Model model = scene.transient(integrator);
             for (const bool lateral : {false, true}) {
                 const FrictionModel<> one(scene.contact, lateral ? scene.across() : scene.along(), unchecked,
-                                                scene.friction, integrator);
+                                          scene.friction, integrator);
                 State now = model.at_rest(), next = now;
                 Workspace workspace = model.workspace();
                 FrictionState<> own = one.at_rest(), own_next = own;

@@ -24,9 +24,7 @@ using namespace rollbem;
 template <class Scalar>
 using Solver = detail::CombinedSolver<Scalar>;
 
-std::vector<Zone> all_stick(Eigen::Index n) {
-    return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick);
-}
+std::vector<Zone> all_stick(Eigen::Index n) { return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick); }
 
 struct Problem {
     MatrixX<double> x, y;

@@ -100,8 +100,9 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
     const Contact<double> contact = Contact<double>::dimensionless(2, 0.28);
     const Mesh<double> mesh = cosine_mesh(20);
     const Friction<> grip{1e6, ArrayX<double>::Ones(20)};
-    const SteadyFrictionModel<ConstantFriction<>, 2> model(contact, mesh, Collocation{}, StripKernel<double>::longitudinal(contact),
-                                            StripKernel<double>::lateral(contact), grip);
+    const SteadyFrictionModel<ConstantFriction<>, 2> model(contact, mesh, Collocation{},
+                                                           StripKernel<double>::longitudinal(contact),
+                                                           StripKernel<double>::lateral(contact), grip);
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = model.at_rest();
     const auto step = model.steady(now, {.longitudinal = 1e-3, .lateral = 2e-3}, next, workspace);
@@ -116,8 +117,7 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
 TEST_CASE("Steady rolling with creepage in one direction agrees with the model of that direction", "[friction]") {
     const Scene scene = Scene(cosine_mesh<double>(40)).plain();
     const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
-    const SteadyFrictionModel<> along(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
-                                            scene.friction);
+    const SteadyFrictionModel<> along(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.friction);
     const SteadyFrictionModel<> across(scene.contact, scene.mesh, scene.scheme, scene.lateral, scene.friction);
     for (const double ratio : {-0.7, -0.2, 0.05, 0.5, 0.9, 1.0, 1.3}) {
         for (const bool lateral : {false, true}) {
@@ -145,7 +145,7 @@ TEST_CASE("Exchanging kernels and creepages exchanges the forces", "[friction]")
     const Scene scene(cosine_mesh<double>(24));
     const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
     const SteadyFrictionModel<ConstantFriction<>, 2> swapped(scene.contact, scene.mesh, scene.scheme, scene.lateral,
-                                              scene.longitudinal, scene.friction);
+                                                             scene.longitudinal, scene.friction);
     for (const double ratio : {0.2, 0.6, 0.95, 1.05, 4.0}) {
         for (const double degrees : {10.0, 45.0, 77.0, 120.0}) {
             const Creepage<double> creepage = scene.creepage(ratio, degrees);
@@ -264,8 +264,8 @@ TEST_CASE("Few elements, no friction and elements without pressure are solved", 
         }
     }
     const Scene scene(cosine_mesh<double>(12));
-    const SteadyFrictionModel<ConstantFriction<>, 2> smooth(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
-                                             {0, scene.friction.normal_pressure});
+    const SteadyFrictionModel<ConstantFriction<>, 2> smooth(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
+                                                            scene.lateral, {0, scene.friction.normal_pressure});
     State state;
     const Step free = from_scratch(smooth, scene.creepage(0.5, 45), state);
     CHECK(free.status == StepStatus::ok);
@@ -276,8 +276,8 @@ TEST_CASE("Few elements, no friction and elements without pressure are solved", 
     // a hole in the contact
     Friction<> holed = scene.friction;
     holed.normal_pressure.segment(4, 3).setZero();
-    const SteadyFrictionModel<ConstantFriction<>, 2> torn(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
-                                           holed);
+    const SteadyFrictionModel<ConstantFriction<>, 2> torn(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
+                                                          scene.lateral, holed);
     const Step step = from_scratch(torn, scene.creepage(0.4, 45), state);
     CHECK(step.status == StepStatus::ok);
     CHECK(state.traction.middleRows(4, 3).isZero(0));
@@ -303,12 +303,12 @@ TEST_CASE("Invalid input to steady rolling in two directions is rejected or repo
           "SteadyFrictionModel: G_prime_yy(2, 3) = nan must be finite (row and column counted from 0)");
     CHECK(build(G_prime, G_prime, -widths) != "");
     CHECK(refusal([&] {
-              SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal, scene.lateral,
-                                          {-1, scene.friction.normal_pressure});
+              SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
+                                                         scene.lateral, {-1, scene.friction.normal_pressure});
           }) == "SteadyFrictionModel: friction_coefficient = -1 must be finite and not negative");
     CHECK(refusal([&] {
               SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
-                                          PlaneKernel<double>(10, 1, -0.28), scene.friction);
+                                                         PlaneKernel<double>(10, 1, -0.28), scene.friction);
           }) != "");
 
     const State rest = model.at_rest();

@@ -52,7 +52,7 @@ TEST_CASE("Motion in one direction agrees with the model of that direction", "[f
         const Model model = scene.transient(integrator);
         for (const bool lateral : {false, true}) {
             const FrictionModel<> one(scene.contact, lateral ? scene.across() : scene.along(), unchecked,
-                                            scene.friction, integrator);
+                                      scene.friction, integrator);
             State now = model.at_rest(), next = now;
             Workspace workspace = model.workspace();
             FrictionState<> own = one.at_rest(), own_next = own;
@@ -226,8 +226,8 @@ TEST_CASE("A used workspace gives the same results as a new one in two direction
     for (const Eigen::Index n : {3, 8, 21}) {
         for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
             const Scene scene(cosine_mesh<double>(n), 0.28, scheme, 10), other(uniform_mesh<double>(n), 0.5, half, 4);
-            const std::vector<Model> models{
-                scene.transient(), scene.transient(Integrator::implicit_euler), other.transient()};
+            const std::vector<Model> models{scene.transient(), scene.transient(Integrator::implicit_euler),
+                                            other.transient()};
             std::vector<State> now;
             for (const auto& model : models) now.push_back(model.at_rest());
             std::vector<State> next = now;
@@ -270,15 +270,13 @@ TEST_CASE("Invalid input to a step in two directions is rejected or reported by 
     const ElementSystem<double> along = scene.along(), across = scene.across();
     const auto build = [&](const ElementSystem<double>& x, const ElementSystem<double>& y,
                            Integrator integrator = Integrator::sdirk2) {
-        return refusal(
-            [&] { Model(scene.contact, {x, y}, unchecked, scene.friction, integrator); });
+        return refusal([&] { Model(scene.contact, {x, y}, unchecked, scene.friction, integrator); });
     };
     CHECK(build(along, across) == "");
     CHECK(build(along, across, Integrator::matrix_exponential) ==
           "FrictionModel: integrator = matrix_exponential must be implicit_euler or sdirk2");
-    CHECK(
-        build(along, Scene(cosine_mesh<double>(7), 0.28, half, 10).across()) ==
-        "ElementSystem: number of lateral elements = 7 must equal the number of longitudinal ones");
+    CHECK(build(along, Scene(cosine_mesh<double>(7), 0.28, half, 10).across()) ==
+          "ElementSystem: number of lateral elements = 7 must equal the number of longitudinal ones");
     CHECK(build(along, Scene(uniform_mesh<double>(8), 0.28, half, 10).across())
               .find("ElementSystem: width of a lateral element over that of the longitudinal one = ") == 0);
     CHECK(build(along, Scene(scene.mesh, 0.28, half, 11).across())
@@ -298,8 +296,9 @@ TEST_CASE("Invalid input to a step in two directions is rejected or reported by 
         CHECK(verdict.n == 16);
         CHECK(verdict.uncertain_count == judge_stability(central).uncertain_count);
         CHECK_FALSE(verdict.stable());
-        CHECK(refusal([&] { Model(scene.contact, pair, settled, scene.friction); })
-                  .find("FrictionModel: share of steady traction that assists the creepage = ") == 0);
+        CHECK(refusal([&] {
+                  Model(scene.contact, pair, settled, scene.friction);
+              }).find("FrictionModel: share of steady traction that assists the creepage = ") == 0);
     }
 
     const Model model = scene.transient();
@@ -327,9 +326,7 @@ TEST_CASE("Invalid input to a step in two directions is rejected or reported by 
     other = Scene(scene.mesh, 0.3, half, 10).transient().at_rest();
     CHECK(status(other, 0.1, creepage) == StepStatus::wrong_state);
     // pressures of another model
-    other =
-        Model(scene.contact, {along, across}, unchecked, {1, 2 * scene.friction.normal_pressure})
-            .at_rest();
+    other = Model(scene.contact, {along, across}, unchecked, {1, 2 * scene.friction.normal_pressure}).at_rest();
     CHECK(status(other, 0.1, creepage) == StepStatus::wrong_state);
     // a result that overflows: `to` is `from` again
     now.traction.setConstant(1e308);

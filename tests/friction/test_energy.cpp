@@ -83,8 +83,8 @@ struct Balance {
 template <class Scheme>
 Balance roll(const Mesh<double>& mesh, const Scheme& scheme, Integrator integrator, int steps) {
     const Scene scene(mesh, half, 1, 50);
-    const FrictionModel<> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked,
-                                      scene.friction, integrator);
+    const FrictionModel<> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked, scene.friction,
+                                integrator);
     FrictionState<> now = model.at_rest(), next = now;
     FrictionWorkspace<> workspace = model.workspace();
     const double dq = 4.0 / steps;

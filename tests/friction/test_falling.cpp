@@ -77,9 +77,9 @@ TEST_CASE("A constant law is Coulomb's", "[friction]") {
     for (const double distance : {0.0, 3e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<> expected(scene.contact, scene.system(), unchecked, {0.25, scene.pressure()},
-                                                 integrator);
+                                           integrator);
             const FrictionModel<Constant> model(scene.contact, scene.system(), unchecked,
-                                                       {constant, scene.pressure(), {distance, 1e-3}}, integrator);
+                                                {constant, scene.pressure(), {distance, 1e-3}}, integrator);
             auto workspace = model.workspace();
             auto expected_workspace = expected.workspace();
             State now = model.at_rest(), next = now;
@@ -323,7 +323,7 @@ TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[fr
     const Law steep{.mu_0 = 0.3, .mu_k = 0, .half_velocity = 0.002};
     const Scene scene(cosine_mesh<double>(40));
     const SteadyFrictionModel<Law> model(scene.contact, scene.mesh, scene.scheme, scene.kernel,
-                                        {steep, scene.pressure()});
+                                         {steep, scene.pressure()});
     auto workspace = model.workspace();
     constexpr int count = 31;
     const auto curve = [&](bool down) {
@@ -354,7 +354,7 @@ TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
     const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(scene.contact);
     const Law weak{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
     const FrictionModel<Law> model(scene.contact, rolling_system(scene.mesh, scene.scheme, kernel), unchecked,
-                                          {weak, scene.pressure() / 1000, {10e-6, 0}}, Integrator::sdirk2);
+                                   {weak, scene.pressure() / 1000, {10e-6, 0}}, Integrator::sdirk2);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.02 * a, creepage = 2e-3;
@@ -444,8 +444,7 @@ TEST_CASE("Without tangents a step is the same", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), 5e-6);
     Friction<Law> friction = scene.friction();
     friction.with_tangents = false;
-    const FrictionModel<Law> with = scene.transient(),
-                                    without(scene.contact, scene.system(), unchecked, friction);
+    const FrictionModel<Law> with = scene.transient(), without(scene.contact, scene.system(), unchecked, friction);
     auto workspace = with.workspace(), other_workspace = workspace;
     State now = with.at_rest(), next = now, other = now;
     for (int k = 1; k <= 30; ++k) {
@@ -466,8 +465,7 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
         const Friction<Law> friction{bad, scene.pressure(), memory};
         CHECK_THROWS_WITH(SteadyFrictionModel<Law>(scene.contact, scene.mesh, scene.scheme, scene.kernel, friction),
                           ContainsSubstring(words));
-        CHECK_THROWS_AS(FrictionModel<Law>(scene.contact, scene.system(), unchecked, friction),
-                        std::invalid_argument);
+        CHECK_THROWS_AS(FrictionModel<Law>(scene.contact, scene.system(), unchecked, friction), std::invalid_argument);
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     refused({-0.1, 0.2, 1}, {}, "friction coefficient at rest = -0.1 must be finite and not negative");
@@ -528,8 +526,7 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
 TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
     const auto broken = [](double v) { return v > 0.05 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(20));
-    const FrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked,
-                                                       {broken, scene.pressure()});
+    const FrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked, {broken, scene.pressure()});
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
@@ -543,8 +540,8 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
     // it sticks at the coefficient of slip, and slips at that of rest
     const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene scene(uniform_mesh<double>(1));
-    const FrictionModel<decltype(torn)> model(scene.contact, scene.system(), unchecked,
-                                                     {torn, scene.pressure()}, Integrator::implicit_euler);
+    const FrictionModel<decltype(torn)> model(scene.contact, scene.system(), unchecked, {torn, scene.pressure()},
+                                              Integrator::implicit_euler);
     auto workspace = model.workspace();
     State rest = model.at_rest(), next = rest;
     int failed = 0;
@@ -565,8 +562,8 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 TEST_CASE("A law that is no number in between is not overlooked", "[friction]") {
     const auto gap = [](double v) { return v > 0.02 && v < 0.04 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<decltype(gap)> model(scene.contact, scene.system(), unchecked,
-                                                    {gap, scene.pressure()}, Integrator::implicit_euler);
+    const FrictionModel<decltype(gap)> model(scene.contact, scene.system(), unchecked, {gap, scene.pressure()},
+                                             Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.05 * a, duration = dq / speed;
@@ -591,8 +588,8 @@ TEST_CASE("A law that is no number in between is not overlooked", "[friction]") 
 TEST_CASE("A law may rise from nothing", "[friction]") {
     const auto rising = [](double v) { return std::min(0.3, v); };
     const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<decltype(rising)> model(scene.contact, scene.system(), unchecked,
-                                                       {rising, scene.pressure()}, Integrator::implicit_euler);
+    const FrictionModel<decltype(rising)> model(scene.contact, scene.system(), unchecked, {rising, scene.pressure()},
+                                                Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     REQUIRE(model.steady(now, 5e-3, speed, next, workspace).status == StepStatus::ok);

@@ -20,7 +20,8 @@ bool same(const Step& x, const Step& y) {
 bool same(const State& x, const State& y) {
     return (x.traction.array() == y.traction.array()).all() && x.zones == y.zones &&
            (x.friction_coefficient == y.friction_coefficient).all() &&
-           (x.solver.stage_coefficient == y.solver.stage_coefficient).all() && x.solver.unchanged_steps == y.solver.unchanged_steps &&
+           (x.solver.stage_coefficient == y.solver.stage_coefficient).all() &&
+           x.solver.unchanged_steps == y.solver.unchanged_steps &&
            same(x.solver.unchanged_distance, y.solver.unchanged_distance);
 }
 
@@ -38,7 +39,7 @@ TEST_CASE("Long runs do not depend on the workspace, even if two laws share it",
         Friction<Law> steep = scene.friction();
         steep.law.half_velocity *= 0.9;
         const FrictionModel<Law> models[] = {scene.transient(c.integrator),
-                                                    {scene.contact, scene.system(), unchecked, steep, c.integrator}};
+                                             {scene.contact, scene.system(), unchecked, steep, c.integrator}};
         State now[] = {models[0].at_rest(), models[1].at_rest()}, next = now[0], alone = next;
         auto used = models[0].workspace();
         for (int k = 0; k < 1600; ++k) {

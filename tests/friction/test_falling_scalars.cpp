@@ -32,7 +32,8 @@ std::vector<double> ride(double distance, Integrator integrator) {
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<Scalar>::longitudinal(contact));
     const ExponentialFall<Scalar> falling{static_cast<Scalar>(law.mu_0), static_cast<Scalar>(law.mu_k),
                                           static_cast<Scalar>(law.half_velocity)};
-    const FrictionMemory<Scalar> memory{static_cast<Scalar>(distance), static_cast<Scalar>(falling_tests::least_velocity)};
+    const FrictionMemory<Scalar> memory{static_cast<Scalar>(distance),
+                                        static_cast<Scalar>(falling_tests::least_velocity)};
     const FrictionModel<ExponentialFall<Scalar>, 1, Scalar> model(
         contact, system, unchecked,
         {falling, static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh), memory}, integrator);
@@ -44,7 +45,7 @@ std::vector<double> ride(double distance, Integrator integrator) {
         const bool steady = k == 0;
         const Scalar duration = (steady ? 1 : dq) * a / V;
         const FrictionStep<1, Scalar> step = steady ? model.steady(now, creepage, V, next, workspace)
-                                                 : model.advance(now, {dq * a, duration}, creepage, next, workspace);
+                                                    : model.advance(now, {dq * a, duration}, creepage, next, workspace);
         CAPTURE(distance, name(integrator), k, step.complementarity_residual);
         REQUIRE(step.status == StepStatus::ok);
         if (steady || integrator == Integrator::implicit_euler) {

@@ -126,8 +126,7 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
         Workspace other = there.workspace();
         for (int k = 0; k < 20; ++k) {
             const double xi = load_creepage(0.7 * std::sin(0.5 * k));
-            const FrictionStep<> one =
-                model.advance(now, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), next, workspace);
+            const FrictionStep<> one = model.advance(now, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), next, workspace);
             const FrictionStep<> two =
                 there.advance(elsewhere, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), elsewhere_next, other);
             REQUIRE(one.status == StepStatus::ok);
@@ -240,13 +239,13 @@ TEST_CASE("A half-length that the mesh cannot follow is reported as needs_fixed_
 
     // systems with a single half-length: user-supplied matrices, and Galerkin's method
     const ElementSystem<double> system = scene.system();
-    const FrictionModel<> ready(
-        scene.contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()), unchecked, scene.law());
+    const FrictionModel<> ready(scene.contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()),
+                                unchecked, scene.law());
     CHECK(status(ready, now, 0.1, 1.01) == StepStatus::needs_fixed_mesh);
     CHECK(status(ready, now, 0.1, 1) == StepStatus::ok);
-    const FrictionModel<> galerkin(
-        scene.contact, rolling_system(scene.mesh, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}, scene.kernel), unchecked,
-        scene.law());
+    const FrictionModel<> galerkin(scene.contact,
+                                   rolling_system(scene.mesh, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}, scene.kernel),
+                                   unchecked, scene.law());
     CHECK(status(galerkin, now, 0.1, 1.01) == StepStatus::needs_fixed_mesh);
     CHECK(status(galerkin, now, 0.1, 1) == StepStatus::ok);
 }

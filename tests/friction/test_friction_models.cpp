@@ -92,7 +92,9 @@ TEMPLATE_TEST_CASE("A steady state starts a run in time", "[friction]", ALL_CASE
     CHECK(sum(in_time.force) == sum(point.force));
     in_time = model.advance(now, travel, creepage, next, workspace);
     REQUIRE(in_time.status == StepStatus::ok);
-    const double margin = detail::is_constant<typename TestType::Law> ? 1e-12 : 0.02;
+    // the angles by which slip turns are those of each step's own plain solution
+    const double turn = TestType::directions == 2 ? 1e-5 : 1e-12;
+    const double margin = detail::is_constant<typename TestType::Law> ? turn : 0.02;
     CHECK(sum(in_time.force) == Approx(sum(point.force)).epsilon(margin));
 }
 

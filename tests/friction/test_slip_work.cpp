@@ -138,7 +138,7 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);
             const FrictionStep<> step = k % 2 == 0 ? model.shift(now, peak * wave, next, workspace)
-                                                         : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
+                                                   : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             CHECK(workspace.slip_work().minCoeff() >= 0);
             CHECK(std::abs(workspace.slip_work().sum() - step.slip_work_per_width) <= 1e-14 * step.slip_work_per_width);

@@ -47,8 +47,10 @@ void ride(Draw& draw, double aspect, Tally& tally) {
         }
         return result;
     };
-    const FrictionModel<ConstantFriction<>, 2> model(contact, {along, across}, unchecked, {mu, pressures(false)},
-                                              Integrator::implicit_euler);
+    // the fixed point opposes the slip of each equation itself
+    const Friction<> law{.law = {mu}, .normal_pressure = pressures(false), .turned = false};
+    const FrictionModel<ConstantFriction<>, 2> model(contact, {along, across}, unchecked, law,
+                                                     Integrator::implicit_euler);
     FrictionState<2> now = model.at_rest(), next = now;
     FrictionWorkspace<2> workspace = model.workspace();
     NormalLoad<double> load{now.normal_pressure, a, {}};

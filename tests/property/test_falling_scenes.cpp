@@ -63,7 +63,7 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
         return result;
     };
     const FrictionModel<AnyLaw> model(contact, system, unchecked, {law, pressures(false), memory},
-                                             Integrator::implicit_euler);
+                                      Integrator::implicit_euler);
     FrictionState<> now = model.at_rest(), next = now;
     FrictionWorkspace<> workspace = model.workspace();
     NormalLoad<double> load{now.normal_pressure, a, {}};
@@ -74,9 +74,10 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
         const double dq = shifts || steady ? 0 : draw.decades(-2, 0), duration = draw.decades(-2, 0) * a / speed;
         const double time = steady ? a / speed : shifts ? duration : dq * a / speed;
         const FrictionStep<> step =
-            steady   ? model.steady(now, creepage, speed, load, next, workspace)
-            : shifts ? model.advance(now, {0, duration}, RigidMotion<double>::shift(a * creepage), load, next, workspace)
-                     : model.advance(now, {dq * a, time}, creepage, load, next, workspace);
+            steady ? model.steady(now, creepage, speed, load, next, workspace)
+            : shifts
+                ? model.advance(now, {0, duration}, RigidMotion<double>::shift(a * creepage), load, next, workspace)
+                : model.advance(now, {dq * a, time}, creepage, load, next, workspace);
         ++tally.solutions;
         const double imposed = steady || shifts ? creepage : dq * creepage;
         const Violation<double> found =

@@ -84,8 +84,7 @@ inline Real entry(const Kernel& kernel, bool slope, int averages, Real d, Real h
     return difference(difference, d, averages + 1);
 }
 
-using Scheme =
-    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference>;
+using Scheme = std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference>;
 using Mesh = rollbem::Mesh<Real>;
 
 /// A scheme as a list of samples: nodes and weights, how often they are averaged, and whether points must keep clear of

@@ -21,8 +21,8 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
     const ArrayX<Scalar> widths = system.weights().template cast<Scalar>();
     const MatrixX<Scalar> G = system.G().template cast<Scalar>(), G_prime = system.G_prime().template cast<Scalar>();
     const Friction<ConstantFriction<Scalar>, Scalar> friction{1, bound.template cast<Scalar>()};
-    const FrictionModel<ConstantFriction<Scalar>, 1, Scalar> model(contact, {G, G_prime, widths}, unchecked,
-                                      {friction.law, friction.normal_pressure}, Integrator::sdirk2);
+    const FrictionModel<ConstantFriction<Scalar>, 1, Scalar> model(
+        contact, {G, G_prime, widths}, unchecked, {friction.law, friction.normal_pressure}, Integrator::sdirk2);
     FrictionState<1, Scalar> now = model.at_rest(), next = now;
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
     FrictionStep<1, Scalar> step;

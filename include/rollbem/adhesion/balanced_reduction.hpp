@@ -75,7 +75,7 @@ Eigen::Index numerical_rank(const MatrixX<Scalar>& factor) {
     return (factor.colwise().norm().array() > std::numeric_limits<Scalar>::epsilon() * factor.norm()).count();
 }
 
-/// Z^H B for real B, with the columns that gramian_factor wants.
+/// Z^H B for real B, with the columns that gramian_factor needs.
 template <class Scalar>
 MatrixX<std::complex<Scalar>> transformed(const MatrixX<std::complex<Scalar>>& Z, const MatrixX<Scalar>& B) {
     const MatrixX<Scalar> Z_re = Z.real(), Z_im = Z.imag();
@@ -85,8 +85,8 @@ MatrixX<std::complex<Scalar>> transformed(const MatrixX<std::complex<Scalar>>& Z
     return result;
 }
 
-/// Hankel singular values, decreasing, those above rounding, and the directions V (columns) and W (rows) of the balanced
-/// states x = V z, z = W x, one for each.
+/// Hankel singular values above rounding, decreasing, and for each a direction in V (columns) and W (rows) of the
+/// balanced states x = V z, z = W x.
 template <class Scalar>
 struct Balance {
     Status status;  ///< ok, not_finite, or ill_conditioned where there are none

@@ -39,9 +39,9 @@ struct HarmonicSolution {
 /// One point of a sweep.
 template <class Scalar>
 struct SweepPoint {
-    std::complex<Scalar> c11 = 0;                ///< as in HarmonicSolution; the first of the coefficients
+    std::complex<Scalar> c11 = 0;                  ///< as in HarmonicSolution; the first of the coefficients
     MatrixX<std::complex<Scalar>> coefficients{};  ///< as in Response, k x k
-    Scalar residual = 0;                         ///< of the reduced equations; otherwise as in HarmonicSolution
+    Scalar residual = 0;                           ///< of the reduced equations; otherwise as in HarmonicSolution
     /// Of the reduced equations from one more right-hand side, where c11 is accurate to eps/rcond; otherwise as in
     /// HarmonicSolution [-].
     Scalar rcond = 0;
@@ -83,16 +83,18 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
     return solution;
 }
 
-/// The same for a discretisation by elements. Throws std::invalid_argument also if rolling_system does.
+/// The same for a discretisation by elements. Throws std::invalid_argument also if the scheme does not fit the mesh, G
+/// is not finite or a plane kernel has Lambda <= 0.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                         std::type_identity_t<Scalar> z) {
     return solve_harmonic(rolling_system(mesh, scheme, kernel), z);
 }
 
-/// c11, or all k x k coefficients, at many frequencies. With M = G'^-1 G = U H U^T and H in Hessenberg form, (G' - s G) p = xi becomes (I - s H)
-/// (U^T p) = U^T G'^-1 xi: one O(n^3) reduction on construction, then O(n^2) per frequency. If rcond(G') is too small
-/// to rely on M, each frequency has its own LU decomposition; see reduced(). Const objects may be shared by threads.
+/// c11, or all k x k coefficients, at many frequencies. With M = G'^-1 G = U H U^T and H in Hessenberg form,
+/// (G' - s G) p = xi becomes (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction on construction, then O(n^2) per
+/// frequency. If rcond(G') is too small to rely on M, each frequency has its own LU decomposition; see reduced(). Const
+/// objects may be shared by threads.
 template <class Scalar_>
 class FrequencySweep {
 public:

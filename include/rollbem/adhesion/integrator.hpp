@@ -43,8 +43,8 @@ inline constexpr Unchecked unchecked{};
 
 namespace detail {
 
-/// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; `first` of the
-/// unknowns of several directions are the place of this one's n.
+/// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; with several
+/// directions, the n unknowns of this one begin at `first`.
 template <class Scalar>
 VectorX<Scalar> steady_tractions(MatrixX<Scalar> G_prime, Eigen::Index first, Eigen::Index n) {
     std::vector<Eigen::Index> swaps(static_cast<std::size_t>(G_prime.rows()));
@@ -55,7 +55,7 @@ VectorX<Scalar> steady_tractions(MatrixX<Scalar> G_prime, Eigen::Index first, Ei
     return p.segment(first, n);
 }
 
-/// Throws std::invalid_argument unless the verdict is one on n eigenvalues and establishes that none grows.
+/// Throws std::invalid_argument unless the verdict covers n eigenvalues and establishes that none grows.
 inline void require_stable(const char* who, Eigen::Index n, const StabilityVerdict& verdict) {
     require(verdict.n == n, who, "n of the verdict", verdict.n, "equal the number of unknowns");
     require(verdict.status == Status::ok, who, "status of the verdict", name(verdict.status), "be ok");
@@ -85,7 +85,7 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
     require_convergent<Scalar>(who, steady_tractions(system.G_prime(), 0, system.size()), system.weights());
 }
 
-/// As for one direction; the verdict is one on all 2n eigenvalues.
+/// The same in two directions, with a verdict on all 2n eigenvalues.
 template <class Scalar>
 void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
     const Eigen::Index n = system.size();

@@ -14,8 +14,8 @@
 
 namespace rollbem {
 
-/// The verdict on all parts of a patch, whose 2 n m eigenvalues are those of its whole system: two halves cost a quarter
-/// of the whole.
+/// The verdict on a patch by its parts, whose 2 n m eigenvalues are those of the whole system. Two halves cost a
+/// quarter of the whole.
 template <class Scalar>
 StabilityVerdict judge_stability(const std::vector<PatchPart<Scalar>>& parts) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};

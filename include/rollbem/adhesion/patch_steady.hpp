@@ -80,8 +80,9 @@ void add_part(const Response<Scalar>& part, Eigen::Index first, PatchSteadySolut
 
 }  // namespace detail
 
-/// Creep coefficients and tractions for unit creepages; needs no G. `mesh` must be in units of the contact's a, as
-/// patch_mesh makes it. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+/// Creep coefficients and tractions for unit creepages; needs no G. `mesh` must be in units of the contact's a,
+/// as patch_mesh makes it. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips'
+/// mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 PatchSteadySolution<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
                                          const Scheme& scheme, const Kernel& kernel) {

@@ -1,5 +1,5 @@
-// Response of a system with any number of creepages, in full adhesion: steady, (G' p = inputs), and to e^{st}, Eq. (16).
-// Every coefficient of a patch, and its frequency response, come from here.
+// Response of a system to any number of creepages in full adhesion: steady, G' p = inputs, and to e^{st}, Eq. (16).
+// All coefficients of a patch and its frequency response come from here.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -264,8 +264,8 @@ StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
     if (system.coupled()) return judge_stability(system.whole());
     StabilityVerdict verdict{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
     for (std::size_t d = 0; d < 2; ++d) {
-        const StabilityVerdict one = judge_stability(
-            RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
+        const StabilityVerdict one =
+            judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
         verdict.n += one.n;
         verdict.unstable_count += one.unstable_count;
         verdict.settled_unstable_count += one.settled_unstable_count;

@@ -41,8 +41,9 @@ struct StateSpaceSI {
     MatrixX<Scalar> D;  ///< 1 x 1 [N]; zero, but for a reduced system
 };
 
-/// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G is
-/// singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about 150.
+/// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G
+/// is singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about
+/// 150.
 template <class Scalar>
 StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
     const Eigen::Index n = system.size();
@@ -71,7 +72,8 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
 }
 
 /// For a kernel and a number of states: 8 states are exact to rounding if nothing changes within a contact length.
-/// Throws std::invalid_argument if rolling_system(method, kernel) does.
+/// Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >= 0.001 and, for a
+/// plane kernel, Lambda > 0.
 template <SmoothSplitKernel Kernel>
 StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
     return state_space(rolling_system(method, kernel));

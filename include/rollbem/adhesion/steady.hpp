@@ -148,8 +148,8 @@ UnitSteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Sc
         G_prime, widths, [&](const VectorX<Scalar>& p) -> VectorX<Scalar> { return original * p; });
 }
 
-/// The same for a system of one input; see solve_steady_response for several. Unknowns that are not tractions are
-/// returned in their place, and are never inconsistent.
+/// The same for a system of one input; see solve_steady_response for several. Unknowns that are not tractions
+/// take the place of these, and the status is then never inconsistent.
 template <class Scalar>
 UnitSteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
     detail::require_single_input("solve_steady", system);

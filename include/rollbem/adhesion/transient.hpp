@@ -39,10 +39,10 @@ namespace rollbem {
 /// lateral creepage and spin, whose forces are F_x, F_y and the moment M_z. Immutable: threads may share it. Its
 /// interface is in SI units.
 ///
-/// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one after
-/// which the distance repeats computes that matrix, O(n^3). A step of any other distance factorises a matrix of its own
-/// and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend on
-/// state and arguments alone, to the last bit, and never on what the workspace was used for.
+/// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one
+/// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its
+/// own and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend
+/// on state and arguments alone, to the last bit, and never on what the workspace was used for.
 ///
 /// The half-length of a line contact may change from step to step if can_breathe(): the unknowns then live on
 /// x = a zeta, and the state at one half-length is carried over to the next. b is constant. No status reports that a
@@ -76,10 +76,10 @@ public:
     using Motion = RigidMotion<Value>;
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
-    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument
-    /// unless the verdict is one on this system's eigenvalues and establishes that none grows; if steady rolling shows
-    /// that the scheme does not converge to full adhesion (Status::inconsistent); and if the contact's half-width is
-    /// infinite or not that of the system's kernel.
+    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument if
+    /// the verdict does not belong to this system or does not establish that no eigenvalue grows, if steady rolling
+    /// shows that the scheme does not converge (Status::inconsistent), or if the contact's half-width is infinite or
+    /// not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
         : AdhesionModel(contact, std::move(system), unchecked, integrator) {
@@ -92,8 +92,8 @@ public:
         detail::require_same_aspect(name, contact, system_);
     }
 
-    /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length). The
-    /// verdict is one on system.whole(). Throws as with one creepage.
+    /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
+    /// the verdict on system.whole(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
     AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
@@ -123,11 +123,11 @@ public:
     State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length}; }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// 2b F_bar of a state [N], at the half-length of the state, which must have size() unknowns.
+    /// 2b F_bar of a state [N] at its half-length. The state must have size() unknowns.
     Force force(const State& state) const { return Values::force(forces(state)); }
 
     /// Steady rolling at a creepage at the half-length of `from`, G' p = inputs v, Eq. (15); the tangent is that of
-    /// steady rolling. As a step, it does not change `from`, which only says where; see advance() for the status.
+    /// steady rolling. `from` only gives the half-length and is not changed; for the status see advance().
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept {
         const StepStatus status = check(from, from.half_length, to, workspace);
         if (status != StepStatus::ok) return failed(status);
@@ -140,10 +140,10 @@ public:
     /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
     State steady(const Value& creepage) const;
 
-    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state of the
-    /// same size. It is not written if the status is invalid_step, invalid_load, needs_fixed_mesh or wrong_state or the
-    /// motion is not finite; it becomes a copy of `from` if the result is not finite. The half-length remains that of
-    /// `from`. Does not allocate.
+    /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state with
+    /// the same number of unknowns. It is not written if the status is invalid_step, wrong_state, invalid_load or
+    /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. The
+    /// half-length remains that of `from`. Does not allocate.
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
         return roll(from, travel.dq, motion, from.half_length, false, to, workspace);

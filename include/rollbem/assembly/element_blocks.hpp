@@ -161,7 +161,7 @@ public:
     const Blocks& G_prime_blocks() const { return G_prime_; }
     bool coupled() const { return G_prime_[0][1].size() > 0; }
 
-    /// As of RollingSystem; of a line only.
+    /// b/a as in RollingSystem; empty for a patch.
     std::optional<Scalar> aspect() const { return aspect_; }
     std::optional<Scalar> log_strength(std::size_t direction) const { return log_strength_[direction]; }
 
@@ -170,7 +170,7 @@ public:
         return {detail::joined(G_), detail::joined(G_prime_), rigid_slip(elements_), force_weights(elements_)};
     }
 
-    /// As of RollingSystem.
+    /// As in RollingSystem.
     std::uint64_t fingerprint() const {
         detail::Fingerprint fingerprint;
         detail::add_blocks(G_, fingerprint);

@@ -1,5 +1,5 @@
-// Elements: where the elements of a system and their equations are. What friction, moments and spin need to know of a
-// mesh, on a line and on a patch alike.
+// Elements: the places of a system's elements and equations, which friction, moments and spin need, on a line and on a
+// patch alike.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -25,8 +25,8 @@ struct Elements {
     ArrayX<Scalar> x, y;                ///< the point of each equation: the rigid slip is that of this point
     ArrayX<Scalar> centre_x, centre_y;  ///< of each element: moments are those of tractions at the centres
     ArrayX<Scalar> areas;               ///< of each element; on a line contact its width
-    /// The way along x over which each equation holds, about its point: of a difference of u the distance between both
-    /// points. Empty where it is not known.
+    /// Length along x of the interval, about its point, in which each equation holds: for a difference of u the
+    /// distance between its two points. Empty where it is not known.
     ArrayX<Scalar> intervals;
     std::vector<Eigen::Index> behind;  ///< the equation behind in the same strip; -1 for a trailing element
     /// Whether each equation belongs to a point half an element ahead of its element's centre: node differences, and

@@ -25,8 +25,8 @@ struct InfluenceMatrices {
 };
 
 /// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G: G'_lm is the slope du/dx at the point of row
-/// l, Eq. (28), or its mean about that point, Eqs. (14) and (29), or between two nodes, under unit traction of element m. A steady problem
-/// needs nothing else. Throws std::invalid_argument if the scheme does not fit the mesh.
+/// l, Eq. (28), or its mean about that point, Eqs. (14) and (29), or between two nodes, under unit traction of element
+/// m. A steady problem needs nothing else. Throws std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::influence_matrix<Scalar>(mesh, scheme_rows(scheme, Quantity::slope, mesh),
@@ -38,9 +38,8 @@ MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme,
 /// is not finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    MatrixX<Scalar> G =
-        detail::influence_matrix<Scalar>(mesh, scheme_rows(scheme, Quantity::displacement, mesh),
-                                         detail::KernelView<Scalar>(kernel), Quantity::displacement);
+    MatrixX<Scalar> G = detail::influence_matrix<Scalar>(mesh, scheme_rows(scheme, Quantity::displacement, mesh),
+                                                         detail::KernelView<Scalar>(kernel), Quantity::displacement);
     detail::require(detail::is_finite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
                     "be finite: an infinite aspect is for steady problems only");
     return G;

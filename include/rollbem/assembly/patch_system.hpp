@@ -1,4 +1,4 @@
-// The system of a contact patch: G and G' between all its elements, and the parts it falls into where strips at y and -y
+// The system of a contact patch: G and G' between all its elements, and its independent parts where strips at y and -y
 // are mirror images.
 #pragma once
 
@@ -20,8 +20,8 @@
 
 namespace rollbem {
 
-/// Where the elements of a patch and their equations are. The scheme is that of each strip, stretched to its length.
-/// Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+/// The places of the elements of a patch and of their equations. The scheme is that of each strip, stretched to its
+/// length. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& scheme) {
     const detail::StripRows<Scalar> rows = detail::strip_rows(mesh.along(), scheme, Quantity::slope);
@@ -117,31 +117,32 @@ MatrixX<Scalar> half_outputs(MatrixX<Scalar> whole, Eigen::Index n, Eigen::Index
 
 }  // namespace detail
 
-/// The blocks of G' in units of 1/G; a steady problem needs nothing else. Throws std::invalid_argument as patch_elements
-/// does.
+/// The blocks of G' in units of 1/G; a steady problem needs nothing else. Throws std::invalid_argument unless the
+/// scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 DirectionBlocks<Scalar> assemble_G_prime(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::patch_blocks(mesh, scheme, kernel, Quantity::slope);
 }
 
-/// Assembles both matrices, in the units of the mesh. Throws std::invalid_argument as patch_elements does, or if an
-/// entry is not finite.
+/// Assembles both matrices, in the units of the mesh. Throws std::invalid_argument unless the scheme takes
+/// differences of u and fits the strips' mesh, and all entries are finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return {detail::patch_blocks(mesh, scheme, kernel, Quantity::displacement),
             detail::patch_blocks(mesh, scheme, kernel, Quantity::slope), patch_elements(mesh, scheme)};
 }
 
-/// A system of some of the creepages xi, eta, phi, which causes none of the forces of the others.
+/// A system of some of the creepages xi, eta, phi, which cause none of the forces of the others.
 template <class Scalar>
 struct PatchPart {
     RollingSystem<Scalar> system;
     Eigen::Index first;  ///< of its creepages: 0 xi, 1 eta, 2 phi
 };
 
-/// A patch as independent systems for linear problems: if the strips are mirrored, xi, and eta with phi, each with N = n
-/// m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise the whole. Throws std::invalid_argument
-/// as rolling_system does.
+/// A patch as independent systems for linear problems: if the strips are mirrored, one of xi and one of eta with phi,
+/// each with N = n m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise the whole. Throws
+/// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are
+/// finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 std::vector<PatchPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     std::vector<PatchPart<Scalar>> parts;

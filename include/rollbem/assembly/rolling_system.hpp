@@ -27,9 +27,9 @@
 
 namespace rollbem {
 
-/// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the same
-/// in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of a/G,
-/// G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
+/// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the
+/// same in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of
+/// a/G, G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
 ///
 /// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite.
 template <class Scalar_>
@@ -127,7 +127,7 @@ public:
     /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
 
-    /// Where the unknown elements and their equations are.
+    /// The places of the unknown elements and of their equations.
     const Elements<Scalar>& elements() const { return elements_; }
 
     template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
@@ -203,8 +203,8 @@ void require_one_system(const Scheme& scheme, const Mesh<Scalar>& mesh) {
 
 }  // namespace detail
 
-/// Where the unknown elements of a line and their equations are, in units of a. Throws std::invalid_argument if the
-/// scheme does not fit the mesh.
+/// The places of the unknown elements of a line and of their equations, in units of a. Throws std::invalid_argument if
+/// the scheme does not fit the mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
     const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);

@@ -1,6 +1,6 @@
 // PatchMesh: a contact patch cut into strips along the rolling direction, each of which has the same mesh along x,
-// stretched to end exactly on the outline. Elements are rectangles, numbered from trailing to leading in each strip, and
-// strip by strip from small to large y.
+// stretched to end exactly on the outline. Elements are rectangles, numbered from trailing to leading in each strip,
+// and strip by strip from small to large y.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -118,8 +118,8 @@ PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identit
     return PatchMesh<Scalar>({std::move(along), edges, middles, middles_x, half_lengths});
 }
 
-/// The mesh of a contact patch in units of a (outlines: c). Accurate are cosine meshes both ways, with n = m, but m = n/2
-/// for a/b above 2.
+/// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
+/// at every a/b from 0.1 to 10.
 template <class Scalar>
 PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
     if (contact.outline()) {

@@ -67,8 +67,8 @@ enum class Derivative {
 };
 
 /// Eq. (12) at one point per element, x_l + alpha_l dx_l, with alpha_l linear between both ends, Eq. (28).
-/// alpha > 0 lies ahead of the element's centre; alpha = 0.5 is its leading edge. The defaults are 0.5 and 0.5, the most
-/// accurate; the programs' options default to the 0 and 0.63 of the paper, whose study they repeat.
+/// alpha > 0 lies ahead of the element's centre; alpha = 0.5 is its leading edge. The defaults are 0.5 and 0.5, the
+/// most accurate; the programs' options default to the 0 and 0.63 of the paper, whose study they repeat.
 struct Collocation {
     double alpha_L = 0.5;  ///< alpha of the leading element [-], in [-2, 2]
     double alpha_T = 0.5;  ///< alpha of the trailing element [-], in [-2, 2]
@@ -321,8 +321,8 @@ SchemeRows<Scalar> scheme_rows(const Scheme& scheme, Quantity quantity, const Me
     return rows;
 }
 
-/// Throws std::invalid_argument if scheme_rows does for G or G': checks a scheme before anything is assembled, or in
-/// tests of a user's own scheme.
+/// Checks a scheme before anything is assembled, or in tests of a user's own. Throws std::invalid_argument if the
+/// scheme does not fit the mesh, or if its rows, of G or G', do not meet the requirements of SchemeRows.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 void check_scheme(const Scheme& scheme, const Mesh<Scalar>& mesh) {
     scheme_rows(scheme, Quantity::slope, mesh);

@@ -12,8 +12,8 @@
 namespace rollbem {
 
 /// Made by a model; works with any model of the same number of elements and directions whose coefficient depends on
-/// slip if and only if that of its own does. The factors are kept as long as the model and the distance rolled stay the
-/// same, so contacts that are stepped in turn should each have their own workspace. Two threads must not use one
+/// slip if and only if that of its maker does. The factors are kept as long as the model and the distance rolled stay
+/// the same, so contacts that are stepped in turn should each have their own workspace. Two threads must not use one
 /// workspace at the same time.
 template <int directions = 1, class Scalar_ = double>
 class FrictionWorkspace {
@@ -37,9 +37,9 @@ public:
     /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
     const ElementVectors<Scalar, directions>& slip() const { return scratch_.slip; }
 
-    /// Contribution of each element to slip_work_per_width, and negative only where that says so: [J/m], or [J/m^2] for
-    /// a steady solution; of a patch to slip_work: [J], or [J/m]. Divided by the element's width (of a patch its area)
-    /// it is the work per area of contact, on which wear depends.
+    /// Contribution of each element to FrictionStep::slip_work_per_width, where it is said when one may be negative:
+    /// [J/m], or [J/m^2] for a steady solution; of a patch to slip_work: [J], or [J/m]. Divided by the element's width
+    /// (of a patch its area) it is the work per area of contact, on which wear depends.
     const VectorX<Scalar>& slip_work() const { return scratch_.work; }
 
     Scratch& scratch() { return scratch_; }  ///< for the models

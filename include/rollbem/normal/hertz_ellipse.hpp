@@ -68,8 +68,8 @@ struct EllipticIntegrals {
     }
 };
 
-/// kappa = (shorter over longer semi-axis) for the ratio q of the smaller to the larger principal curvature, 0 < q <= 1:
-/// q = kappa^2 D/B. Newton's method for ln kappa, whose slope lies between 1.5 and 2.
+/// kappa = (shorter over longer semi-axis) for the ratio q of the smaller to the larger principal curvature, 0 < q <=
+/// 1: q = kappa^2 D/B. Newton's method for ln kappa, whose slope lies between 1.5 and 2.
 template <class Scalar>
 Scalar ellipse_of_curvatures(Scalar q) {
     Scalar log_kappa = std::log(q) * Scalar(0.6);
@@ -177,8 +177,8 @@ public:
     Scalar half_length() const { return a_; }      ///< a [m], the semi-axis within 45 degrees of the rolling direction
     Scalar half_width() const { return b_; }       ///< b [m]
     Scalar approach() const { return approach_; }  ///< of distant points of both bodies [m]
-    /// By which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the principal
-    /// planes of both bodies agree, or for a circle.
+    /// Angle by which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the
+    /// principal planes of both bodies agree, or for a circle.
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 
@@ -201,8 +201,8 @@ public:
     Scalar approach_rate() const { return 2 * approach_ / (3 * load_); }
 
     /// Mean pressures of elements in coordinates along the axes a and b, scaled so that they carry the load exactly:
-    /// elements within the ellipse, cut by it or beyond it. Throws std::invalid_argument unless they cover nine tenths
-    /// of the load, as they do but for the steps of their outline, or if a rectangle has no area.
+    /// elements within the ellipse, cut by it or beyond it. Throws std::invalid_argument if a rectangle has no area,
+    /// or unless they cover nine tenths of the load.
     Pressures pressures(const std::vector<Rectangle<Scalar>>& elements) const {
         return detail::ellipse_pressures(a_, b_, load_, elements);
     }

@@ -296,7 +296,8 @@ inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double p
 /// and p_n = n I_n/((1-nu) s D). It is zero at the leading edge and infinite at the trailing edge.
 class ExactTraction {
 public:
-    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws std::invalid_argument if plane_c11 does.
+    /// `s` in V/a; s = i omega a/V for harmonic creepage, 0 for steady. Throws std::invalid_argument
+    /// unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and either Lambda > 0 or s = 0.
     ExactTraction(std::complex<double> s, double poisson_ratio, double aspect) {
         c11_ = plane_c11(s, poisson_ratio, aspect);  // checks the arguments
         const long double pi = std::numbers::pi_v<long double>;

@@ -7,10 +7,10 @@
 
 namespace rollbem {
 
-/// Creepage of body 1 relative to body 2 as a vector, and its spin: the rigid slip over the rolling velocity at (x, y) is
-/// (longitudinal - spin y, lateral + spin x), from the middle of the contact, or from the origin of an outline. A rigid
-/// shift has the same components as lengths and an angle. Positive components give negative forces and a negative
-/// moment.
+/// Creepage of body 1 relative to body 2 as a vector, and spin. The rigid slip over the rolling velocity at (x, y) is
+/// (longitudinal - spin y, lateral + spin x), with x and y from the middle of the contact or the origin of an outline.
+/// A rigid shift has the same components as lengths and an angle. Positive components give negative forces and a
+/// negative moment.
 template <class Scalar_ = double>
 struct Creepage {
     using Scalar = Scalar_;

@@ -1,5 +1,5 @@
-// Outline: a contact area that each line across the rolling direction's normal cuts in one interval, given by its
-// trailing and leading edge at some y, and straight between them.
+// Outline: a contact area that each line along the rolling direction cuts in one interval, given by its trailing and
+// leading edge at some y, and straight between them.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -3,10 +3,10 @@
 
 #include "../detail/language.hpp"
 
-
 namespace rollbem {
 
-/// One step. Only friction that depends on the velocity of slip needs the duration; everything else takes a plain dq.
+/// Distance and duration of one step. Only friction that depends on the velocity of slip needs the duration; everything
+/// else takes a plain dq.
 template <class Scalar = double>
 struct Travel {
     Scalar dq;        ///< distance rolled [m], positive; 0 for a rigid shift without rolling
@@ -15,7 +15,7 @@ struct Travel {
 
 namespace detail {
 
-/// A Travel whose duration does not matter: made of a plain dq too.
+/// A Travel whose duration does not matter: a plain dq will do.
 template <class Scalar>
 struct UntimedTravel : rollbem::Travel<Scalar> {
     UntimedTravel(rollbem::Travel<Scalar> travel) : rollbem::Travel<Scalar>(travel) {}  // NOLINT: implicit on purpose

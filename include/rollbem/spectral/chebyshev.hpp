@@ -280,8 +280,9 @@ ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, c
     return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
 }
 
-/// Steady rolling of a contact at a lateral creepage [-] (positive creepage, negative traction), strip kernel. Errors
-/// are reported as by solve_steady at a longitudinal creepage.
+/// Steady rolling of a contact at a lateral creepage [-] (positive creepage, negative traction), strip kernel.
+/// Throws std::invalid_argument unless there is at least one state and b/a >= 0.001; a creepage or a result that is not
+/// finite gives Status::not_finite.
 template <class Scalar>
 LateralChebyshevSteadySolution<Scalar> solve_steady_lateral(const Contact<Scalar>& contact, const Chebyshev& method,
                                                             std::type_identity_t<Scalar> creepage) {

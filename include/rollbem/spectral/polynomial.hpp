@@ -215,8 +215,9 @@ EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s
 /// polynomials U_k of the second kind (T_n' = n U_{n-1}, T_n = (U_n - U_{n-2})/2) reads
 ///     U_0: P_1 - s (Lambda P_0 - P_2/4) = 1,   U_k: P_{k+1} - s (P_k/(2k) - P_{k+2}/(2(k+2))) = 0, 0 < k < order,
 /// and p = 0 at the leading edge adds the dense row sum P_n = 0, Eq. (27). Elimination of this bordered band from the
-/// last row upwards costs O(order), and is stable because the P_n are the minimal solution of the recurrence. Arguments
-/// and exceptions are those of polynomial_c11.
+/// last row upwards costs O(order), and is stable because the P_n are the minimal solution of the recurrence. Throws
+/// std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf, order >= 1 and either
+/// Lambda > 0 or s = 0.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                            std::type_identity_t<Scalar> aspect, Eigen::Index order) {
@@ -360,9 +361,9 @@ PolynomialSolution<Scalar> solve_monomial_once(
 
 /// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which
 /// determines the order: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error estimate is the
-/// difference from order + 10 with the exact B, plus rounding. The status is ill_conditioned or not_converged according to `options`;
-/// monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless B is
-/// square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
+/// difference from order + 10 with the exact B, plus rounding. The status is ill_conditioned or not_converged according
+/// to `options`; monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument
+/// unless B is square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(
     std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio, std::type_identity_t<Scalar> aspect,

@@ -17,8 +17,8 @@ namespace rollbem::detail {
 
 /// The integrals of compliance delta(x). Without averaging, that of the displacement is 1 inside the element, 0 outside
 /// and 1/2 on an edge, but 0 on the leading edge of the contact if the rows are unloaded_ahead; an average over +-delta
-/// makes it the part of the interval that lies inside, and the slope is a difference of such parts. The slope at a point
-/// does not exist. Keeps a reference to the entries.
+/// makes it the part of the interval that lies inside, and the slope is a difference of such parts. The slope at a
+/// point does not exist. Keeps a reference to the entries.
 template <class Scalar>
 class DeltaPart {
 public:

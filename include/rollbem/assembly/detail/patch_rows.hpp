@@ -75,8 +75,9 @@ struct InfluenceRows {
     }
 };
 
-/// Gauss's rule of five points for the distance between a point of an interval of length d and one of length h, measured
-/// from that of their middles: exact for the mean of polynomials of degree 9. The points are 0, +-near and +-far.
+/// Gauss's rule of five points for the distance between a point of an interval of length d and one of length h,
+/// measured from that of their middles: exact for the mean of polynomials of degree 9. The points are 0, +-near and
+/// +-far.
 template <class Scalar>
 class MeanRule {
 public:

@@ -26,7 +26,7 @@ public:
     using Solver = ActiveSet<Scalar>;
     using Outcome = typename Solver::Outcome;
     using Start = SolutionStart<1, Scalar>;
-    using Vectors = Vector;             ///< constants of the equations, tractions
+    using Vectors = Vector;  ///< constants of the equations, tractions
     static constexpr int directions = 1;
 
     explicit ActiveSetSlip(Index n)

@@ -40,7 +40,7 @@ public:
         return value + (right - x) / (right - left) * (values_[next_ - 1] - value);
     }
 
-    /// The derivative, at a point that from behind. Arguments must not decrease from call to call.
+    /// The derivative; at a point, that from behind. Arguments must not decrease from call to call.
     Scalar slope(Scalar x) {
         while (next_ < points_.size() && points_[next_] < x) ++next_;
         const bool between = next_ < points_.size();
@@ -56,7 +56,7 @@ private:
     Eigen::Index next_ = 0;
 };
 
-/// Bounds of one step or steady solution if mu is constant: mu and the pressures give them.
+/// Bounds of one step or steady solution if mu is constant: mu times the pressures.
 template <int directions, class Scalar>
 class ConstantBounds {
 public:
@@ -141,8 +141,8 @@ public:
         scratch_.duration = half_length / speed * ways;
     }
 
-    /// Writes mu of the stage solved last, and where the next step starts its first stage: at that of the first stage
-    /// of this step, unless mu has jumped.
+    /// Writes mu of the stage solved last, and mu from which the next step starts the search in its first stage: that
+    /// of the first stage of this step, unless mu has jumped.
     void finish(State& to) const noexcept {
         to.friction_coefficient = scratch_.friction.array();
         to.solver.stage_coefficient = (second_ && is_easy_ ? scratch_.first_friction : scratch_.friction).array();
@@ -231,11 +231,11 @@ private:
     Index size() const { return start_.size(); }
 
     AlongContact<Scalar> at_start() const { return {*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0)))}; }
-    // Position x/a, at the start of the step, of the particle that arrives at point i,
+    // Position x/a of the particle that arrives at point i, at the start of the step.
     Scalar origin(Index i) const {
         return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) * per_half_length_;
     }
-    // and its position at the end of the first stage.
+    // Position x/a of the same particle at the end of the first stage.
     Scalar between(Index i) const {
         return (stage_half_length_ * (*points_)[i] + (1 - place_.part) * dq_) / first_half_length_;
     }
@@ -249,7 +249,7 @@ private:
         }
     }
 
-    // By the half-length at the end of the step; that at the end of a stage changes by `progress` times as much.
+    // Derivatives by the half-length at the end of the step; that of a stage changes by `progress` times as much.
     void find_path_change() {
         AlongContact<Scalar> start = at_start();
         for (Index i = 0; i < size(); ++i) {

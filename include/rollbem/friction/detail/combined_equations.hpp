@@ -25,13 +25,14 @@ namespace rollbem::detail {
 
 /// Finds the change dp of tractions that satisfies, with ds = M dp,
 /// - where elements stick:  s + ds = 0;
-/// - where they slip:       dp = tau t and t.R(s + ds) + k tau = 0, t the unit vector across the traction, R the turn of
-///                          the element's slip, if slip is turned;
+/// - where they slip:       dp = tau t and t.R(s + ds) + k tau = 0, t the unit vector across the traction, R the turn
+///                          of the element's slip, if slip is turned;
 /// - where they are free:   dp = 0.
 /// If each direction has its own matrix M, the elements that stick are eliminated one direction at a time; LU with
 /// pivoting then gives the tau. If the directions are coupled, the equations are solved from full adhesion, or all
 /// together if that is less work. All equations are factorised together as well if those of the sticking elements alone
-/// are singular, as for a leading element without influence on its own slip. The constructor allocates everything.
+/// are singular, as for a leading element without influence on its own slip. All memory is allocated by the
+/// constructor.
 template <class Scalar>
 class CombinedEquations {
 public:
@@ -321,9 +322,9 @@ private:
         }
     }
 
-    // The unit vector along the traction of the k-th element that slips,
+    // Unit vector along the traction of the k-th element that slips.
     Scalar along(Index k, std::size_t direction) const { return direction == 0 ? tangent_(k, 1) : -tangent_(k, 0); }
-    // and that against its slip: the same turned back.
+    // Unit vector against the slip of that element: along its traction, turned back.
     Scalar against(Index k, std::size_t direction) const { return direction == 0 ? test_(k, 1) : -test_(k, 0); }
 
     // Slip along its own line due to tractions across theirs, into whole_, which is not in use.
@@ -373,8 +374,8 @@ private:
 
     Index size_;
     bool coupled_;
-    std::array<Side, 2> side_;     // empty if coupled,
-    std::array<Matrix, 4> block_;  // and these if not
+    std::array<Side, 2> side_;     // empty if coupled
+    std::array<Matrix, 4> block_;  // empty unless coupled
     ReleasedEquations<Scalar> released_;
     Matrix factors_, whole_;
     Vector right_;

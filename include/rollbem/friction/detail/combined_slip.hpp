@@ -15,8 +15,8 @@
 
 namespace rollbem::detail {
 
-/// As ActiveSetSlip; d|s| of an element is the change of its slip against its traction. Everything is allocated by the
-/// constructor.
+/// The interface between FallingSet and its solver, as ActiveSetSlip in one direction; d|s| of an element is the change
+/// of its slip against its traction. All memory is allocated by the constructor.
 template <class Scalar_>
 class CombinedSlip {
 public:
@@ -55,7 +55,7 @@ public:
     static Scalar size(const Solver& solver, Index i) { return std::hypot(solver.slip()(i, 0), solver.slip()(i, 1)); }
     static const Vector& sense(const Solver& solver) { return solver.slides(); }
 
-    /// Without a tangent, as if nothing slipped.
+    /// If there is no tangent, the derivatives are those without slip.
     void linearise(Solver& solver) {
         if (revision_ == solution_) return;
         revision_ = solution_;

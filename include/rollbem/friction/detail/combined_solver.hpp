@@ -37,8 +37,8 @@ namespace rollbem::detail {
 /// If the rows behind are known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i in
 /// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0.
 ///
-/// The result depends on M, c, the bounds and the starting point alone, to the last bit, and on nothing that was solved
-/// before. Everything is allocated by the constructor.
+/// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier
+/// solutions. All memory is allocated by the constructor.
 template <class Scalar>
 class CombinedSolver {
 public:
@@ -140,9 +140,9 @@ public:
         traction_change += trial_;
     }
 
-    /// Unit vector along the traction of each element that slips, zero for others,
+    /// Unit vector along the traction of each element that slips, zero for others.
     const ElementVectors<Scalar>& direction() const { return part_.direction; }
-    /// and that against its slip: the same, turned back if slip is turned.
+    /// Unit vector against the slip of each element that slips: along its traction, turned back if slip is turned.
     const ElementVectors<Scalar>& against_slip() const { return against_slip_; }
     /// 1 for each element that slips under pressure, zero for others.
     const Vector& slides() const { return part_.slide; }
@@ -202,13 +202,13 @@ private:
         slip_scale_ = rounding() * (s.cwiseAbs().maxCoeff() + imposed_);
         s += constant_;
     }
-    // the same, turned
+    // R (M p + c), and its round-off
     void find_turned_slip(const Vectors& p, Vectors& s) {
         find_slip(p, s);
         turn_.apply(s);
     }
 
-    // no pressure, no traction
+    // An element without pressure carries no traction.
     void let_go(Index i) {
         part_.let_go(i);
         traction_.row(i).setZero();
@@ -223,8 +223,7 @@ private:
         traction_ = traction;
         for (Index i = 0; i < size(); ++i) {
             const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
-            if (zones[static_cast<std::size_t>(i)] == Zone::slip && norm > 0)
-                traction_.row(i) *= bound[i] / norm;
+            if (zones[static_cast<std::size_t>(i)] == Zone::slip && norm > 0) traction_.row(i) *= bound[i] / norm;
         }
         find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
@@ -250,7 +249,7 @@ private:
             if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)));
         }
     }
-    // along the present traction, of size `norm`
+    // Slip along the present traction, of size `norm`.
     void slide_on(Index i, Scalar norm) {
         const Scalar x = traction_(i, 0), y = traction_(i, 1), against = -(x * slip_(i, 0) + y * slip_(i, 1));
         part_.let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));

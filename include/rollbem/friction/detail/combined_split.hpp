@@ -17,7 +17,7 @@ namespace rollbem::detail {
 
 /// Solves each direction separately under its share of the bounds, taken at the angle of the element's constant, by
 /// ComplementaryPath, which always terminates. If the constants of all elements point along one of the directions, the
-/// result is a solution. Everything is allocated by the constructor.
+/// result is a solution. All memory is allocated by the constructor.
 template <class Scalar>
 class CombinedSplit {
 public:

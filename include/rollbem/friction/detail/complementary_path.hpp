@@ -22,7 +22,7 @@ namespace rollbem::detail {
 /// entries of d have the same sign. Between two pivots p and t move along a line on which all complementarity
 /// conditions but one hold; that one, the driven condition, is exchanged for the condition that blocks the move. For
 /// finite bounds the path ends at a solution for every M, as a secondary ray would have to leave the box (Lemke 1965;
-/// Cottle, Pang and Stone, ch. 4). Everything is allocated by the constructor.
+/// Cottle, Pang and Stone, ch. 4). All memory is allocated by the constructor.
 template <class Scalar>
 class ComplementaryPath {
 public:

@@ -71,7 +71,7 @@ void require_gradient(const char* who, const DirectionBlocks<Scalar>& G_prime, E
 }
 
 /// False if the tractions of full adhesion at unit creepages, G' p = inputs, assist the creepage. True also if G' is so
-/// nearly singular that they tell nothing. The first n unknowns are tractions along the first input, and so on.
+/// nearly singular that nothing follows from them. The first n unknowns are tractions along the first input, and so on.
 template <class Scalar>
 bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas) {
     const Eigen::Index n = areas.size(), count = G_prime.rows() / n;

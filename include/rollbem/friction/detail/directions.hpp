@@ -1,4 +1,4 @@
-// What one direction of creepage and two differ in: the solver for stick and slip, and the blocks of the matrices.
+// What distinguishes one direction of creepage from two: the solver for stick and slip, and the blocks of the matrices.
 #pragma once
 
 #include "../../detail/language.hpp"

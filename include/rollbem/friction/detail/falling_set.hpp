@@ -185,13 +185,14 @@ private:
         }
     }
 
-    // Not a number where any is none, which a maximum of Eigen's may pass over.
+    // NaN if any entry is, which Eigen's maximum may pass over.
     Scalar largest_difference() const {
         return all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
     }
 
     template <class Law>
-    static Scalar passed(const Law& law, const FrictionMemory<Scalar>& memory, Scalar duration, Scalar before, Scalar v) {
+    static Scalar passed(const Law& law, const FrictionMemory<Scalar>& memory, Scalar duration, Scalar before,
+                         Scalar v) {
         const Scalar kept = memory.kept(v, duration), now = static_cast<Scalar>(law(v));
         return kept * before + (1 - kept) * now;
     }

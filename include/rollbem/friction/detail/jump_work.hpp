@@ -12,8 +12,8 @@
 
 namespace rollbem::detail {
 
-/// Slip work takes the tractions at the end of a stage. Let (x, y) be the integral of x times the displacement caused by
-/// y, so that E(p) = (p, p)/2, and p_0, p_1, p_2 the tractions at the start of a step and after its stages. The
+/// Slip work takes the tractions at the end of a stage. Let (x, y) be the integral of x times the displacement caused
+/// by y, so that E(p) = (p, p)/2, and p_0, p_1, p_2 the tractions at the start of a step and after its stages. The
 /// equations of the stages, s = rigid - u' + (change of u), times their tractions give
 ///
 ///     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J

@@ -23,7 +23,7 @@ namespace rollbem::detail {
 ///     ds = beta v - (w.s + kappa gamma) w,   n.dp = 0,   t.dp = sigma gamma,
 ///     kappa = k r/(1 + k r),   sigma = r/(1 + k r),   r the largest entry of B,
 /// so that w.(s + ds) + k t.dp = 0 for any stiffness k. An element without pressure is one of infinite stiffness: both
-/// components of its dp vanish. The constructor allocates everything.
+/// components of its dp vanish. All memory is allocated by the constructor.
 template <class Scalar>
 class ReleasedEquations {
 public:

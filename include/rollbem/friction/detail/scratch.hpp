@@ -51,8 +51,8 @@ struct FrictionScratch {
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
     RollingStage<Scalar> stage{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
     Vectors slip, stage_slip;  // of all stages so far; of the present one
-    Vectors start;             // tractions that the present stage is sought from
-    Vectors displacement;      // that it starts from
+    Vectors start;             // tractions from which the search for the present stage starts
+    Vectors displacement;      // from which the present stage starts
     Vectors change, right, response;
     Vector work;        // of all stages so far
     Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip

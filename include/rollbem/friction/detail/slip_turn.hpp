@@ -22,22 +22,22 @@ namespace rollbem::detail {
 /// posed; turning s_i by the angle from s_i to m_i of a solution, and solving once more at fixed angles, is.
 ///
 /// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes, or a trailing element
-/// has none ahead. Everything is allocated by the constructor.
+/// has none ahead. All memory is allocated by the constructor.
 template <class Scalar>
 class SlipTurn {
 public:
     using Index = Eigen::Index;
     using Vectors = ElementVectors<Scalar>;
 
-    explicit SlipTurn(Index n) : ahead_(static_cast<std::size_t>(n)), rotation_(Vectors::Zero(n, 2)) {
-        behind_.reserve(static_cast<std::size_t>(n));
-    }
+    explicit SlipTurn(Index n)
+        : behind_(static_cast<std::size_t>(n)), ahead_(behind_), rotation_(Vectors::Zero(n, 2)) {}
 
     /// The row behind each in its strip, -1 for a trailing element. Empty: slip is not turned.
     void set_behind(const std::vector<Index>& behind) {
-        behind_.assign(behind.begin(), behind.end());
+        is_known_ = !behind.empty();
+        std::copy(behind.begin(), behind.end(), behind_.begin());
         std::fill(ahead_.begin(), ahead_.end(), Index(-1));
-        for (std::size_t i = 0; i < behind_.size(); ++i) {
+        for (std::size_t i = 0; i < behind.size(); ++i) {
             if (behind_[i] >= 0) ahead_[at(behind_[i])] = static_cast<Index>(i);
         }
         turns_ = false;
@@ -45,11 +45,11 @@ public:
 
     bool turns() const { return turns_; }
     void stop() { turns_ = false; }
-    /// Finds the angles of a solution whose slip has not been turned; `stick` and `slide` are 1 where elements do. False
-    /// if there is nothing to turn.
+    /// Finds the angles of a solution whose slip has not been turned; `stick` is 1 for elements that stick, `slide` for
+    /// those that slip. False if there is nothing to turn.
     bool find(const Vectors& slip, const VectorX<Scalar>& stick, const VectorX<Scalar>& slide) {
         turns_ = false;
-        if (behind_.empty()) return false;
+        if (!is_known_) return false;
         rotation_.col(0).setOnes();
         rotation_.col(1).setZero();
         for (std::size_t k = 0; k < behind_.size(); ++k) {
@@ -95,7 +95,7 @@ private:
 
     std::vector<Index> behind_, ahead_;
     Vectors rotation_;  // cosine and sine of the angles
-    bool turns_ = false;
+    bool is_known_ = false, turns_ = false;
 };
 
 }  // namespace rollbem::detail

@@ -40,7 +40,7 @@ public:
         find_run();
     }
 
-    /// On a line or, in strips, on a patch; there the slip of each element's own equation is used unless slip is turned.
+    /// On a line or, in strips, on a patch. There the slip of each element's own equation is used unless slip is turned.
     SlipWork(const Elements<Scalar>& elements, bool turned)
         : SlipWork(elements.areas, elements.is_one_strip() ? elements.x : ArrayX<Scalar>()) {
         if (!turned) return;
@@ -100,9 +100,9 @@ public:
         return sum;
     }
 
-    /// Completes a sum: multiplies it by `unit` and, unless it is one of means m_i/2, removes negative values. No element
-    /// gains energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes within
-    /// an element.
+    /// Completes a sum: multiplies it by `unit` and, unless it is one of means m_i/2, removes negative values. No
+    /// element gains energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes
+    /// within an element.
     void end(VectorX<Scalar>& work, Scalar unit = 1) const {
         if (!may_gain_) work = work.cwiseMax(Scalar(0));
         work *= unit;

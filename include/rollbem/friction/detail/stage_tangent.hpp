@@ -52,8 +52,8 @@ public:
         bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_, &scratch_.bound_rate, progress);
     }
 
-    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p. The rigid slip of spin
-    /// follows the points: it changes by `rate` times `columns`.
+    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p. The rigid slip of
+    /// spin follows the points: it changes by `rate` times `columns`.
     template <class Columns>
     void by_half_length(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
         if (rate != 0) scratch_.right += rate * columns;

@@ -41,7 +41,7 @@ private:
     // Checks need not be frequent, as only round-off can differ.
     static constexpr int period = 64;
 
-    // 0 for a count that no step leaves, or for another matrix.
+    // The count of `from`; 0 if it is out of range (an edited state) or belongs to another matrix.
     int counted(const SolverRecord<Scalar>& from, Scalar distance) const {
         const bool possible = from.unchanged_steps > 0 && from.unchanged_steps < enough_ + period;
         return possible && from.unchanged_distance == unit_ * distance ? from.unchanged_steps : 0;
