@@ -155,7 +155,7 @@ void add_refusals(std::vector<Case>& cases) {
     for (const double dq : {-1.0, infinity, nothing}) {
         cases.push_back({"dq = " + shown(dq), "force",
                          [=] { return roll(stable_model(contact(1000), Integrator::sdirk2), dq, 1); },
-                         "must be finite and not negative"});
+                         "invalid_step"});
     }
 }
 
