@@ -153,9 +153,21 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
 }
 
 std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh),
-                                             slopes(scene, elements, mesh, Direction::lateral), mesh.widths(),
-                                             {1, peak * rollbem::mean_hertz_pressure(mesh)}, rollbem::unchecked);
+    using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
+    const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
+    // from kernels, as only then the model knows where the equations hold and turns the slip
+    const auto make = [&](const auto& scheme, const auto& along, const auto& across) {
+        return Model(scene.contact, mesh, scheme, along, across, friction, rollbem::unchecked);
+    };
+    const Model model = std::visit(
+        [&](const auto& scheme) {
+            const auto with_both = [&](const auto& along) {
+                using Kernel = std::decay_t<decltype(along)>;
+                return make(scheme, along, Kernel::lateral(scene.contact));
+            };
+            return with_kernel(scene, with_both);
+        },
+        elements.scheme);
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();

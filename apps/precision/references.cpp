@@ -24,8 +24,7 @@ std::vector<double> exact_step_forces(const Contact<double>& contact) {
 
 std::vector<double> combined_reference(const Contact<double>& contact) {
     const Scene scene{contact, true, 1, 1};
-    Elements cosine = *elements("cosine");
-    cosine.order = 1;  // the direction of slip is taken half an element ahead of the traction
+    const Elements cosine = *elements("richardson-cosine");
     return all_combined_forces(scene, cosine, 640);
 }
 

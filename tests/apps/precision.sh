@@ -93,7 +93,7 @@ good 3 "$precision" --n 40 --schemes cosine --quantity c11,c11_z1 --kernel strip
 check 'the error of the strip is that of its model' '$8 > 3e-4 && ($4 / $8 - 1) ^ 2 < 0.01'
 
 # --- both directions, and a load that varies: only elements, and all columns as for other friction
-good 38 "$precision" --n 10,20,40 --schemes cosine,uniform-0.5/0.5,galerkin-cosine,richardson-cosine,chebyshev-states,polynomial,closed-form \
+good 47 "$precision" --n 10,20,40 --schemes cosine,uniform-0.5/0.5,galerkin-cosine,richardson-cosine,nodes-chebyshev,chebyshev-states,polynomial,closed-form \
     --quantity friction_force,combined_force,load_force --cheapest cheapest.csv
 grep -E '^(chebyshev|polynomial)' out && fail 'friction without elements'
 grep -E '^closed-form' out | grep -qv ',friction_force,' && fail 'a closed form of what has none'
@@ -114,6 +114,7 @@ $programs/friction_study --kernel plane --n 40 --creepage-ratio 0.35355339059327
 awk -F, -v error="$(awk -F, '$1 == "cosine" && $2 == 40 && $3 == "combined_force" { print $4 }' out)" 'NR == 2 {
         size = sqrt((0.54356 ^ 2) + (0.40941 ^ 2)); found = sqrt(($8 - 0.54356) ^ 2 + ($16 - 0.40941) ^ 2) / size
         exit !((found - error) ^ 2 < 2e-5 ^ 2 && error > 5e-4) }' both || fail 'the error of the force as a vector'
+row nodes-chebyshev 40 combined_force '($4 / 1.55e-4 - 1) ^ 2 < 0.02 ^ 2'
 # for a Poisson's ratio of 0 the reference must be Carter's force along the creepage, to its precision
 good 4 "$precision" --n 40,80,160 --schemes cosine --quantity combined_force --poisson 0 --jobs 2
 check 'Carter at 45 degrees' '($4 - ($2 == 40 ? 9.05e-4 : $2 == 80 ? 2.67e-4 : 7.7e-5)) ^ 2 < 1.2e-5 ^ 2'
