@@ -95,7 +95,7 @@ struct Friction {
     /// With two directions, and if the equations of the system hold half an element ahead of the elements' centres
     /// (Elements::half_element_ahead), whether slip is turned to the direction that it has at the centres, where the
     /// tractions act. Results are then of second order in 1/n, otherwise of first where the direction of slip varies; a
-    /// solution costs up to 1.6 times as much. Set it to false for comparison only.
+    /// step costs up to 1.5 times as much. Set it to false for comparison only.
     bool turned = true;
 };
 
