@@ -1,4 +1,4 @@
-// rollbem/friction/falling.hpp in float and long double: the conditions of the law to the rounding of the type, and the
+// rollbem/friction/falling.hpp in long double: the conditions of the law to the rounding of the type, and the
 // forces of double.
 #include <algorithm>
 #include <cmath>
@@ -76,11 +76,6 @@ void compare(double tolerance) {
             CHECK(worst < tolerance);
         }
     }
-}
-
-TEST_CASE("Friction that falls with slip, in float", "[friction]") {
-    compare<float>(3e-5);
-    ride<float>(0, Integrator::implicit_euler);
 }
 
 TEST_CASE("Friction that falls with slip, in long double", "[friction]") {
