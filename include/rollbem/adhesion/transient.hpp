@@ -76,18 +76,18 @@ public:
     using Motion = RigidMotion<Value>;
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
-    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument if
-    /// the verdict does not belong to this system or does not establish that no eigenvalue grows, if steady rolling
-    /// shows that the scheme does not converge (Status::inconsistent), or if the contact's half-width is infinite or
-    /// not that of the system's kernel.
+    /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
+    /// Creepage, as both_directions() makes them. Throws std::invalid_argument if the verdict does not belong to this
+    /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
+    /// (Status::inconsistent), or if the contact's half-width is infinite or not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+                  Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(contact, std::move(system), unchecked, integrator) {
         detail::require_usable_in_time(name, system_, verdict);
     }
     /// The same without checks of the eigenvalues and of convergence.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+                  Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
     }
