@@ -591,7 +591,7 @@ TEST_CASE("States under spin have the closed form of steady rolling", "[chebyshe
 TEST_CASE("Under harmonic spin elements tend to states, and force and moment are reciprocal", "[chebyshev]") {
     const StripKernel<double> kernel(10.0, 1.0, -0.28);
     const RollingSystem<double> states = rolling_system(Chebyshev{24}, kernel).with_spin();
-    for (const double z : {0.0, 1.0, 4.0}) {
+    for (const double z : {0.0, 1.0}) {
         const auto exact = solve_response(states, {0, z}).coefficients;
         CHECK(std::abs(exact(0, 1) + exact(1, 0)) < 1e-13);
         for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
