@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
@@ -55,5 +56,8 @@ std::vector<Case> friction_cases();
 std::vector<Case> load_cases();
 std::vector<Case> direction_cases();
 std::vector<Case> patch_cases();
+
+/// The first `count` of a fixed series of random patches with friction.
+std::vector<Case> patch_scenes(std::ptrdiff_t count);
 
 }  // namespace extremes
