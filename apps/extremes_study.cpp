@@ -5,6 +5,7 @@
 //     ./extremes_study --large --output extremes.csv
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -62,6 +63,8 @@ std::vector<Case> all_cases(bool large) {
           extremes::friction_cases(), extremes::load_cases(), extremes::direction_cases(), extremes::patch_cases()}) {
         cases.insert(cases.end(), more.begin(), more.end());
     }
+    // the first two of the series where slip turned by its full angles has no solution
+    for (const std::uint64_t seed : {7148, 88205}) cases.push_back(extremes::patch_scene(seed));
     return cases;
 }
 
@@ -96,7 +99,8 @@ stages are not seen from outside, of |p| <= mu p_n in its steps); value is the l
         std::vector<Case> cases;
         if (given.given("patches")) {
             given.ignored("large", "with --patches");
-            cases = extremes::patch_scenes(given.integer("patches", 1, 10'000'000));
+            const auto count = static_cast<std::uint64_t>(given.integer("patches", 1, 10'000'000));
+            for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(extremes::patch_scene(seed));
         } else {
             cases = all_cases(given.flag("large"));
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -57,7 +57,7 @@ std::vector<Case> load_cases();
 std::vector<Case> direction_cases();
 std::vector<Case> patch_cases();
 
-/// The first `count` of a fixed series of random patches with friction.
-std::vector<Case> patch_scenes(std::ptrdiff_t count);
+/// A random patch with friction, steady and in time.
+Case patch_scene(std::uint64_t seed);
 
 }  // namespace extremes
