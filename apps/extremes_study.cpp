@@ -77,9 +77,10 @@ int main(int argc, char** argv) {
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
     options.add_flag("large", "also n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
-    options.add("patches", "N",
-                "instead of these cases: friction on the first N, 1 to 10000000, of a series of random contact patches, "
-                "steady and in four steps");
+    options.add(
+        "patches", "N",
+        "instead of these cases: friction on the first N, 1 to 10000000, of a series of random contact patches, "
+        "steady and in four steps");
     options.footer(R"(Example: all cases, as a file
   extremes_study --large --output extremes.csv
 

@@ -69,8 +69,7 @@ struct Scene {
         const double size = 0.2 * a_over_b;
         const auto some = [&](bool none) { return none ? 0 : draw.sign() * size * draw.decades(1e-2, 1e2); };
         const int kind = draw.count(0, 5);  // spin alone, no spin, one creepage with spin, all together
-        creepage = {some(kind == 0 || kind == 3), some(kind == 0 || kind == 2),
-                    some(kind == 1) * std::sqrt(a_over_b)};
+        creepage = {some(kind == 0 || kind == 3), some(kind == 0 || kind == 2), some(kind == 1) * std::sqrt(a_over_b)};
         const bool steady_creepage = draw.one_in(2), steady_load = draw.one_in(2);
         double dq = draw.decades(1e-3, 10);
         for (Later& step : later) {
@@ -120,9 +119,8 @@ Outcome run(const Scene& scene) {
     const auto system = rollbem::rolling_system(mesh, chebyshev, rollbem::HalfSpace<double>(scene.nu));
     const auto whole = system.whole();
     const rollbem::ArrayX<double> pressure = rollbem::hertz_pressures(contact, mesh, 1.0);
-    const rollbem::FrictionModel model(
-        contact, system, rollbem::unchecked, {1.0, pressure},
-        scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2);
+    const rollbem::FrictionModel model(contact, system, rollbem::unchecked, {1.0, pressure},
+                                       scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2);
     const Eigen::Index count = mesh.size();
     const auto stacked = [&](const State& state) {
         return Vector(Eigen::Map<const Vector>(state.traction.data(), 2 * count));
@@ -142,8 +140,8 @@ Outcome run(const Scene& scene) {
                                  std::abs(step.force.moment - sum[2])});
         if (slip.size() > 0) {
             const Matrix own = Eigen::Map<const Matrix>(slip.data(), count, 2);
-            error = std::max({error, violation(next, bound, own, terms),
-                              (own - workspace.slip()).cwiseAbs().maxCoeff() / terms});
+            error = std::max(
+                {error, violation(next, bound, own, terms), (own - workspace.slip()).cwiseAbs().maxCoeff() / terms});
         } else {
             error = std::max(error, (next.traction.rowwise().norm() - bound).maxCoeff() / bound.maxCoeff());
         }
