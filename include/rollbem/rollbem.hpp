@@ -6,6 +6,7 @@
 #include "detail/language.hpp"
 
 #include "accuracy/recommendation.hpp"
+#include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
 #include "adhesion/critical_alpha.hpp"
