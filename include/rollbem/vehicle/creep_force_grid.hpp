@@ -4,7 +4,8 @@
 #include "../detail/language.hpp"
 
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,15 +13,10 @@
 #include "../closed_form/full_sliding.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
+#include "../scene/creep_coefficients.hpp"
 #include "../scene/creepage.hpp"
-#include "../types.hpp"
 
 namespace rollbem {
-
-/// Kalker's creep coefficients of an ellipse, as far as a grid needs them; three digits are enough.
-struct CreepCoefficients {
-    double c11, c22, c23, c33;
-};
 
 /// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. With
 /// X = (xi s_x, eta s_y, phi c s_phi) G a b/(mu N), where the scales s make |X| = 1 the beginning of saturation, nodes
@@ -28,27 +24,18 @@ struct CreepCoefficients {
 /// saturation: |u| < 2, where 2 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and
 /// F_x change sign alone, and so do eta, phi, F_y and M_z together.
 ///
-/// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64; scales > 0.
+/// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64; c11, c22, c23, -c32, c33 > 0.
 class CreepForceGrid {
 public:
-    /// s_x, s_y and s_phi of one ellipse.
-    using Scale = Eigen::Array3d;
-
     /// `coefficients` of the ellipses a_over_b_of(i, ...), whose number is that of shapes; `levels` nodes lie between
     /// no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
     CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
-                   const std::vector<CreepCoefficients>& coefficients)
-        : CreepForceGrid(poisson_ratio, smallest_a_over_b, largest_a_over_b, levels,
-                         scales_of(smallest_a_over_b, largest_a_over_b, coefficients)) {}
-
-    /// The scales themselves, a row each for s_x, s_y, s_phi and a column for each ellipse.
-    CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
-                   Eigen::Array3Xd scales)
+                   std::vector<CreepCoefficients<double>> coefficients)
         : nu_(poisson_ratio),
           smallest_(smallest_a_over_b),
           largest_(largest_a_over_b),
           levels_(levels),
-          scales_(std::move(scales)) {
+          coefficients_(std::move(coefficients)) {
         detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= 0.5, name, "poisson_ratio", nu_, "lie in [0, 0.5]");
         detail::require(detail::is_finite(smallest_) && smallest_ > 0, name, "smallest_a_over_b", smallest_,
                         "be positive and finite");
@@ -56,10 +43,15 @@ public:
                         "be finite and above the smallest");
         detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
         detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
-        for (Eigen::Index i = 0; i < scales_.size(); ++i) {
-            const double scale = scales_.data()[i];
-            detail::require(detail::is_finite(scale) && scale > 0, name, "scale of creepage", scale,
-                            "be positive and finite");
+        scales_.resize(3, shapes());
+        for (Eigen::Index i = 0; i < shapes(); ++i) {
+            const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];
+            for (const double one : {c.c11, c.c22, c.c23, -c.c32, c.c33}) {
+                detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
+                                "be positive and finite");
+            }
+            // spin saturates by its lateral force (long ellipses) or by its moment (wide ones)
+            scales_.col(i) << c.c11, c.c22, std::hypot(c.c23, c.c33 / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment);
         }
         for (int i = 0; i < levels_; ++i) {
             for (int j = -levels_ + 1; j < levels_; ++j) {
@@ -75,9 +67,10 @@ public:
     double smallest_a_over_b() const { return smallest_; }
     double largest_a_over_b() const { return largest_; }
     int levels() const { return levels_; }
-    Eigen::Index shapes() const { return scales_.cols(); }  ///< number of ellipses
+    Eigen::Index shapes() const { return static_cast<Eigen::Index>(coefficients_.size()); }  ///< number of ellipses
     Eigen::Index nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }  ///< number of nodes of an ellipse
-    const Eigen::Array3Xd& scales() const { return scales_; }
+    const std::vector<CreepCoefficients<double>>& coefficients() const { return coefficients_; }
+    const Eigen::Array3Xd& scales() const { return scales_; }  ///< s_x, s_y, s_phi in a column for each ellipse
 
     /// a/b of ellipse i; the last is the largest.
     double a_over_b(Eigen::Index i) const { return a_over_b_of(i, shapes(), smallest_, largest_); }
@@ -113,21 +106,9 @@ public:
 private:
     static constexpr const char* name = "CreepForceGrid";
 
-    static Eigen::Array3Xd scales_of(double smallest, double largest,
-                                     const std::vector<CreepCoefficients>& coefficients) {
-        const auto count = static_cast<Eigen::Index>(coefficients.size());
-        Eigen::Array3Xd scales(3, count);
-        for (Eigen::Index i = 0; i < count; ++i) {
-            const CreepCoefficients& c = coefficients[static_cast<std::size_t>(i)];
-            const double a_over_b = a_over_b_of(i, count, smallest, largest);
-            // spin saturates by its lateral force (long ellipses) or by its moment (wide ones)
-            scales.col(i) << c.c11, c.c22, std::hypot(c.c23, c.c33 / full_sliding(a_over_b, 0.0, 0.0, 1.0).moment);
-        }
-        return scales;
-    }
-
     double nu_, smallest_, largest_;
     int levels_;
+    std::vector<CreepCoefficients<double>> coefficients_;
     Eigen::Array3Xd scales_;
     std::vector<Place> nodes_;
 };

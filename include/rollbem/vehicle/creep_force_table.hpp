@@ -116,9 +116,15 @@ private:
     };
     Sample sample(double shape, double x, double y, double spin) const noexcept;
 
+    /// Fills linear_ from the coefficients of the splines.
+    void meet_linear_law();
+
     CreepForceGrid grid_;
     Eigen::Index n_;
-    Eigen::ArrayXXd scales_;
+    Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b), as linear_
+    /// What the derivatives of the spline where creepage vanishes lack: of F_x by u_x, F_y by u_y and u_phi, M_z by u_y
+    /// and u_phi.
+    Eigen::ArrayXXd linear_;
     std::vector<float> coefficients_;
 };
 
@@ -294,6 +300,20 @@ inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<co
             }
         }
     }
+    meet_linear_law();
+}
+
+inline void CreepForceTable::meet_linear_law() {
+    const double step = CreepForceGrid::limit / static_cast<double>(n_);
+    Eigen::ArrayXXd lacking(5, grid_.shapes());
+    for (Eigen::Index i = 0; i < grid_.shapes(); ++i) {
+        const CreepCoefficients<double>& c = grid_.coefficients()[static_cast<std::size_t>(i)];
+        const Eigen::Array3d scale = step / grid_.scales().col(i);
+        const Sample at = sample(static_cast<double>(i), 0, 0, 0);
+        lacking.col(i) << c.c11 * scale[0] - at.by_x[0], c.c22 * scale[1] - at.by_y[1], c.c23 * scale[2] - at.by_spin[1],
+            c.c32 * scale[1] - at.by_y[2], c.c33 * scale[2] - at.by_spin[2];
+    }
+    linear_ = with_ends(std::move(lacking));
 }
 
 inline CreepForceTable::Sample CreepForceTable::sample(double shape, double x, double y, double spin) const noexcept {
@@ -304,27 +324,32 @@ inline CreepForceTable::Sample CreepForceTable::sample(double shape, double x, d
                        k = cell(spin, 0, n_ - 1);
     const detail::SplineWeights by_shape(shape - static_cast<double>(s)), by_x(x - static_cast<double>(i)),
         by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
-    // rows of four neighbours in phi, each of four numbers; the last is not used
+    // Rows of four neighbours in phi, each of four numbers, of which the last is not used. Ellipses are mixed in single
+    // precision: that changes no derivative by creepage.
     using Number = Eigen::Array4d;
     Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
+    std::array<float, 4> share;
+    for (std::size_t r = 0; r < 4; ++r) share[r] = static_cast<float>(by_shape.value[r]);
+    const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
     for (std::size_t p = 0; p < 4; ++p) {
         Number row = Number::Zero(), row_y = row, row_spin = row;
         for (std::size_t q = 0; q < 4; ++q) {
-            std::array<Number, 4> node{Number::Zero(), Number::Zero(), Number::Zero(), Number::Zero()};
-            for (std::size_t r = 0; r < 4; ++r) {
-                const float* from = coefficients_.data() +
-                                    at(s - 1 + static_cast<Eigen::Index>(r), i - 1 + static_cast<Eigen::Index>(p),
-                                       j - 1 + static_cast<Eigen::Index>(q), k - 1);
-                for (std::size_t t = 0; t < 4; ++t) {
-                    node[t] += by_shape.value[r] * Eigen::Map<const Eigen::Array4f>(from + width * t).cast<double>();
-                }
+            const float* from =
+                coefficients_.data() +
+                at(s - 1, i - 1 + static_cast<Eigen::Index>(p), j - 1 + static_cast<Eigen::Index>(q), k - 1);
+            Number here = Number::Zero(), here_spin = here;
+            for (std::size_t t = 0; t < 4; ++t, from += width) {
+                using Four = Eigen::Map<const Eigen::Array4f>;
+                const Eigen::Array4f mixed = share[0] * Four(from) + share[1] * Four(from + next_shape) +
+                                             share[2] * Four(from + 2 * next_shape) +
+                                             share[3] * Four(from + 3 * next_shape);
+                const Number node = mixed.cast<double>();
+                here += by_spin.value[t] * node;
+                here_spin += by_spin.slope[t] * node;
             }
-            const Number here = by_spin.value[0] * node[0] + by_spin.value[1] * node[1] + by_spin.value[2] * node[2] +
-                                by_spin.value[3] * node[3];
             row += by_y.value[q] * here;
             row_y += by_y.slope[q] * here;
-            row_spin += by_y.value[q] * (by_spin.slope[0] * node[0] + by_spin.slope[1] * node[1] +
-                                         by_spin.slope[2] * node[2] + by_spin.slope[3] * node[3]);
+            row_spin += by_y.value[q] * here_spin;
         }
         value += by_x.value[p] * row;
         along_x += by_x.slope[p] * row;
@@ -374,7 +399,26 @@ inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& conta
     const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
-    const Sample at = sample(shape, std::abs(u[0]), turn * u[1], turn * u[2]);
+    Sample at = sample(shape, std::abs(u[0]), turn * u[1], turn * u[2]);
+    // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline misses
+    // the linear law by some percent there. What it lacks, over the first step only.
+    const double distance = u.matrix().norm();
+    if (distance < 1) {
+        Eigen::Array<double, 5, 1> lack = Eigen::Array<double, 5, 1>::Zero();
+        for (Eigen::Index k = 0; k < 4; ++k) {
+            lack += by_shape.value[static_cast<std::size_t>(k)] * linear_.col(cell + k).head<5>();
+        }
+        Eigen::Matrix3d matrix;
+        matrix << lack[0], 0, 0, 0, lack[1], lack[2], 0, lack[3], lack[4];
+        const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
+        const Eigen::Vector3d all = matrix * place;
+        const double share = (1 - distance) * (1 - distance) * (1 + distance);
+        const double slope = distance > 0 ? (distance - 1) * (1 + 3 * distance) / distance : 0;  // d share, over |u|
+        at.value += share * all.array();
+        at.by_x += share * matrix.col(0).array() + slope * place[0] * all.array();
+        at.by_y += share * matrix.col(1).array() + slope * place[1] * all.array();
+        at.by_spin += share * matrix.col(2).array() + slope * place[2] * all.array();
+    }
 
     // The signs of the quadrant; between the two groups of symmetry derivatives change sign with both.
     const Eigen::Array3d force = at.value * Eigen::Array3d(x_sign, sign_of_pair, sign_of_pair);
@@ -466,7 +510,9 @@ inline void CreepForceTable::write(std::ostream& stream) const {
     for (const double value : {grid_.poisson_ratio(), grid_.smallest_a_over_b(), grid_.largest_a_over_b()}) {
         writer.number(value);
     }
-    for (Eigen::Index i = 0; i < grid_.scales().size(); ++i) writer.number(grid_.scales().data()[i]);
+    for (const CreepCoefficients<double>& c : grid_.coefficients()) {
+        for (const double value : {c.c11, c.c22, c.c23, c.c32, c.c33}) writer.number(value);
+    }
     for (std::size_t i = 0; i < coefficients_.size(); ++i) {
         if (i % width < 3) writer.number(coefficients_[i]);
     }
@@ -484,9 +530,11 @@ inline CreepForceTable CreepForceTable::read(std::istream& stream) {
     detail::require(levels <= 64, name, "levels", levels, "be at most 64");
     detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
     const double nu = reader.number(), smallest = reader.number(), largest = reader.number();
-    Eigen::Array3Xd scales(3, shapes);
-    for (Eigen::Index i = 0; i < scales.size(); ++i) scales.data()[i] = reader.number();
-    CreepForceTable table(CreepForceGrid(nu, smallest, largest, static_cast<int>(levels), std::move(scales)));
+    std::vector<CreepCoefficients<double>> coefficients(shapes);
+    for (CreepCoefficients<double>& c : coefficients) {
+        for (double* value : {&c.c11, &c.c22, &c.c23, &c.c32, &c.c33}) *value = reader.number();
+    }
+    CreepForceTable table(CreepForceGrid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
     for (std::size_t i = 0; i < table.coefficients_.size(); ++i) {
         if (i % width == 3) continue;
         const float value = reader.single();
@@ -494,6 +542,7 @@ inline CreepForceTable CreepForceTable::read(std::istream& stream) {
                         "be finite and at most 1000");
         table.coefficients_[i] = value;
     }
+    table.meet_linear_law();
     const std::uint64_t checksum = reader.checksum();
     if (reader.integer<std::uint64_t>() != checksum) {
         throw std::invalid_argument("CreepForceTable: the numbers must agree with their checksum");
