@@ -35,13 +35,8 @@
 namespace {
 
 using patch::Patch;
+using study::joined;
 using Kernel = rollbem::HalfSpace<double>;
-
-template <class Item>
-std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
 
 Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
 
@@ -204,19 +199,27 @@ are in a along x and b along y, tractions in mu p_0, slip in the largest rigid s
             for (const char* name : {"stability", "omega", "state-space"}) given.ignored(name, "with friction");
             points = patch::read_points(given);
         } else {
-            given.ignored("tractions", "without --longitudinal, --lateral or --spin");
+            for (const char* name : {"pressure", "tractions"}) {
+                given.ignored(name, "without --longitudinal, --lateral or --spin");
+            }
         }
         if (!given.given("state-space")) given.ignored("states", "without --state-space");
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
         const std::vector<Patch> patches = patch::make_patches(given);
+        std::optional<patch::Pressure> pressure;
+        if (rubs) {
+            pressure.emplace(given);
+            for (const Patch& one : patches) pressure->on(one);  // before anything is computed
+        }
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (given.given("state-space")) state_space = state_space_files(given, patches);
 
         std::optional<study::TableFile> tractions_file;
         if (given.given("tractions")) tractions_file.emplace(given, "tractions");
         patch::Tractions tractions;
+        const bool from_above = rubs && points.size() == 1 && patches.size() <= 3 && given.given("plot");
 
         study::Table table;
         table.columns = rubs ? patch::friction_columns() : harmonic ? response_columns() : steady_columns(given);
@@ -225,8 +228,8 @@ are in a along x and b along y, tractions in mu p_0, slip in the largest rigid s
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             // 6. Stick and slip at each creepage.
             if (rubs) {
-                return patch::friction_rows(given, patches[task], points, task, range, emit,
-                                            tractions_file ? &tractions : nullptr);
+                return patch::friction_rows(given, patches[task], points, *pressure, task, range, emit,
+                                            tractions_file || from_above ? &tractions : nullptr);
             }
             if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
             emit(steady_row(given, patches[task]));
@@ -236,6 +239,7 @@ are in a along x and b along y, tractions in mu p_0, slip in the largest rigid s
             if (tractions_file) tractions.write(study::has_header(given), *tractions_file);
         };
         table.plot = [&](const std::vector<study::Row>& rows) {
+            if (from_above) return patch::draw_from_above(patches, points.front(), tractions);
             if (rubs) return patch::draw_friction(rows);
             return harmonic ? patch::draw_responses(response_columns(), rows)
                             : patch::draw_coefficients(steady_columns(given), rows);

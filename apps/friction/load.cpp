@@ -11,9 +11,9 @@
 #include <rollbem/normal/hertz.hpp>
 
 #include "pressure.hpp"
+#include "support/columns_file.hpp"
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
-#include "support/pairs_file.hpp"
 
 namespace friction {
 

@@ -1,8 +1,12 @@
 #include "plots.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <set>
+#include <utility>
 
 #include <rollbem/closed_form/kalker_table.hpp>
 
@@ -37,6 +41,101 @@ void add_table(study::Plot& plot, std::size_t coefficient, const std::vector<stu
         }
         plot.series.push_back(std::move(points));
     }
+}
+
+/// The edge of a patch as a closed line, in c.
+std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<double>& contact) {
+    std::vector<std::pair<double, double>> points;
+    const double c = contact.c();
+    if (const auto& outline = contact.outline()) {
+        const auto& y = outline->y();
+        for (Eigen::Index i = 0; i < y.size(); ++i) points.emplace_back(outline->trailing(y[i]) / c, y[i] / c);
+        for (Eigen::Index i = y.size(); i-- > 0;) points.emplace_back(outline->leading(y[i]) / c, y[i] / c);
+        points.push_back(points.front());
+        return points;
+    }
+    for (int i = 0; i <= 360; ++i) {
+        const double angle = i * std::numbers::pi / 180;
+        points.emplace_back(contact.half_length() / c * std::cos(angle), contact.half_width() / c * std::sin(angle));
+    }
+    return points;
+}
+
+/// Whether the patch covers a place, in c.
+bool covers(const rollbem::PatchContact<double>& contact, double x, double y) {
+    const double c = contact.c();
+    if (const auto& outline = contact.outline()) {
+        return y * c >= outline->low() && y * c <= outline->high() && x * c >= outline->trailing(y * c) &&
+               x * c <= outline->leading(y * c);
+    }
+    return std::hypot(x * c / contact.half_length(), y * c / contact.half_width()) <= 1;
+}
+
+/// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
+/// looks.
+study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const std::vector<study::Row>& rows) {
+    const rollbem::PatchContact<double>& contact = patch.contact;
+    const auto shown = [](double value) { return study::Cell(value).text(6); };
+    study::Plot plot{.title = "Patch from above",
+                     .x_label = "x / c, rolling to the right",
+                     .y_label = "y / c",
+                     .true_scale = true,
+                     .series = {}};
+    if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
+    plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
+                  " × " + std::to_string(patch.mesh.strip_count()) + " elements, creepages " +
+                  shown(point.longitudinal) + ", " + shown(point.lateral) + ", spin " + shown(point.spin);
+    study::Series stick{.label = "stick", .points = {}, .style = 5, .shape = study::Shape::rectangles};
+    study::Series slip{.label = "slip", .points = {}, .style = 4, .shape = study::Shape::rectangles};
+    study::Series arrows{.label = "", .points = {}, .reference = true, .shape = study::Shape::arrows};
+    const auto number = [&](const study::Row& row, const char* name) {
+        return row[std::size_t(std::find(traction_columns().begin(), traction_columns().end(), name) -
+                               traction_columns().begin())]
+            .number();
+    };
+    const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
+    double longest = 0, area = 0;
+    for (const study::Row& row : rows) {
+        const auto traction_x = number(row, "traction_x"), traction_y = number(row, "traction_y");
+        if (!traction_x || !traction_y) return plot;  // not solved
+        if (!(*number(row, "pressure_bound") > 0)) continue;
+        const double x = *number(row, "x") * a, y = *number(row, "y") * b;
+        const double dx = *number(row, "width") * a / 2, dy = *number(row, "strip_width") * b / 2;
+        auto& zone = (*number(row, "stick") > 0 ? stick : slip).points;
+        zone.emplace_back(x - dx, y - dy);
+        zone.emplace_back(x + dx, y + dy);
+        arrows.points.emplace_back(x, y);
+        arrows.points.emplace_back(*traction_x, *traction_y);
+        longest = std::max(longest, std::hypot(*traction_x, *traction_y));
+        area += 4 * dx * dy;
+    }
+    if (arrows.points.empty()) return plot;
+    // as long as two elements of mean size
+    const double scale = longest > 0 ? 2 * std::sqrt(2 * area / double(arrows.points.size())) / longest : 0;
+    for (std::size_t i = 1; i < arrows.points.size(); i += 2) {
+        auto& [x, y] = arrows.points[i];
+        x = arrows.points[i - 1].first + scale * x;
+        y = arrows.points[i - 1].second + scale * y;
+    }
+    arrows.label = "traction, at most " + study::Cell(longest).text(3) + " μ p_0";
+    study::Series edge{.label = "", .points = edge_of(contact), .markers = false, .reference = true};
+    study::PlotRange across{0, 0}, along{0, 0};
+    for (const auto& [x, y] : edge.points) {
+        along = {std::min(along.low, x), std::max(along.high, x)};
+        across = {std::max(across.low, y), std::min(across.high, y)};  // points down
+    }
+    for (study::PlotRange* range : {&along, &across}) {
+        const double margin = 0.05 * (range->high - range->low);
+        *range = {range->low - margin, range->high + margin};
+    }
+    plot.x_range = along;
+    plot.y_range = across;
+    plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
+    const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
+    if (point.spin != 0 && covers(contact, pole_x, pole_y)) {
+        plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 1});
+    }
+    return plot;
 }
 
 }  // namespace
@@ -101,6 +200,52 @@ study::Plot draw_responses(const std::vector<std::string>& columns, const std::v
             first.beside.push_back(std::move(panel));
         }
     }
+    return first;
+}
+
+study::Plot draw_friction(const std::vector<study::Row>& rows) {
+    const std::array<const char*, 3> creepages{"longitudinal", "lateral", "spin"};
+    const std::array<const char*, 3> labels{"ξ G a b / (μ N)", "η G a b / (μ N)", "φ G a b c / (μ N)"};
+    std::array<std::size_t, 3> counts{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::set<double> values;
+        for (const study::Row& row : rows) values.insert(row[columns().size() + k].number().value_or(0));
+        counts[k] = values.size();
+    }
+    const auto most = std::size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
+    std::vector<std::string> by{"a_over_b", "poisson", "n", "strips"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (k != most) by.emplace_back(creepages[k]);
+    }
+    study::Plot first;
+    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
+    const std::array<const char*, 3> axes{"- F_x / (μ N)", "- F_y / (μ N)", "- M_z / (μ N c)"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        study::Plot panel{.title = k == 0 ? "Contact patch with friction" : "",
+                          .x_label = labels[most],
+                          .y_label = axes[k],
+                          .series = {}};
+        study::add_series(panel, friction_columns(), rows, {.by = by, .x = creepages[most], .y = forces[k]});
+        if (k > 0) panel.title.clear();
+        if (k == 0) {
+            first = std::move(panel);
+        } else {
+            first.beside.push_back(std::move(panel));
+        }
+    }
+    return first;
+}
+
+study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point, const Tractions& tractions) {
+    std::vector<study::Plot> panels;
+    for (const auto& [place, rows] : tractions.all()) {
+        if (study::Plot panel = seen_from_above(patches[place.first], point, rows); can_be_drawn(panel)) {
+            panels.push_back(std::move(panel));
+        }
+    }
+    if (panels.empty()) return {};
+    study::Plot first = std::move(panels.front());
+    for (std::size_t k = 1; k < panels.size(); ++k) first.beside.push_back(std::move(panels[k]));
     return first;
 }
 
