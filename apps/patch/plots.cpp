@@ -83,8 +83,8 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
                      .series = {}};
     if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
-                  " × " + std::to_string(patch.mesh.strip_count()) + " elements, creepages " +
-                  shown(point.longitudinal) + ", " + shown(point.lateral) + ", spin " + shown(point.spin);
+                  " × " + std::to_string(patch.mesh.strip_count()) + " elements, ξ = " + shown(point.longitudinal) +
+                  ", η = " + shown(point.lateral) + ", φ c = " + shown(point.spin) + " in μ N / (G a b)";
     study::Series stick{.label = "stick", .points = {}, .style = 5, .shape = study::Shape::rectangles};
     study::Series slip{.label = "slip", .points = {}, .style = 4, .shape = study::Shape::rectangles};
     study::Series arrows{.label = "", .points = {}, .reference = true, .shape = study::Shape::arrows};
@@ -110,15 +110,16 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
         area += 4 * dx * dy;
     }
     if (arrows.points.empty()) return plot;
-    // as long as two elements of mean size
-    const double scale = longest > 0 ? 2 * std::sqrt(2 * area / double(arrows.points.size())) / longest : 0;
+    // their middles in those of the elements, the longest as long as one and a half elements of mean size
+    const double scale = longest > 0 ? 1.5 * std::sqrt(2 * area / double(arrows.points.size())) / longest : 0;
     for (std::size_t i = 1; i < arrows.points.size(); i += 2) {
-        auto& [x, y] = arrows.points[i];
-        x = arrows.points[i - 1].first + scale * x;
-        y = arrows.points[i - 1].second + scale * y;
+        auto& [x, y] = arrows.points[i - 1];
+        const double dx = scale * arrows.points[i].first / 2, dy = scale * arrows.points[i].second / 2;
+        arrows.points[i] = {x + dx, y + dy};
+        arrows.points[i - 1] = {x - dx, y - dy};
     }
     arrows.label = "traction, at most " + study::Cell(longest).text(3) + " μ p_0";
-    study::Series edge{.label = "", .points = edge_of(contact), .markers = false, .reference = true};
+    study::Series edge{.label = "", .points = edge_of(contact), .markers = false, .style = 4, .reference = true};
     study::PlotRange across{0, 0}, along{0, 0};
     for (const auto& [x, y] : edge.points) {
         along = {std::min(along.low, x), std::max(along.high, x)};
@@ -133,7 +134,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
     plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
     const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
     if (point.spin != 0 && covers(contact, pole_x, pole_y)) {
-        plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 1});
+        plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});
     }
     return plot;
 }
@@ -204,18 +205,24 @@ study::Plot draw_responses(const std::vector<std::string>& columns, const std::v
 }
 
 study::Plot draw_friction(const std::vector<study::Row>& rows) {
-    const std::array<const char*, 3> creepages{"longitudinal", "lateral", "spin"};
-    const std::array<const char*, 3> labels{"ξ G a b / (μ N)", "η G a b / (μ N)", "φ G a b c / (μ N)"};
-    std::array<std::size_t, 3> counts{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        std::set<double> values;
-        for (const study::Row& row : rows) values.insert(row[columns().size() + k].number().value_or(0));
-        counts[k] = values.size();
+    const std::vector<std::string> given{"longitudinal", "lateral", "spin", "a_over_b", "n", "strips", "poisson"};
+    const std::array<const char*, 7> labels{"ξ G a b / (μ N)",       "η G a b / (μ N)",    "φ G a b c / (μ N)", "a/b",
+                                            "elements of a strip n", "number of strips m", "Poisson's ratio ν"};
+    std::vector<std::size_t> counts;
+    for (const std::string& name : given) {
+        const auto column = std::find(friction_columns().begin(), friction_columns().end(), name);
+        counts.push_back(values(rows, std::size_t(column - friction_columns().begin())).size());
     }
-    const auto most = std::size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
-    std::vector<std::string> by{"a_over_b", "poisson", "n", "strips"};
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (k != most) by.emplace_back(creepages[k]);
+    // a creepage if any varies
+    const auto creepages = counts.begin() + 3;
+    auto varied = std::max_element(counts.begin(), creepages);
+    if (*varied <= 1) varied = std::find_if(creepages, counts.end() - 1, [](std::size_t count) { return count > 1; });
+    const auto most = std::size_t(varied - counts.begin());
+    const bool as_many_strips =
+        std::all_of(rows.begin(), rows.end(), [](const study::Row& row) { return row[2].number() == row[3].number(); });
+    std::vector<std::string> by;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        if (k != most && !(given[most] == "n" && given[k] == "strips" && as_many_strips)) by.emplace_back(given[k]);
     }
     study::Plot first;
     const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
@@ -224,8 +231,9 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
         study::Plot panel{.title = k == 0 ? "Contact patch with friction" : "",
                           .x_label = labels[most],
                           .y_label = axes[k],
+                          .log_x = most == 3,
                           .series = {}};
-        study::add_series(panel, friction_columns(), rows, {.by = by, .x = creepages[most], .y = forces[k]});
+        study::add_series(panel, friction_columns(), rows, {.by = by, .x = given[most], .y = forces[k]});
         if (k > 0) panel.title.clear();
         if (k == 0) {
             first = std::move(panel);

@@ -135,6 +135,19 @@ bool has_place(const Plot& plot, const std::pair<double, double>& point) {
            (!plot.log_y || point.second > 0);
 }
 
+/// Of both axes of a plot in true scale: 1, 2 or 5 times a power of ten, 5 to 10 ticks on the longer axis.
+double tick_step(const Plot& plot) {
+    double longer = 0;
+    for (const auto& range : {plot.x_range, plot.y_range}) {
+        if (range) longer = std::max(longer, std::abs(range->high - range->low));
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(longer / 10)));
+    for (const double step : {1, 2, 5}) {
+        if (step * power >= longer / 10) return step * power;
+    }
+    return 10 * power;
+}
+
 /// Lines for gnuplot: points, rectangles by middle and half sides, or arrows by tail and components.
 std::string data_of(const Plot& plot, const Series& series) {
     std::string text;
@@ -176,7 +189,10 @@ std::string panel_script(const Plot& plot, bool alone) {
     script += title_command(title, alone ? 105 : 76) + "set xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key above samplen 3\nset autoscale xfix\nset format '%h'\n";
-    if (plot.true_scale) script += "set size ratio -1\n";
+    if (plot.true_scale) {
+        const std::string step = number_text(tick_step(plot));
+        script += "set size ratio -1\nset xtics " + step + "\nset ytics " + step + "\n";
+    }
     if (plot.log_x) script += "set logscale x " + std::to_string(plot.log_base) + "\n";
     if (plot.log_y) script += "set logscale y 10\nset format y '10^{%T}'\n";
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {

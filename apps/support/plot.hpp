@@ -48,7 +48,7 @@ struct Plot {
     bool log_x = false, log_y = false;
     int log_base = 10;                              ///< of the marks on a logarithmic x axis
     std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
-    bool true_scale = false;                        ///< a length is as long along either axis
+    bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
     std::vector<Series> series;
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };

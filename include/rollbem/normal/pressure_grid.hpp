@@ -25,12 +25,14 @@ public:
     /// j. Throws std::invalid_argument if they break the invariant or the sizes differ.
     PressureGrid(ArrayX<Scalar> x, ArrayX<Scalar> y, MatrixX<Scalar> pressure)
         : x_(std::move(x)), y_(std::move(y)), pressure_(std::move(pressure)) {
-        require_ascending("x", x_);
-        require_ascending("y", y_);
+        require_ascending("number of x", "x", x_);
+        require_ascending("number of y", "y", y_);
         detail::require(pressure_.rows() == x_.size() && pressure_.cols() == y_.size(), "PressureGrid",
                         "number of pressures", pressure_.size(), "equal that of points");
-        detail::require(detail::all_finite(pressure_), "PressureGrid", "a pressure", pressure_.sum(), "be finite");
-        detail::require(pressure_.minCoeff() >= 0, "PressureGrid", "pressure", pressure_.minCoeff(), "not be negative");
+        for (const Scalar pressure : pressure_.reshaped()) {
+            detail::require(detail::is_finite(pressure) && pressure >= 0, "PressureGrid", "pressure", pressure,
+                            "be finite and not negative");
+        }
         const Scalar load = integral();
         detail::require(detail::is_finite(load) && load > 0, "PressureGrid", "load", load, "be positive and finite");
     }
@@ -56,8 +58,8 @@ private:
         std::vector<Scalar> values;
     };
 
-    static void require_ascending(const char* name, const ArrayX<Scalar>& knots) {
-        detail::require(knots.size() >= 2, "PressureGrid", name, knots.size(), "have at least 2 different values");
+    static void require_ascending(const char* number, const char* name, const ArrayX<Scalar>& knots) {
+        detail::require(knots.size() >= 2, "PressureGrid", number, knots.size(), "be at least 2");
         for (Eigen::Index i = 0; i < knots.size(); ++i) {
             detail::require(detail::is_finite(knots[i]) && (i == 0 || knots[i] > knots[i - 1]), "PressureGrid", name,
                             knots[i], "be finite and larger than the value before");
