@@ -26,6 +26,7 @@
 #include "patch/friction.hpp"
 #include "patch/patches.hpp"
 #include "patch/plots.hpp"
+#include "patch/transient.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/state_space_files.hpp"
@@ -54,10 +55,6 @@ std::vector<std::string> steady_columns(const study::Options& options) {
         names = joined(names, {"unstable_count", "uncertain_count", "spectral_abscissa"});
     }
     return joined(names, {"status", "nodes"});
-}
-
-study::Cell nodes_cell(const Patch& patch) {
-    return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
 }
 
 study::Row steady_row(const study::Options& options, const Patch& patch) {
@@ -89,7 +86,7 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
             if (steady.status == rollbem::Status::ok) status = name(verdict.status);
         }
     }
-    row.insert(row.end(), {status, nodes_cell(patch)});
+    row.insert(row.end(), {status, nodes_name(patch)});
     return row;
 }
 
@@ -114,7 +111,7 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
             row.emplace_back(trusted(point.status, c.real()));
             row.emplace_back(trusted(point.status, c.imag()));
         }
-        row.insert(row.end(), {name(point.status), nodes_cell(patch)});
+        row.insert(row.end(), {name(point.status), nodes_name(patch)});
         emit(std::move(row));
     }
 }
@@ -162,6 +159,7 @@ int main(int argc, char** argv) {
     options.add("omega", "LIST", "instead: response to creepages at frequencies omega a/V, at least 0 (dimensionless)");
     study::StateSpaceFiles::add_options(options, "one patch");
     patch::add_friction_options(options);
+    patch::add_transient_options(options);
     options.footer(R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
 
@@ -194,53 +192,39 @@ are in a along x and b along y, tractions in mu p_0, slip in the largest rigid s
                                    {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
         }
         const bool rubs = patch::asks_for_friction(given);
-        std::vector<patch::CreepPoint> points;
         if (rubs) {
             for (const char* name : {"stability", "omega", "state-space"}) given.ignored(name, "with friction");
-            points = patch::read_points(given);
         } else {
-            for (const char* name : {"pressure", "tractions"}) {
+            for (const char* name : {"pressure", "tractions", "transient"}) {
                 given.ignored(name, "without --longitudinal, --lateral or --spin");
             }
         }
+        if (!given.flag("transient")) patch::refuse_transient_options(given);
         if (!given.given("state-space")) given.ignored("states", "without --state-space");
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
         const std::vector<Patch> patches = patch::make_patches(given);
-        std::optional<patch::Pressure> pressure;
         if (rubs) {
-            pressure.emplace(given);
-            for (const Patch& one : patches) pressure->on(one);  // before anything is computed
+            // 6. Stick and slip at each creepage, or in time.
+            (given.flag("transient") ? patch::run_transient : patch::run_friction)(given, patches);
+            return study::exit_ok;
         }
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (given.given("state-space")) state_space = state_space_files(given, patches);
 
-        std::optional<study::TableFile> tractions_file;
-        if (given.given("tractions")) tractions_file.emplace(given, "tractions");
-        patch::Tractions tractions;
-        const bool from_above = rubs && points.size() == 1 && patches.size() <= 3 && given.given("plot");
-
         study::Table table;
-        table.columns = rubs ? patch::friction_columns() : harmonic ? response_columns() : steady_columns(given);
-        table.rows_of_task.assign(patches.size(), rubs ? points.size() : harmonic ? omegas.size() : 1);
+        table.columns = harmonic ? response_columns() : steady_columns(given);
+        table.rows_of_task.assign(patches.size(), harmonic ? omegas.size() : 1);
         table.label = [&](std::size_t task) { return patches[task].label(); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            // 6. Stick and slip at each creepage.
-            if (rubs) {
-                return patch::friction_rows(given, patches[task], points, *pressure, task, range, emit,
-                                            tractions_file || from_above ? &tractions : nullptr);
-            }
             if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
             emit(steady_row(given, patches[task]));
         };
         table.written = [&] {
             if (state_space) state_space->commit();
-            if (tractions_file) tractions.write(study::has_header(given), *tractions_file);
         };
         table.plot = [&](const std::vector<study::Row>& rows) {
-            if (from_above) return patch::draw_from_above(patches, points.front(), tractions);
-            if (rubs) return patch::draw_friction(rows);
             return harmonic ? patch::draw_responses(response_columns(), rows)
                             : patch::draw_coefficients(steady_columns(given), rows);
         };

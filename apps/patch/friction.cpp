@@ -9,7 +9,9 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
-#include "support/program.hpp"
+#include "plots.hpp"
+#include "pressure.hpp"
+#include "support/table.hpp"
 #include "support/timing.hpp"
 
 namespace patch {
@@ -50,6 +52,41 @@ std::vector<study::Row> traction_rows(const Patch& patch, const CreepPoint& poin
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+/// The rows of a patch, each solved from rest; `tractions` may be null.
+void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
+                   const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
+                   Tractions* tractions) {
+    const double mu_N = patch.contact.half_length() * patch.contact.half_width(), c = patch.contact.c();
+    const Model model(patch.contact, patch.mesh, patch.scheme,
+                      rollbem::HalfSpace<double>(patch.contact.poisson_ratio()), {mu, pressure.on(patch)});
+    auto workspace = model.workspace();
+    const auto rest = model.at_rest();
+    auto state = rest;
+    for (std::size_t i = range.first; i < range.last; ++i) {
+        const CreepPoint& point = points[i];
+        const rollbem::Creepage<double> creepage{point.longitudinal, point.lateral, point.spin / c};
+        std::optional<double> time_us;
+        if (study::has_times(options)) {
+            time_us = study::median_time_us(
+                [&] { return model.steady(rest, creepage, state, workspace).force.longitudinal; });
+        }
+        const rollbem::FrictionStep<2> step = model.steady(rest, creepage, state, workspace);
+        const std::string status = name(step.status);
+        study::Row row = cells(patch);
+        row.insert(row.end(), {point.longitudinal, point.lateral, point.spin});
+        const auto& force = step.force;
+        for (const double value : {force.longitudinal, force.lateral, force.moment / c}) {
+            row.emplace_back(step.status == rollbem::StepStatus::ok ? study::Cell(0 - value / mu_N) : study::Cell());
+        }
+        row.insert(row.end(),
+                   {step.stick_count, step.rounds, step.complementarity_residual, time_us, status, nodes_name(patch)});
+        emit(std::move(row));
+        if (tractions) {
+            tractions->add(task, i, traction_rows(patch, point, creepage, state, workspace.slip(), status));
+        }
+    }
 }
 
 }  // namespace
@@ -111,38 +148,30 @@ const std::vector<std::string>& traction_columns() {
     return names;
 }
 
-void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
-                   const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
-                   Tractions* tractions) {
-    const double mu_N = patch.contact.half_length() * patch.contact.half_width(), c = patch.contact.c();
-    const Model model(patch.contact, patch.mesh, patch.scheme,
-                      rollbem::HalfSpace<double>(patch.contact.poisson_ratio()), {mu, pressure.on(patch)});
-    auto workspace = model.workspace();
-    const auto rest = model.at_rest();
-    auto state = rest;
-    for (std::size_t i = range.first; i < range.last; ++i) {
-        const CreepPoint& point = points[i];
-        const rollbem::Creepage<double> creepage{point.longitudinal, point.lateral, point.spin / c};
-        std::optional<double> time_us;
-        if (study::has_times(options)) {
-            time_us = study::median_time_us(
-                [&] { return model.steady(rest, creepage, state, workspace).force.longitudinal; });
-        }
-        const rollbem::FrictionStep<2> step = model.steady(rest, creepage, state, workspace);
-        const std::string status = name(step.status);
-        study::Row row = cells(patch);
-        row.insert(row.end(), {point.longitudinal, point.lateral, point.spin});
-        const auto& force = step.force;
-        for (const double value : {force.longitudinal, force.lateral, force.moment / c}) {
-            row.emplace_back(step.status == rollbem::StepStatus::ok ? study::Cell(0 - value / mu_N) : study::Cell());
-        }
-        row.insert(row.end(), {step.stick_count, step.rounds, step.complementarity_residual, time_us, status,
-                               patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres"});
-        emit(std::move(row));
-        if (tractions) {
-            tractions->add(task, i, traction_rows(patch, point, creepage, state, workspace.slip(), status));
-        }
-    }
+void run_friction(const study::Options& options, const std::vector<Patch>& patches) {
+    const std::vector<CreepPoint> points = read_points(options);
+    const Pressure pressure(options);
+    for (const Patch& patch : patches) pressure.on(patch);  // before anything is written
+    std::optional<study::TableFile> tractions_file;
+    if (options.given("tractions")) tractions_file.emplace(options, "tractions");
+    const bool from_above = points.size() == 1 && patches.size() <= 3 && options.given("plot");
+    Tractions tractions;
+
+    study::Table table;
+    table.columns = friction_columns();
+    table.rows_of_task.assign(patches.size(), points.size());
+    table.label = [&](std::size_t task) { return patches[task].label(); };
+    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        friction_rows(options, patches[task], points, pressure, task, range, emit,
+                      tractions_file || from_above ? &tractions : nullptr);
+    };
+    table.written = [&] {
+        if (tractions_file) tractions.write(study::has_header(options), *tractions_file);
+    };
+    table.plot = [&](const std::vector<study::Row>& rows) {
+        return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(rows);
+    };
+    study::write_table(options, table);
 }
 
 }  // namespace patch

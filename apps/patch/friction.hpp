@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "patches.hpp"
-#include "pressure.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
@@ -46,9 +45,7 @@ private:
 const std::vector<std::string>& friction_columns();
 const std::vector<std::string>& traction_columns();
 
-/// The rows of a patch, each solved from rest; `tractions` may be null. Throws what Pressure::on throws.
-void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
-                   const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
-                   Tractions* tractions);
+/// Writes a row for each patch and creepage, solved from rest. Throws what write_table throws, and BadInput.
+void run_friction(const study::Options& options, const std::vector<Patch>& patches);
 
 }  // namespace patch

@@ -132,7 +132,8 @@ std::vector<Patch> make_patches(const study::Options& options) {
                                       " strips must be at most " + std::to_string(most_elements));
             }
             for (const Contact& contact : contacts) {
-                patches.push_back({contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), scheme});
+                patches.push_back(
+                    {contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), across, scheme});
             }
         }
     }
@@ -147,6 +148,10 @@ const std::vector<std::string>& columns() {
 study::Row cells(const Patch& patch) {
     return {patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b()),
             patch.contact.poisson_ratio(), patch.mesh.elements_per_strip(), patch.mesh.strip_count()};
+}
+
+const char* nodes_name(const Patch& patch) {
+    return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
 }
 
 }  // namespace patch

@@ -257,4 +257,41 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
     return first;
 }
 
+study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                         bool load_varies) {
+    const std::vector<std::string> by{"a_over_b", "poisson", "n", "strips", "nodes", "longitudinal", "lateral", "spin"};
+    const std::string load = load_varies ? "μ N_0" : "μ N";
+    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
+    const std::array<std::string, 3> labels{"-F_x / (" + load + ")", "-F_y / (" + load + ")",
+                                            "-M_z / (" + load + (load_varies ? " c_0)" : " c)")};
+    std::vector<study::Plot> panels;
+    for (std::size_t k = 0; k < 3; ++k) {
+        study::Plot panel{
+            .title = "Patch in time", .x_label = "distance rolled q/a", .y_label = labels[k], .series = {}};
+        study::add_series(panel, columns, rows, {.by = by, .x = "q_over_a", .y = forces[k]});
+        for (study::Series& series : panel.series) series.markers = false;
+        panels.push_back(std::move(panel));
+    }
+    study::Plot& first = panels.front();
+    const bool one_patch = first.series.size() <= 1;
+    for (std::size_t k = 1; k < 3; ++k) {
+        if (one_patch) {
+            for (study::Series& series : panels[k].series) first.series.push_back(std::move(series));
+        } else {
+            panels[k].title.clear();
+            first.beside.push_back(std::move(panels[k]));
+        }
+    }
+    if (one_patch) first.y_label = "force over " + load + ", moment over " + load + (load_varies ? " c_0" : " c");
+    if (load_varies && !rows.empty()) {
+        study::Plot loads{.title = "", .x_label = "", .y_label = "", .series = {}};
+        study::add_series(loads, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"});
+        loads.series.front().label = "load N/N_0";
+        loads.series.front().markers = false;
+        loads.series.front().reference = true;
+        first.series.push_back(std::move(loads.series.front()));
+    }
+    return std::move(first);
+}
+
 }  // namespace patch

@@ -23,4 +23,8 @@ study::Plot draw_friction(const std::vector<study::Row>& rows);
 /// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows, pole of spin.
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point, const Tractions& tractions);
 
+/// Forces and moment over the distance rolled, with the load if that varies: in one panel if there is one patch.
+study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                         bool load_varies);
+
 }  // namespace patch

@@ -20,12 +20,14 @@ std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further = "",
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check = {});
 
-/// Two columns of finite numbers, the first ascending (equal neighbours are allowed).
+/// Two columns of finite numbers, the first ascending (equal neighbours are allowed), and further ones.
 struct Pairs {
     Numbers places, values;
+    std::vector<Numbers> further{};
 };
 
 /// The same for two columns with at least one row; `place` is the rule for the first one. Throws BadInput.
-Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place);
+Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place,
+                 const std::string& further = "");
 
 }  // namespace study

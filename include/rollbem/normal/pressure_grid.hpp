@@ -29,8 +29,8 @@ public:
         require_ascending("number of y", "y", y_);
         detail::require(pressure_.rows() == x_.size() && pressure_.cols() == y_.size(), "PressureGrid",
                         "number of pressures", pressure_.size(), "equal that of points");
-        for (const Scalar pressure : pressure_.reshaped()) {
-            detail::require(detail::is_finite(pressure) && pressure >= 0, "PressureGrid", "pressure", pressure,
+        for (const Scalar value : pressure_.reshaped()) {
+            detail::require(detail::is_finite(value) && value >= 0, "PressureGrid", "pressure", value,
                             "be finite and not negative");
         }
         const Scalar load = integral();
