@@ -25,10 +25,6 @@ AxisRatios Load::largest_axes() const {
 std::optional<Load> read_load(const study::Options& options, double until) {
     std::optional<study::LoadHistory> history = study::read_load_history(options, until, "a_ratio,b_ratio");
     if (!history) return std::nullopt;
-    if (options.given("outline")) {
-        throw study::BadInput(options.said("outline") +
-                              " cannot go with a load that varies: how it grows is not known");
-    }
     const study::Rule rule = study::between(1e-3, 1e3);
     for (const study::Numbers& column : history->further) {
         for (const double ratio : column) {

@@ -155,4 +155,63 @@ check 'one ellipse in three ways' 'v("status") == "ok" && NR <= 4 &&
     (v("longitudinal_force") / F - 1) ^ 2 + (v("lateral_force") / Q - 1) ^ 2 + (v("spin_moment") / M - 1) ^ 2 < 1e-6'
 shards "$patch" --n 4,6 --pressure hertz.csv --longitudinal 0.1,0.2 --no-timing
 
+# --- in time: bad input, a step of creepages from rest against Kalker's program, orders, balance of energy
+set -- $p --n 6 --longitudinal 0.1 --transient
+bad '--transient = true has no effect without --longitudinal' $p --transient
+bad '--dq = 0.1 has no effect without --transient' $p --spin 1 --dq 0.1
+bad '--breathing = true has no effect without --transient' $p --spin 1 --breathing
+bad '--breathing = true has no effect without --load-sine or --load' "$@" --breathing
+bad '--tractions = t.csv has no effect with --transient' "$@" --tractions t.csv
+bad 'must have one value each with --transient' "$@" --spin 0,1
+bad '--from = here' "$@" --from here
+bad '--integrator = euler' "$@" --integrator euler
+bad '--load-sine = 2,8 must be A,LENGTH' "$@" --load-sine 2,8
+bad 'has no effect under a load that varies' "$@" --pressure "$scratch/hertz.csv" --load-sine 0.5,8
+bad_pairs q_over_a,load_ratio "$@" --load
+loads() { printf 'q_over_a,load_ratio,a_ratio,b_ratio\n%b' "$1" >"$scratch/load.csv"; }
+loads '0,1,1,1\n5,1,1,1\n'
+bad 'must cover the run' "$@" --load "$scratch/load.csv"
+loads '0,1,1,1\n100,1,1,0\n'
+bad 'a_ratio and b_ratio must lie in [0.001, 1000], not 0' "$@" --load "$scratch/load.csv"
+printf 'q_over_a,load_ratio,a_ratio\n0,1,1\n' >"$scratch/load.csv"
+bad 'must be q_over_a,load_ratio or q_over_a,load_ratio,a_ratio,b_ratio' "$@" --load "$scratch/load.csv"
+
+set -- "$patch" --longitudinal 0.13661083 --lateral 0.15583295 --spin 0.38798217 --transient --until 4 --no-timing
+good 41 "$@" --n 12 --dq 0.1
+header a_over_b,poisson,n,strips,q_over_a,load_ratio,a_ratio,b_ratio,longitudinal_force,lateral_force,spin_moment,stick_count,slip_work,creep_work,status
+near() { check "$2 at q/a = $1" "v(\"q_over_a\") != $1 || (v(\"$2\") - $3) ^ 2 < 9e-6"; }
+near 0.5 longitudinal_force .1280 && near 0.5 lateral_force .2185 && near 1 longitudinal_force .2069
+near 1 lateral_force .4522 && near 2 longitudinal_force .2765 && near 2 lateral_force .7311
+near 4 longitudinal_force .3052 && near 4 lateral_force .7867
+check 'energy' '(v("creep_work") - v("slip_work") - v("elastic_energy")) ^ 2 < (0.02 * v("creep_work")) ^ 2'
+check 'constant load' 'v("load_ratio") v("a_ratio") v("b_ratio") v("status") == "111ok"'
+orders "$(column longitudinal_force)" "$patch" --n 6 --longitudinal 0.0946467 --transient --until 2 --no-timing
+good 41 "$@" --n 12 --dq 0.1 --from steady
+check 'steady rolling stays' '(v("longitudinal_force") - .3097) ^ 2 + (v("lateral_force") - .7894) ^ 2 < 1e-6 && v("slip_work") > 0'
+
+# under a load: a table of ones changes nothing; eight times the load on twice the ellipse at half the creepage is the
+# same; forces follow the load to zero and back; a period must be resolved
+set -- "$patch" --n 6 --a-over-b 0.5 --lateral 0.1 --spin 0.2 --transient --no-timing
+good 21 "$@" --dq 0.1 --until 2
+mv out constant
+loads '0,1,1,1\n0.25,1,1,1\n2,1,1,1\n'
+good 21 "$@" --dq 0.1 --until 2 --load "$scratch/load.csv"
+paste -d, constant out | awk -F, 'NR == 1 { for (k = NF / 2; k > 0; --k) place[$k] = k } NR > 1 && NR != 4 {
+    for (name in place) if (name ~ /force|moment|count/ && ($place[name] - $(place[name] + NF / 2)) ^ 2 > 1e-5) exit 1 }' ||
+    fail 'a load of ones'
+printf 'load_ratio;q_over_a\n8;0\n8;4\n' >"$scratch/load.csv"
+"$patch" --n 6 --a-over-b 0.5 --lateral 0.2 --spin 0.2 --transient --no-timing --dq 0.2 --until 4 \
+    --load "$scratch/load.csv" >out
+check 'semi-axes' 'v("a_ratio") == 2 && v("b_ratio") == 2'
+paste -d, constant out | awk -F, 'NR == 1 { for (k = NF / 2; k > 0; --k) place[$k] = k } NR > 1 {
+    if ((8 * $place["lateral_force"] / $(place["lateral_force"] + NF / 2) - 1) ^ 2 > 1e-20) exit 1
+    if ((16 * $place["spin_moment"] / $(place["spin_moment"] + NF / 2) - 1) ^ 2 > 1e-20) exit 1 }' ||
+    fail 'scaling of the load'
+good 81 "$@" --dq 0.1 --until 8 --load-sine 1,8
+check 'a load that vanishes' 'v("lateral_force") <= v("load_ratio") * 1.000001 && v("status") == "ok" &&
+    (v("q_over_a") != 6 || v("load_ratio") < 1e-9 && v("lateral_force") < 1e-9)'
+good 6 "$@" --dq 0.1 --until 0.5 --load-sine 0.5,0.5
+check 'unresolved' 'v("status") == "unresolved" && v("lateral_force") v("slip_work") == ""'
+shards "$@" --dq 0.1 --until 0.5 --load-sine 0.5,8 --poisson 0,0.28
+
 finish
