@@ -1,11 +1,12 @@
 // Contact patches in three dimensions: Kalker's creep coefficients of ellipses and other outlines in full adhesion,
-// steady or over the frequency, whether they are stable in time, the patch as linear differential equations, and the
-// forces of ellipses with friction and spin:
+// steady or over the frequency, whether they are stable in time, the patch as linear differential equations, and forces
+// with friction and spin, steady or in time:
 //
 //     ./patch_study --a-over-b 0.5,1,2 --n 12
 //     ./patch_study --n 12 --omega 0.1,1,3
 //     ./patch_study --outline wheel.csv --n 16 --stability
 //     ./patch_study --n 12 --longitudinal 0.1,0.2,0.4 --spin 0,0.2
+//     ./patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --load-sine 0.5,8
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -24,6 +25,7 @@
 #include <rollbem/compiled/stability.hpp>
 
 #include "patch/friction.hpp"
+#include "patch/help.hpp"
 #include "patch/patches.hpp"
 #include "patch/plots.hpp"
 #include "patch/transient.hpp"
@@ -160,26 +162,7 @@ int main(int argc, char** argv) {
     study::StateSpaceFiles::add_options(options, "one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
-    options.footer(R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
-  patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
-
-x is the rolling direction, y lies across it, z points into body 2 (the rail). Creepages xi, eta along x and y,
-spin phi about z: F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi), M_z = -G a b c (c32 eta + c c33 phi)
-about the origin of the outline, c = sqrt(a b); c32 = -c23 in the limit of small elements if the patch is
-symmetric fore and aft. Bodies are equal half-spaces; a line y = const cuts the patch in one interval.
-The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
-outline. With n = strips = 12 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2.5 % at nu = 0.5 or a/b >= 5).
-assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
-the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is not ok the
-coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
-and the largest Re(nu) a.
---longitudinal, --lateral, --spin: steady rolling of ellipses with friction under Hertz's pressure, a row for every
-combination, each solved from rest: -F_x, -F_y over mu N, -M_z over mu N c, the number of elements that stick, Newton
-steps (rounds), how far the law is violated, and the time of the solution, matrices ready [microseconds]. Errors of 12
-x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin. In --tractions lengths
-are in a along x and b along y, tractions in mu p_0, slip in the largest rigid slip.
---state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
-)");
+    options.footer(patch::help, patch::topics);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each patch, or for each patch and frequency.
