@@ -59,31 +59,14 @@ public:
              .value = &initial_state_,
              .description = "State at the start",
              .items = &initial_states});
-        add({.name = "slip_velocity",
-             .value = &slip_.value,
-             .unit = "m/s",
-             .description = "Velocity of the wheel relative to the rail, as rigid bodies; creepage times rolling_speed",
-             .causality = Causality::input,
-             .rate = &slip_.rate});
-        add({.name = "rolling_speed",
-             .value = &speed_.value,
-             .unit = "m/s",
-             .description = "V, the speed of the contact along the rail; not negative",
-             .causality = Causality::input,
-             .rate = &speed_.rate});
-        add({.name = "normal_load",
-             .value = &load_.value,
-             .unit = "N",
-             .description = "N over the width 2b, in co-simulation at the end of a step; used where contact_length is "
-                            "follows_load",
-             .causality = Causality::input,
-             .rate = &load_.rate});
-        add({.name = "normal_load_rate",
-             .value = &load_rate_.value,
-             .unit = "N/s",
-             .description = "dN/dt, in model exchange; used where contact_length is follows_load",
-             .causality = Causality::input,
-             .rate = &load_rate_.rate});
+        add_input(slip_, "slip_velocity", "m/s",
+                  "Velocity of the wheel relative to the rail, as rigid bodies; creepage times rolling_speed");
+        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative");
+        add_input(load_, "normal_load", "N",
+                  "N over the width 2b, in co-simulation at the end of a step; used where contact_length is "
+                  "follows_load");
+        add_input(load_rate_, "normal_load_rate", "N/s",
+                  "dN/dt, in model exchange; used where contact_length is follows_load");
         add({.name = "force",
              .value = &force_,
              .unit = "N",
@@ -96,11 +79,7 @@ public:
              .description = "a",
              .causality = Causality::output,
              .depends_on = {"normal_load"}});
-        add({.name = "status",
-             .value = &status_,
-             .description = "Status of the last step or evaluation",
-             .causality = Causality::output,
-             .items = &step_statuses});
+        add_output(&status_, "status", "", "Status of the last step or evaluation", &step_statuses);
         int first_state = 0;
         for (Eigen::Index k = 0; k < state_count; ++k) {
             const int place = add({.name = state_name(k),
@@ -123,9 +102,6 @@ public:
     }
 
     void initialise() override {
-        require_item("direction", direction_, directions);
-        require_item("contact_length", length_, lengths);
-        require_item("initial_state", initial_state_, initial_states);
         const rollbem::Contact<Scalar> contact = parameters_.contact();
         first_half_length_ = contact.half_length();
         const bool plane = parameters_.kernel == static_cast<int>(KernelName::plane);

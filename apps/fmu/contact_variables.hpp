@@ -55,7 +55,4 @@ inline int value_of(rollbem::StepStatus status) { return static_cast<int>(status
 
 Outcome outcome_of(rollbem::StepStatus status);
 
-/// Throws std::invalid_argument unless the value of an enumeration is one of its items.
-void require_item(const char* parameter, int value, const Enumeration& items);
-
 }  // namespace fmu

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/detail/require.hpp>
@@ -70,18 +69,11 @@ public:
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
         add_output(&half_length_, "contact_half_length", "m", "a under normal_load");
         add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick");
-        add({.name = "status",
-             .value = &status_,
-             .description = "Status of the last step",
-             .causality = Causality::output,
-             .items = &step_statuses});
+        add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
 
     void initialise() override {
         const rollbem::HertzLine<Scalar> line = parameters_.line();
-        require_item("mesh", mesh_, meshes);
-        require_item("mesh_length", mesh_length_, mesh_lengths);
-        require_item("initial_state", initial_state_, initial_states);
         require(elements_ >= 1 && elements_ <= 1000, "elements", elements_, "lie in [1, 1000]");
         const bool fixed = mesh_length_ == static_cast<int>(MeshLength::fixed);
         const bool plane = parameters_.kernel == static_cast<int>(KernelName::plane);
@@ -97,14 +89,16 @@ public:
             require(load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
             length *= std::sqrt(per_width(largest_load_) / line.load_per_width());
         }
-        const rollbem::Mesh<Scalar> mesh = mesh_ == static_cast<int>(MeshName::cosine)
-                                               ? rollbem::cosine_mesh<Scalar>(elements_)
-                                               : rollbem::uniform_mesh<Scalar>(elements_);
+        const bool cosine = mesh_ == static_cast<int>(MeshName::cosine);
+        const rollbem::Mesh<Scalar> mesh =
+            cosine ? rollbem::cosine_mesh<Scalar>(elements_) : rollbem::uniform_mesh<Scalar>(elements_);
+        const rollbem::NodeDifference scheme{cosine ? rollbem::Nodes::chebyshev : rollbem::Nodes::centres};
         hertz_ = fixed ? rollbem::HertzLoad<Scalar>::fixed(line, mesh, length)
                        : rollbem::HertzLoad<Scalar>::breathing(line, mesh);
         end_load_ = hertz_->at(fixed ? per_width(largest_load_) : line.load_per_width());
         const rollbem::Contact<Scalar> contact = parameters_.contact_of(length);
-        plane ? build<rollbem::PlaneKernel<Scalar>>(contact, mesh) : build<rollbem::StripKernel<Scalar>>(contact, mesh);
+        plane ? build<rollbem::PlaneKernel<Scalar>>(contact, mesh, scheme)
+              : build<rollbem::StripKernel<Scalar>>(contact, mesh, scheme);
 
         end_load_ = hertz_->at(per_width(load_.value));
         now_ = model_->at_rest();
@@ -209,22 +203,9 @@ private:
         rollbem::detail::require(holds, "rollbem_friction", parameter, value, rule);
     }
 
-    void add_input(Input& input, const char* name, const char* unit, const char* description) {
-        add({.name = name,
-             .value = &input.value,
-             .unit = unit,
-             .description = description,
-             .causality = Causality::input,
-             .rate = &input.rate});
-    }
-
-    void add_output(std::variant<double*, int*> value, const char* name, const char* unit, const char* description) {
-        add({.name = name, .value = value, .unit = unit, .description = description, .causality = Causality::output});
-    }
-
     template <class Kernel>
-    void build(const rollbem::Contact<Scalar>& contact, const rollbem::Mesh<Scalar>& mesh) {
-        const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    void build(const rollbem::Contact<Scalar>& contact, const rollbem::Mesh<Scalar>& mesh,
+               const rollbem::NodeDifference& scheme) {
         const rollbem::ElementSystem system(rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
                                             rolling_system(mesh, scheme, Kernel::lateral(contact)));
         model_.emplace(contact, system, judge_stability(system),

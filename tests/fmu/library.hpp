@@ -56,7 +56,7 @@ private:
                                                 .shear_modulus = shear_modulus,
                                                 .poisson_ratio = poisson_ratio});
         const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
-        const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+        const rollbem::NodeDifference scheme{fixed ? rollbem::Nodes::centres : rollbem::Nodes::chebyshev};
         using Kernel = rollbem::PlaneKernel<double>;
         return Model(contact,
                      {rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
