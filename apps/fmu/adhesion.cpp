@@ -15,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/detail/require.hpp>
@@ -322,8 +323,7 @@ private:
         return rates[coefficient(unknown)];
     }
 
-    // Exact by slip velocity and load. By the rolling speed, for which the library has no tangent: by central
-    // differences of the step, or one-sided ones of the same order near zero.
+    // Exact by slip velocity and load, by differences of the step by the rolling speed.
     Scalar partial_of_step(const Variable& known) {
         if (past_.duration == 0 || &known.real() == &load_rate_.value) return 0;
         if (&known.real() == &slip_.value) return past_.tangent_by_shift * past_.duration;
@@ -332,18 +332,12 @@ private:
             const Scalar ratio = past_.half_length / first_half_length_;
             return past_.tangent_by_half_length * past_.half_length / (2 * ratio * ratio * parameters_.nominal_load);
         }
-        const auto force_at = [&](Scalar distance) {
-            Past step = past_;
-            step.distance = distance;
-            advance(from_, step, next_);
-            return step.force;
-        };
-        const Scalar distance = past_.distance, change = 1e-5 * std::max(distance, half_length_);
-        if (distance >= change) {
-            return (force_at(distance + change) - force_at(distance - change)) / (2 * change) * past_.duration;
-        }
-        return (4 * force_at(distance + change) - 3 * force_at(distance) - force_at(distance + 2 * change)) /
-               (2 * change) * past_.duration;
+        return past_.duration * rollbem::tangent_by_distance(past_.distance, half_length_, [&](Scalar distance) {
+                   Past step = past_;
+                   step.distance = distance;
+                   advance(from_, step, next_);
+                   return step.force;
+               });
     }
 
     ContactParameters parameters_;

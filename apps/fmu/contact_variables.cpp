@@ -1,4 +1,4 @@
-// What both FMUs have in common.
+// What FMUs have in common.
 #include "contact_variables.hpp"
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// What both FMUs have in common: the contact's parameters, and how the status of a step is reported.
+// What FMUs have in common: parameters of a line contact, and how the status of a step is reported.
 #pragma once
 
 #include <vector>

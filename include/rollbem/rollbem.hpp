@@ -5,6 +5,7 @@
 
 #include "detail/language.hpp"
 
+#include "accuracy/distance_tangent.hpp"
 #include "accuracy/recommendation.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"

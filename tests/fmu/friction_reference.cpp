@@ -13,7 +13,7 @@ int main(int count, char** arguments) {
     while (std::scanf("%la %la %la %la %la", &duration, &longitudinal, &lateral, &speed, &load) == 5) {
         const library::Friction::Step step = contact.step(duration, longitudinal, lateral, speed, load);
         if (step.status != rollbem::StepStatus::ok) return 1;
-        work += 2 * library::half_width * step.slip_work_per_width;
+        work += step.slip_work;
         std::printf("%a %a %a %d\n", step.force.longitudinal, step.force.lateral, work,
                     static_cast<int>(step.stick_count));
     }
