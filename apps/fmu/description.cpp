@@ -78,6 +78,7 @@ std::string units(const std::vector<Variable>& variables) {
         if (unit.kg != 0) text += attribute("kg", text_of(unit.kg));
         if (unit.m != 0) text += attribute("m", text_of(unit.m));
         if (unit.s != 0) text += attribute("s", text_of(unit.s));
+        if (unit.rad != 0) text += attribute("rad", text_of(unit.rad));
         text += "/></Unit>\n";
     }
     return text + "  </UnitDefinitions>\n";

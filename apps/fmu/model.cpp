@@ -1,7 +1,6 @@
 // What all models share.
 #include "model.hpp"
 
-#include <array>
 #include <cstring>
 #include <stdexcept>
 
@@ -10,8 +9,8 @@
 namespace fmu {
 
 std::span<const Unit> known_units() {
-    static constexpr std::array<Unit, 6> units{
-        {{"m", 0, 1, 0}, {"m/s", 0, 1, -1}, {"N", 1, 1, -2}, {"N/s", 1, 1, -3}, {"Pa", 1, -1, -2}, {"J", 1, 2, -2}}};
+    static constexpr Unit units[] = {{"m", 0, 1, 0},    {"m/s", 0, 1, -1}, {"rad/s", 0, 0, -1, 1}, {"N", 1, 1, -2},
+                                     {"N/s", 1, 1, -3}, {"N.m", 1, 2, -2}, {"Pa", 1, -1, -2},      {"J", 1, 2, -2}};
     return units;
 }
 

@@ -55,10 +55,10 @@ struct Variable {
     std::string& text() const { return *std::get<std::string*>(value); }
 };
 
-/// A unit in terms of kilogram, metre and second.
+/// A unit in terms of kilogram, metre, second and radian.
 struct Unit {
     const char* name;
-    int kg, m, s;
+    int kg, m, s, rad = 0;
 };
 std::span<const Unit> known_units();
 

@@ -44,12 +44,13 @@ def make_run(lift_off):
 
 def by_library(mesh_length, rows):
     """The library's result of each step."""
-    text = "".join(" ".join(value.hex() for value in row) + "\n" for row in rows)
+    # no spin
+    text = "".join(" ".join(value.hex() for value in (*row[:3], 0.0, *row[3:])) + "\n" for row in rows)
     lines = subprocess.run([reference, mesh_length], input=text, capture_output=True, text=True, check=True).stdout
     result = []
     for line in lines.splitlines():
-        *numbers, sticking = line.split()
-        result.append((*map(float.fromhex, numbers), int(sticking)))
+        along, across, _, work, sticking = line.split()
+        result.append((*map(float.fromhex, (along, across, work)), int(sticking)))
     assert len(result) == len(rows)
     return result
 
