@@ -16,6 +16,7 @@
 #include "../../discretisation/scheme.hpp"
 #include "../../elasticity/rectangle_kernel.hpp"
 #include "../../types.hpp"
+#include "shape_set.hpp"
 
 namespace rollbem::detail {
 
@@ -61,19 +62,6 @@ StripRows<Scalar> strip_rows(const Mesh<Scalar>& along, const Scheme& scheme, Qu
     }
     return rows;
 }
-
-template <class Scalar>
-struct InfluenceRows {
-    MatrixX<Scalar> xx, xy, yy;
-
-    InfluenceRows(Eigen::Index rows, Eigen::Index columns) : xx(rows, columns), xy(rows, columns), yy(rows, columns) {}
-
-    void set(Eigen::Index row, Eigen::Index column, const Influence<Scalar>& value) {
-        xx(row, column) = value.xx;
-        xy(row, column) = value.xy;
-        yy(row, column) = value.yy;
-    }
-};
 
 /// Gauss's rule of five points for the distance between a point of an interval of length d and one of length h,
 /// measured from that of their middles: exact for the mean of polynomials of degree 9. The points are 0, +-near and
@@ -177,5 +165,29 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
     }
     return result;
 }
+
+/// The same at the points of the rows of G', for du/dy by patch_rows of a displacement.
+template <class Scalar>
+StripRows<Scalar> at_points(const StripRows<Scalar>& slope) {
+    StripRows<Scalar> rows{{}, {}, slope.points, slope.lengths};
+    for (const std::size_t behind : slope.behind) {
+        const auto &back = slope.places[behind], &ahead = slope.places[behind + 1];
+        rows.behind.push_back(rows.places.size());
+        rows.places.push_back(
+            {(back.from_trailing + ahead.from_trailing) / 2, (back.from_leading + ahead.from_leading) / 2});
+    }
+    return rows;
+}
+
+/// A kernel whose displacement is du/dy of another.
+template <LateralSlopeKernel Kernel>
+struct LateralSlope {
+    using Scalar = typename Kernel::Scalar;
+
+    const Kernel& kernel;
+
+    Influence<Scalar> corner(Scalar x, Scalar y) const { return kernel.corner_lateral_slope(x, y); }
+    bool couples() const { return kernel.couples(); }
+};
 
 }  // namespace rollbem::detail
