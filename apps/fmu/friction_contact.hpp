@@ -75,6 +75,7 @@ public:
             archive.keep(state->zones);
             archive.keep(state->normal_pressure);
             archive.keep(state->half_length);
+            archive.keep(state->half_width);
         }
         archive.keep(past_);
         archive.keep(last_);
@@ -105,6 +106,7 @@ protected:
         now_ = model_->at_rest();
         now_.normal_pressure = end_load_.normal_pressure.head(model_->size());
         now_.half_length = end_load_.half_length;
+        if (end_load_.half_width > 0) now_.half_width = end_load_.half_width;  // of a patch
         from_ = next_ = now_;
         last_ = {};
         last_.force = {0, 0, 0};

@@ -6,6 +6,7 @@
 
 #include <rollbem/adhesion/patch_stability.hpp>
 #include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
@@ -23,6 +24,11 @@ namespace {
 
 using Scalar = double;
 
+const Enumeration mesh_sizes{
+    "MeshSize",
+    {{"follows_load", "that of the contact; normal_load > 0, changes of a below the distance rolled"},
+     {"fixed", "that of the contact under largest_load; the wheel may lift off"}}};
+
 class Patch final : public FrictionContact<rollbem::HertzPatchLoad<Scalar>> {
 public:
     explicit Patch(Interface used) : FrictionContact(used) {
@@ -37,10 +43,11 @@ public:
         add({.name = "strips",
              .value = &strips_,
              .description = "Number of strips along the rolling direction, 1 to 32"});
+        add({.name = "mesh_size", .value = &mesh_size_, .description = "What the mesh covers", .items = &mesh_sizes});
         add({.name = "largest_load",
              .value = &largest_load_,
              .unit = "N",
-             .description = "The largest normal_load, whose ellipse the mesh covers"});
+             .description = "The largest normal_load that a fixed mesh can take"});
         add({.name = "initial_state",
              .value = &initial_state_,
              .description = "State at the start",
@@ -71,14 +78,19 @@ public:
         for (const auto& [name, count] : {std::pair("elements", elements_), std::pair("strips", strips_)}) {
             require(count >= 1 && count <= 32, name, count, "lie in [1, 32]");
         }
-        require(rollbem::detail::is_finite(largest_load_) && largest_load_ > 0, "largest_load", largest_load_,
-                "be positive and finite");
-        require(load_.value >= 0, "normal_load", load_.value, "not be negative");
-        require(load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
+        const bool fixed = mesh_size_ == static_cast<int>(MeshLength::fixed);
+        require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
+                fixed ? "not be negative" : "be positive where mesh_size is follows_load");
+        if (fixed) {
+            require(rollbem::detail::is_finite(largest_load_) && largest_load_ > 0, "largest_load", largest_load_,
+                    "be positive and finite");
+            require(load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
+        }
+        const Scalar load = fixed ? largest_load_ : load_.value;
         const rollbem::ElasticBody<Scalar> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
                                                 .poisson_ratio = poisson_ratio_};
         const rollbem::HertzEllipse<Scalar> ellipse(
-            {.load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
+            {.load = load, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
         const rollbem::PatchContact<Scalar> contact({.half_length = ellipse.half_length(),
                                                      .half_width = ellipse.half_width(),
                                                      .shear_modulus = shear_modulus_,
@@ -86,11 +98,14 @@ public:
         const rollbem::PatchMesh<Scalar> mesh = patch_mesh(contact, elements_, strips_);
         const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
         const rollbem::HalfSpace<Scalar> kernel(poisson_ratio_);
-        begin(rollbem::HertzPatchLoad<Scalar>::fixed(ellipse, contact, mesh),
-              FrictionModel(contact, rolling_system(mesh, scheme, kernel),
-                            judge_stability(patch_parts(mesh, scheme, kernel)),
-                            rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}),
-              1);
+        using Hertz = rollbem::HertzPatchLoad<Scalar>;
+        begin(
+            fixed ? Hertz::fixed(ellipse, contact, mesh) : Hertz::breathing(ellipse, contact, mesh),
+            FrictionModel(
+                contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
+                judge_stability(patch_parts(mesh, scheme, kernel)),
+                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, load)}),
+            1);
     }
 
 private:
@@ -114,7 +129,7 @@ private:
 
     Scalar shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
     rollbem::PrincipalRadii<Scalar> wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
-    int elements_ = 8, strips_ = 8;
+    int elements_ = 8, strips_ = 8, mesh_size_ = static_cast<int>(MeshLength::follows_load);
     Scalar half_length_ = 0, half_width_ = 0;
 };
 

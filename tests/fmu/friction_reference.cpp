@@ -1,4 +1,4 @@
-// friction_reference follows|fixed|patch: reads lines of duration [s], both slip velocities [m/s], spin [rad/s], rolling
+// friction_reference line|patch follows|fixed: reads lines of duration [s], both slip velocities [m/s], spin [rad/s], rolling
 // speed [m/s] and load [N], and prints the library's result of each step: both forces, the moment and the slip work bit
 // for bit, and the number of elements that stick. Exits with 1 at a step that is not ok.
 #include <cstdio>
@@ -20,7 +20,7 @@ int run(Contact contact) {
 }
 
 int main(int count, char** arguments) {
-    if (count != 2) return 2;
-    const std::string_view which = arguments[1];
-    return which == "patch" ? run(library::patch()) : run(library::line(which == "fixed"));
+    if (count != 3) return 2;
+    const bool fixed = std::string_view(arguments[2]) == "fixed";
+    return std::string_view(arguments[1]) == "patch" ? run(library::patch(fixed)) : run(library::line(fixed));
 }

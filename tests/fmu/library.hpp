@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
@@ -39,6 +40,7 @@ public:
           now_(model_.at_rest()) {
         now_.normal_pressure = load_.normal_pressure;
         now_.half_length = load_.half_length;
+        if (load_.half_width > 0) now_.half_width = load_.half_width;
         next_ = now_;
     }
 
@@ -90,9 +92,10 @@ inline Friction<rollbem::HertzLoad<double>> line(bool fixed) {
 }
 
 /// rollbem_patch at its start values, with 8 x 8 elements.
-inline Friction<rollbem::HertzPatchLoad<double>> patch() {
+inline Friction<rollbem::HertzPatchLoad<double>> patch(bool fixed) {
+    using Hertz = rollbem::HertzPatchLoad<double>;
     const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
-    const rollbem::HertzEllipse<double> ellipse({.load = largest_load,
+    const rollbem::HertzEllipse<double> ellipse({.load = fixed ? largest_load : nominal_load,
                                                  .radii_1 = {.rolling = 0.46, .lateral = 1e9},
                                                  .radii_2 = {.rolling = 1e9, .lateral = 0.3},
                                                  .body_1 = body,
@@ -102,10 +105,13 @@ inline Friction<rollbem::HertzPatchLoad<double>> patch() {
                                                  .shear_modulus = shear_modulus,
                                                  .poisson_ratio = poisson_ratio});
     const rollbem::PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
-    const auto system = rolling_system(mesh, rollbem::NodeDifference{rollbem::Nodes::chebyshev},
-                                       rollbem::HalfSpace<double>(poisson_ratio));
-    return {rollbem::HertzPatchLoad<double>::fixed(ellipse, contact, mesh),
-            {contact, system, rollbem::unchecked, {friction_coefficient, hertz_pressures(contact, mesh, largest_load)}},
+    const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
+    const rollbem::HalfSpace<double> kernel(poisson_ratio);
+    return {fixed ? Hertz::fixed(ellipse, contact, mesh) : Hertz::breathing(ellipse, contact, mesh),
+            {contact,
+             fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
+             rollbem::unchecked,
+             {friction_coefficient, hertz_pressures(contact, mesh, ellipse.load())}},
             1};
 }
 

@@ -46,7 +46,7 @@ def by_library(mesh_length, rows):
     """The library's result of each step."""
     # no spin
     text = "".join(" ".join(value.hex() for value in (*row[:3], 0.0, *row[3:])) + "\n" for row in rows)
-    lines = subprocess.run([reference, mesh_length], input=text, capture_output=True, text=True, check=True).stdout
+    lines = subprocess.run([reference, "line", mesh_length], input=text, capture_output=True, text=True, check=True).stdout
     result = []
     for line in lines.splitlines():
         along, across, _, work, sticking = line.split()
