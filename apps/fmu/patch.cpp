@@ -78,19 +78,24 @@ public:
         for (const auto& [name, count] : {std::pair("elements", elements_), std::pair("strips", strips_)}) {
             require(count >= 1 && count <= 32, name, count, "lie in [1, 32]");
         }
+        for (const auto& [name, value] :
+             {std::pair("shear_modulus", shear_modulus_), std::pair("largest_load", largest_load_)}) {
+            require(rollbem::detail::is_finite(value) && value > 0, name, value, "be positive and finite");
+        }
+        for (const auto& [name, radius] :
+             {std::pair("wheel_rolling_radius", wheel_.rolling), std::pair("wheel_lateral_radius", wheel_.lateral),
+              std::pair("rail_rolling_radius", rail_.rolling), std::pair("rail_lateral_radius", rail_.lateral)}) {
+            require(!rollbem::detail::is_nan(radius) && radius != 0, name, radius, "be a number other than 0");
+        }
         const bool fixed = mesh_size_ == static_cast<int>(MeshLength::fixed);
         require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
                 fixed ? "not be negative" : "be positive where mesh_size is follows_load");
-        if (fixed) {
-            require(rollbem::detail::is_finite(largest_load_) && largest_load_ > 0, "largest_load", largest_load_,
-                    "be positive and finite");
-            require(load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
-        }
-        const Scalar load = fixed ? largest_load_ : load_.value;
+        require(!fixed || load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
         const rollbem::ElasticBody<Scalar> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
                                                 .poisson_ratio = poisson_ratio_};
+        // not at normal_load, so that a state can be restored in a contact built under another one
         const rollbem::HertzEllipse<Scalar> ellipse(
-            {.load = load, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
+            {.load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
         const rollbem::PatchContact<Scalar> contact({.half_length = ellipse.half_length(),
                                                      .half_width = ellipse.half_width(),
                                                      .shear_modulus = shear_modulus_,
@@ -104,7 +109,7 @@ public:
             FrictionModel(
                 contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
                 judge_stability(patch_parts(mesh, scheme, kernel)),
-                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, load)}),
+                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}),
             1);
     }
 

@@ -95,7 +95,7 @@ inline Friction<rollbem::HertzLoad<double>> line(bool fixed) {
 inline Friction<rollbem::HertzPatchLoad<double>> patch(bool fixed) {
     using Hertz = rollbem::HertzPatchLoad<double>;
     const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
-    const rollbem::HertzEllipse<double> ellipse({.load = fixed ? largest_load : nominal_load,
+    const rollbem::HertzEllipse<double> ellipse({.load = largest_load,
                                                  .radii_1 = {.rolling = 0.46, .lateral = 1e9},
                                                  .radii_2 = {.rolling = 1e9, .lateral = 0.3},
                                                  .body_1 = body,
@@ -111,7 +111,7 @@ inline Friction<rollbem::HertzPatchLoad<double>> patch(bool fixed) {
             {contact,
              fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
              rollbem::unchecked,
-             {friction_coefficient, hertz_pressures(contact, mesh, ellipse.load())}},
+             {friction_coefficient, hertz_pressures(contact, mesh, largest_load)}},
             1};
 }
 
