@@ -26,6 +26,7 @@
 #include "assembly/rolling_system.hpp"
 #include "closed_form/carter.hpp"
 #include "closed_form/friction.hpp"
+#include "closed_form/full_sliding.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/patch_mesh.hpp"
 #include "discretisation/scheme.hpp"
@@ -43,3 +44,4 @@
 #include "spectral/polynomial.hpp"
 #include "status.hpp"
 #include "types.hpp"
+#include "vehicle/creep_force_table.hpp"
