@@ -5,6 +5,7 @@
 
 #include "detail/language.hpp"
 
+#include "accuracy/distance_tangent.hpp"
 #include "accuracy/recommendation.hpp"
 #include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
