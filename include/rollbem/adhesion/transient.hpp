@@ -79,18 +79,18 @@ public:
     using Motion = RigidMotion<Value>;
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
-    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument if
-    /// the verdict does not belong to this system or does not establish that no eigenvalue grows, if steady rolling
-    /// shows that the scheme does not converge (Status::inconsistent), or if the contact's half-width is infinite or
-    /// not that of the system's kernel.
+    /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
+    /// Creepage, as both_directions() makes them. Throws std::invalid_argument if the verdict does not belong to this
+    /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
+    /// (Status::inconsistent), or if the contact's half-width is infinite or not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+                  Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(contact, std::move(system), unchecked, integrator) {
         detail::require_usable_in_time(name, system_, verdict);
     }
     /// The same without checks of the eigenvalues and of convergence.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+                  Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
     }
@@ -235,9 +235,12 @@ private:
     bool are_lengths(const SemiAxes<Scalar>& axes) const noexcept {
         return detail::are_positive<Scalar>({axes.half_length, units_.line ? Scalar(1) : axes.half_width});
     }
-    // Semi-axes in those of the contact; on a line the half-width is 1.
+    // Semi-axes in those of the contact; on a line the half-width is 1. A division counts in a step of a few states.
     template <class Placed>
     Axes axes(const Placed& placed) const {
+        if (placed.half_length == units_.length && (units_.line || placed.half_width == units_.half_width)) {
+            return contact_axes;
+        }
         return {placed.half_length / units_.length, units_.line ? Scalar(1) : placed.half_width / units_.half_width};
     }
 
@@ -261,7 +264,7 @@ private:
                             twice.half_length * at.half_length * arms.tail(n).dot(unknowns.tail(n));
             }
         }
-        return result * (at.half_length * at.half_width);
+        return at == contact_axes ? result : Inputs(result * (at.half_length * at.half_width));
     }
     Square forces_of(const MatrixX<Scalar>& unknowns, const Axes& at) const {
         Square result;
@@ -390,20 +393,19 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
             return roll_shape(from, dq, imposed, semi_axes, by_length, to, workspace);
         }
     }
-    const Scalar rolled = dq / units_.length;
     const bool repeats = dq > 0 && dq == from.distance && !by_length && half_length == units_.length;
     if (repeats || is_exponential()) {
         detail::StepMap<inputs, Scalar>& map = workspace.map();
-        if (!map.is_of(preparation_, rolled)) {
-            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, rolled,
-                        count_doublings(rolled), workspace.factors());
+        if (!map.is_of(preparation_, dq)) {
+            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, dq,
+                        units_.length, count_doublings(dq / units_.length), workspace.factors());
         }
         map.apply(from.traction, imposed, to.traction);
         return finish(from, semi_axes, dq, map.tangent(imposed), to);
     }
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
     stages.solve(preparation_, detail::influence(system_), rational_, inputs_in_si_, from.traction,
-                 from.half_length / units_.length, half_length / units_.length, rolled, imposed, by_length,
+                 from.half_length / units_.length, half_length / units_.length, dq / units_.length, imposed, by_length,
                  workspace.factors());
     to.traction = from.traction + stages.change();
     Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);
