@@ -1,5 +1,5 @@
-// Friction that falls with slip in float, long double and with node differences: the conditions of the law to the
-// rounding of the type, and the forces of double.
+// Friction that falls with slip in long double and with node differences: the conditions of the law to the rounding of
+// the type, and the forces of double.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -84,11 +84,6 @@ TEST_CASE("With node differences a particle takes its coefficient from point to 
             ride<double>(distance, Integrator::implicit_euler, NodeDifference{nodes});
         }
     }
-}
-
-TEST_CASE("Friction that falls with slip, in float", "[friction]") {
-    compare<float>(3e-5);
-    ride<float>(0, Integrator::implicit_euler);
 }
 
 TEST_CASE("Friction that falls with slip, in long double", "[friction]") {
