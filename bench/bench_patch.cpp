@@ -2,13 +2,13 @@
 // LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25. BM_PatchFriction solves
 // for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
 // over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so along a curve up to
-// full sliding, each point from the one before. Their counter LU is the time of one solution over that of one LU
+// full sliding, each point from the one before. Their counter LU is the processor time of one solution over that of one LU
 // decomposition.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include <Eigen/LU>
@@ -31,20 +31,18 @@ void patch_lu(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(G_prime));
 }
 
-using Clock = std::chrono::steady_clock;
+/// Processor time so far [us].
+double now_us() { return 1e6 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Counters of `count` solutions an iteration, all of which took `elapsed`.
-void count_solutions(benchmark::State& state, const PatchMesh<double>& mesh, Clock::duration elapsed, int count) {
+/// Counters of `count` solutions an iteration, all of which took `elapsed` [us].
+void count_solutions(benchmark::State& state, const PatchMesh<double>& mesh, double elapsed, int count) {
+    constexpr int repetitions = 5;
     const MatrixX<double> whole = detail::joined(assemble_G_prime(mesh, scheme, kernel));
-    Clock::duration least = Clock::duration::max();
-    for (int k = 0; k < 5; ++k) {
-        const auto start = Clock::now();
-        benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(whole));
-        least = std::min(least, Clock::now() - start);
-    }
-    const std::chrono::duration<double, std::micro> one = elapsed / (state.iterations() * count);
-    state.counters["us_of_one"] = one.count();
-    state.counters["LU"] = one / std::chrono::duration<double, std::micro>(least);
+    const double start = now_us();
+    for (int k = 0; k < repetitions; ++k) benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(whole));
+    const double of_one = elapsed / static_cast<double>(state.iterations() * count);
+    state.counters["us_of_one"] = of_one;
+    state.counters["LU"] = of_one * repetitions / (now_us() - start);
 }
 
 void patch_system(benchmark::State& state) {
@@ -83,7 +81,7 @@ void patch_friction(benchmark::State& state) {
     const auto rest = model.at_rest();
     auto solved = rest;
     double error = 0, rounds = 0;
-    const auto start = Clock::now();
+    const double start = now_us();
     for (auto _ : state) {
         rounds = 0;
         for (const Point& point : points) {
@@ -92,7 +90,7 @@ void patch_friction(benchmark::State& state) {
             rounds += step.rounds / 9.0;
         }
     }
-    count_solutions(state, mesh, Clock::now() - start, 9);
+    count_solutions(state, mesh, now_us() - start, 9);
     state.counters["error"] = error;
     state.counters["rounds"] = rounds;
     state.SetComplexityN(state.range(0));
@@ -106,7 +104,7 @@ void patch_creep_curve(benchmark::State& state) {
                                     {1.0, hertz_pressures(circle, mesh, 1)});
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
-    const auto start = Clock::now();
+    const double start = now_us();
     for (auto _ : state) {
         now = model.at_rest();
         for (int k = 1; k <= points; ++k) {
@@ -116,7 +114,7 @@ void patch_creep_curve(benchmark::State& state) {
             std::swap(now, next);
         }
     }
-    count_solutions(state, mesh, Clock::now() - start, points);
+    count_solutions(state, mesh, now_us() - start, points);
     state.SetComplexityN(state.range(0));
 }
 
