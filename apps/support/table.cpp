@@ -58,7 +58,8 @@ public:
     explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".unfinished") {
         std::string first = options.program();
         for (const auto& [name, value] : options.values()) {
-            if (name != "output" && name != "jobs" && name != "check") first += " --" + name + " " + value;
+            if (name != "output" && name != "jobs" && name != "quiet" && name != "check")
+                first += " --" + name + " " + value;
         }
         std::ifstream old(path_, std::ios::binary);
         std::string line;
