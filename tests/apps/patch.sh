@@ -214,4 +214,32 @@ good 6 "$@" --dq 0.1 --until 0.5 --load-sine 0.5,0.5
 check 'unresolved' 'v("status") == "unresolved" && v("lateral_force") v("slip_work") == ""'
 shards "$@" --dq 0.1 --until 0.5 --load-sine 0.5,8 --poisson 0,0.28
 
+# --- a mesh that follows the ellipse: the load of the method's description within the error of 8 x 8 elements and of
+# rounding to four digits, beside a fixed mesh; shapes that change; too fast a change
+set -- "$patch" --n 8 --longitudinal 0.1422475 --lateral 0.1081081 --spin 0.2022927 --transient --dq 0.05 --until 8 \
+    --integrator implicit-euler --no-timing
+within() { check "$3 at q/a = $2" "(v(\"q_over_a\") - $2) ^ 2 > 1e-12 || (v(\"$3\") - $4) ^ 2 < ($1) ^ 2"; }
+good 161 "$@" --load-sine 0.5,8 --breathing
+within 2e-4 2 longitudinal_force .4409 && within 2e-4 2 lateral_force .6107 && within 2e-4 2 spin_moment .2570
+within 2e-4 4 longitudinal_force .4400 && within 2e-4 6 lateral_force .3474 && within 2e-4 8 spin_moment .0869
+good 161 "$@" --load-sine 0.5,8
+within 2e-2 2 longitudinal_force .4409 && within 8e-2 8 lateral_force .4605
+set -- "$patch" --n 6 --lateral 0.1 --spin 0.2 --transient --no-timing
+loads '0,1,1,1\n4,1,1.5,0.75\n20,1,1.5,0.75\n'
+good 101 "$@" --dq 0.2 --until 20 --load "$scratch/load.csv" --breathing --from steady
+tail -n 1 out | cut -d, -f"$(column lateral_force)" >end
+check 'energy of a patch that changes its shape' 'v("status") == "ok" &&
+    (NR > 2 || (E = v("elastic_energy") + v("slip_work") - v("creep_work"))) &&
+    (v("elastic_energy") + v("slip_work") - v("creep_work") - E) ^ 2 < (0.03 * v("creep_work") + 1e-3) ^ 2'
+# the ellipse of the end: a b is larger by 1.125, which the creepages and c are measured in
+good 2 "$patch" --n 6 --a-over-b 2 --lateral 0.1125 --spin 0.2386485 --no-timing
+awk -F, -v end="$(cat end)" -v k="$(column lateral_force)" 'NR == 2 { exit !((end - $k) ^ 2 < 1e-6) }' out ||
+    fail "the steady force of the last ellipse is not $(cat end): $(cat out)"
+bad '|A| < 1 where the mesh breathes' $p --n 4 --spin 1 --transient --load-sine 1,8 --breathing
+loads '0,1,1,1\n1,8,3,3\n20,1,1,1\n'
+ends_early 11 'no results from the step to q/a = 0.5 on: needs_fixed_mesh, the contact grows or shrinks as fast' \
+    "$@" --dq 0.5 --until 5 --load "$scratch/load.csv" --breathing
+check 'rows behind the end' '(NR == 2 ? v("status") == "needs_fixed_mesh" : v("status") == "after_failure") &&
+    v("lateral_force") v("slip_work") v("elastic_energy") == ""'
+
 finish
