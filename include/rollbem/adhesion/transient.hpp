@@ -76,18 +76,18 @@ public:
     using Motion = RigidMotion<Value>;
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
-    /// Takes creepage in the direction of the kernel with which the system was made. Throws std::invalid_argument if
-    /// the verdict does not belong to this system or does not establish that no eigenvalue grows, if steady rolling
-    /// shows that the scheme does not converge (Status::inconsistent), or if the contact's half-width is infinite or
-    /// not that of the system's kernel.
+    /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
+    /// Creepage, as both_directions() makes them. Throws std::invalid_argument if the verdict does not belong to this
+    /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
+    /// (Status::inconsistent), or if the contact's half-width is infinite or not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+                  Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(contact, std::move(system), unchecked, integrator) {
         detail::require_usable_in_time(name, system_, verdict);
     }
     /// The same without checks of the eigenvalues and of convergence.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 1)
+                  Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
     }
@@ -223,9 +223,12 @@ private:
         to.half_length = half_length;
         to.system = fingerprint_;
         to.distance = dq;
-        const Scalar ratio = half_length / units_.length;
-        const Inputs force = force_of(to.traction) * ratio;
-        const Square total = tangent * ratio;
+        Inputs force = force_of(to.traction);
+        Square total = tangent;
+        if (half_length != units_.length) {  // a division counts in a step of a few states
+            force *= half_length / units_.length;
+            total *= half_length / units_.length;
+        }
         if (!detail::all_finite(force) || !detail::all_finite(total)) {
             to.traction = from.traction;
             to.half_length = from.half_length;
@@ -325,20 +328,19 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
     if (change != 0 && !(std::abs(change) < dq)) return failed(StepStatus::needs_fixed_mesh);
 
     const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
-    const Scalar rolled = dq / units_.length;
     const bool repeats = dq > 0 && dq == from.distance && !by_length && half_length == units_.length;
     if (repeats || is_exponential()) {
         detail::StepMap<inputs, Scalar>& map = workspace.map();
-        if (!map.is_of(preparation_, rolled)) {
-            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, rolled,
-                        count_doublings(rolled), workspace.factors());
+        if (!map.is_of(preparation_, dq)) {
+            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, dq,
+                        units_.length, count_doublings(dq / units_.length), workspace.factors());
         }
         map.apply(from.traction, imposed, to.traction);
         return finish(from, half_length, dq, map.tangent(imposed), to);
     }
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
     stages.solve(preparation_, detail::influence(system_), rational_, inputs_in_si_, from.traction,
-                 from.half_length / units_.length, half_length / units_.length, rolled, imposed, by_length,
+                 from.half_length / units_.length, half_length / units_.length, dq / units_.length, imposed, by_length,
                  workspace.factors());
     to.traction = from.traction + stages.change();
     Step step = finish(from, half_length, dq, forces_of(stages.per_end()), to);

@@ -51,7 +51,8 @@ ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar la
     } else {  // outside, or at infinity without spin
         Scalar total = 0;
         for (int i = 0; i < count; ++i) {
-            const Scalar angle = pi * ((static_cast<Scalar>(i) + Scalar(0.5)) / static_cast<Scalar>(count) - Scalar(0.5));
+            const Scalar angle =
+                pi * ((static_cast<Scalar>(i) + Scalar(0.5)) / static_cast<Scalar>(count) - Scalar(0.5));
             const Scalar offset = sin(angle), chord = cos(angle), square = chord * chord;
             const Scalar sine = offset * (rate / far), cosine = sqrt((1 - sine) * (1 + sine));
             const Scalar weight = 3 * pi / (4 * static_cast<Scalar>(count)) * square * chord;

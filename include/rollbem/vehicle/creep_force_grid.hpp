@@ -36,7 +36,8 @@ public:
           largest_(largest_a_over_b),
           levels_(levels),
           coefficients_(std::move(coefficients)) {
-        detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= 0.5, name, "poisson_ratio", nu_, "lie in [0, 0.5]");
+        detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= 0.5, name, "poisson_ratio", nu_,
+                        "lie in [0, 0.5]");
         detail::require(detail::is_finite(smallest_) && smallest_ > 0, name, "smallest_a_over_b", smallest_,
                         "be positive and finite");
         detail::require(detail::is_finite(largest_) && largest_ > smallest_, name, "largest_a_over_b", largest_,
@@ -86,7 +87,8 @@ public:
         const double n = levels_;
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
         const double factor = limit / (n - size);  // X/lattice coordinates: u = X/(1 + |X|/limit) = limit place/n
-        return {factor * place.x / scales_(0, i), factor * place.y / scales_(1, i), factor * place.spin / scales_(2, i)};
+        return {factor * place.x / scales_(0, i), factor * place.y / scales_(1, i),
+                factor * place.spin / scales_(2, i)};
     }
     /// Whether a node begins a line of growing spin.
     bool begins_line(Eigen::Index node) const {

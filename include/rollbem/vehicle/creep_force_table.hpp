@@ -102,8 +102,7 @@ private:
     Eigen::Index line() const { return 2 * n_ + 3; }
     Eigen::Index per_shape() const { return side() * line() * side(); }
     std::size_t at(Eigen::Index shape, Eigen::Index x, Eigen::Index y, Eigen::Index spin) const {
-        return static_cast<std::size_t>(
-                   (((shape + 1) * side() + x + 1) * line() + y + n_ + 1) * side() + spin + 1) *
+        return static_cast<std::size_t>((((shape + 1) * side() + x + 1) * line() + y + n_ + 1) * side() + spin + 1) *
                width;
     }
 
@@ -250,7 +249,8 @@ inline Eigen::ArrayXXd CreepForceTable::with_ends(Eigen::ArrayXXd columns) {
     const Eigen::Index count = columns.cols();
     Eigen::ArrayXXd all(columns.rows(), count + 2);
     const auto curvature = [&](Eigen::Index i, Eigen::Index step) -> Eigen::ArrayXd {
-        return 2 * columns.col(i) - 5 * columns.col(i + step) + 4 * columns.col(i + 2 * step) - columns.col(i + 3 * step);
+        return 2 * columns.col(i) - 5 * columns.col(i + step) + 4 * columns.col(i + 2 * step) -
+               columns.col(i + 3 * step);
     };
     const Eigen::ArrayXd first = curvature(0, 1), last = curvature(count - 1, -1);
     std::vector<double> factors;
@@ -310,8 +310,8 @@ inline void CreepForceTable::meet_linear_law() {
         const CreepCoefficients<double>& c = grid_.coefficients()[static_cast<std::size_t>(i)];
         const Eigen::Array3d scale = step / grid_.scales().col(i);
         const Sample at = sample(static_cast<double>(i), 0, 0, 0);
-        lacking.col(i) << c.c11 * scale[0] - at.by_x[0], c.c22 * scale[1] - at.by_y[1], c.c23 * scale[2] - at.by_spin[1],
-            c.c32 * scale[1] - at.by_y[2], c.c33 * scale[2] - at.by_spin[2];
+        lacking.col(i) << c.c11 * scale[0] - at.by_x[0], c.c22 * scale[1] - at.by_y[1],
+            c.c23 * scale[2] - at.by_spin[1], c.c32 * scale[1] - at.by_y[2], c.c33 * scale[2] - at.by_spin[2];
     }
     linear_ = with_ends(std::move(lacking));
 }
@@ -334,9 +334,8 @@ inline CreepForceTable::Sample CreepForceTable::sample(double shape, double x, d
     for (std::size_t p = 0; p < 4; ++p) {
         Number row = Number::Zero(), row_y = row, row_spin = row;
         for (std::size_t q = 0; q < 4; ++q) {
-            const float* from =
-                coefficients_.data() +
-                at(s - 1, i - 1 + static_cast<Eigen::Index>(p), j - 1 + static_cast<Eigen::Index>(q), k - 1);
+            const float* from = coefficients_.data() + at(s - 1, i - 1 + static_cast<Eigen::Index>(p),
+                                                          j - 1 + static_cast<Eigen::Index>(q), k - 1);
             Number here = Number::Zero(), here_spin = here;
             for (std::size_t t = 0; t < 4; ++t, from += width) {
                 using Four = Eigen::Map<const Eigen::Array4f>;
@@ -436,9 +435,7 @@ inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& conta
     }
     slope.array().rowwise() *= unit.transpose();
     slope.row(2) *= c;
-    const auto column = [&](Eigen::Index k) {
-        return TangentialForce<double>{slope(0, k), slope(1, k), slope(2, k)};
-    };
+    const auto column = [&](Eigen::Index k) { return TangentialForce<double>{slope(0, k), slope(1, k), slope(2, k)}; };
     result.force = {0 - bound * force[0], 0 - bound * force[1], 0 - bound * c * force[2]};
     result.tangent = {column(0), column(1), column(2)};
     const double sum = force.sum() + slope.sum() + bound;
@@ -523,7 +520,8 @@ inline CreepForceTable CreepForceTable::read(std::istream& stream) {
     Reader reader(stream);
     std::string text(std::char_traits<char>::length(magic), ' ');
     reader.bytes(text.data(), text.size());
-    if (text != magic) throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
+    if (text != magic)
+        throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
     const auto found = reader.integer<std::uint32_t>();
     detail::require(found == version, name, "version", found, "be 1");
     const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
