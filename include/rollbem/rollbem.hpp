@@ -7,6 +7,7 @@
 
 #include "accuracy/distance_tangent.hpp"
 #include "accuracy/recommendation.hpp"
+#include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
 #include "adhesion/critical_alpha.hpp"

@@ -262,19 +262,4 @@ TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[
     CHECK_THAT(told(StateSpace<double>{}, 1), ContainsSubstring("number of rows of A = 0"));
 }
 
-TEST_CASE("Reductions in long double agree with those in double", "[reduction]") {
-    const StateSpace<long double> space = state_space(Chebyshev{20}, StripKernel<long double>(2.0L, 0.75L, 0.25L));
-    const BalancedReduction<long double> reduced = balanced_reduction(space, 20);
-    REQUIRE(reduced.status == Status::ok);
-    const BalancedReduction<double> in_double =
-        balanced_reduction(StateSpace<double>{space.A.cast<double>(), space.B.cast<double>(), space.C.cast<double>(),
-                                              space.D.cast<double>()},
-                           20);
-    const Eigen::Index count = in_double.hankel_singular_values.size();
-    CHECK((reduced.hankel_singular_values.head(count).cast<double>() - in_double.hankel_singular_values)
-              .abs()
-
-              .maxCoeff() < 1e-13 * in_double.hankel_singular_values[0]);
-}
-
 }  // namespace

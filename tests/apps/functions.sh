@@ -72,8 +72,12 @@ ends_early() {
     [ "$(wc -l <err)" -eq 1 ] && grep -qF -e "$text" err || fail "no single line with '$text' in '$(cat err)': $*"
 }
 
-# check WHAT CONDITION: an awk expression that must hold in every row of the file out.
-check() { awk -F, "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
+# check WHAT CONDITION: an awk expression that must hold in every row of the file out; v("name") is a column.
+check() {
+    awk -F, "function v(name) { if (!(name in place)) bad = 1; return \$place[name] }
+        NR == 1 { for (k = 1; k <= NF; ++k) place[\$k] = k; next }
+        !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"
+}
 
 # column NAME: its number in the file out.
 column() { head -n 1 out | tr ',' '\n' | grep -nx "$1" | cut -d: -f1; }

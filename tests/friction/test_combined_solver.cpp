@@ -21,8 +21,7 @@ namespace {
 
 using namespace rollbem;
 
-template <class Scalar>
-using Solver = detail::CombinedSolver<Scalar>;
+using Solver = detail::CombinedSolver<double>;
 
 std::vector<Zone> all_stick(Eigen::Index n) { return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick); }
 
@@ -34,19 +33,17 @@ struct Problem {
 
     Eigen::Index size() const { return bound.size(); }
     bool coupled() const { return x_by_y.size() > 0; }
-    template <class Scalar>
-    void put_into(Solver<Scalar>& solver) const {
-        solver.new_matrix(0) = x.cast<Scalar>();
-        solver.new_matrix(1) = y.cast<Scalar>();
+    void put_into(Solver& solver) const {
+        solver.new_matrix(0) = x;
+        solver.new_matrix(1) = y;
         if (coupled()) {
-            solver.new_matrix(0, 1) = x_by_y.cast<Scalar>();
-            solver.new_matrix(1, 0) = y_by_x.cast<Scalar>();
+            solver.new_matrix(0, 1) = x_by_y;
+            solver.new_matrix(1, 0) = y_by_x;
         }
-        solver.constant() = constant.cast<Scalar>();
+        solver.constant() = constant;
     }
-    template <class Scalar = double>
-    typename Solver<Scalar>::Outcome solve_from_rest(Solver<Scalar>& solver) const {
-        return solver.solve(bound.cast<Scalar>(), ElementVectors<Scalar>::Zero(size(), 2), all_stick(size()));
+    Solver::Outcome solve_from_rest(Solver& solver) const {
+        return solver.solve(bound, ElementVectors<double>::Zero(size(), 2), all_stick(size()));
     }
     ElementVectors<double> slip(const ElementVectors<double>& p) const {
         ElementVectors<double> s(size(), 2);
@@ -115,7 +112,7 @@ TEST_CASE("Newton's method solves definite problems, and reports the residual of
         const Eigen::Index n = 1 + trial % 12;
         Problem problem = random_problem(generator, n, kind, trial % 2 == 1);
         if (trial % 5 == 0) problem.bound[0] = 0;
-        Solver<double> solver(n, problem.coupled());
+        Solver solver(n, problem.coupled());
         problem.put_into(solver);
         const auto outcome = problem.solve_from_rest(solver);
         const double violation = problem.violation(solver.traction());
@@ -157,7 +154,7 @@ TEST_CASE("The solution of a definite problem is that of a plain projected itera
     for (int trial = 0; trial < 200; ++trial) {
         const Eigen::Index n = 1 + trial % 9;
         const Problem problem = random_problem(generator, n, Kind::definite, trial % 2 == 1);
-        Solver<double> solver(n, problem.coupled());
+        Solver solver(n, problem.coupled());
         problem.put_into(solver);
         REQUIRE(problem.solve_from_rest(solver).status == StepStatus::ok);
         // Korpelevich's extragradient method
@@ -194,7 +191,7 @@ TEST_CASE("A used combined solver gives the same results as a new one", "[fricti
         };
         Problem problem{entries(), entries(), ElementVectors<double>(n, 2),
                         VectorX<double>::NullaryExpr(n, [&] { return integer(3); })};
-        Solver<double> fresh(n), used(n);
+        Solver fresh(n), used(n);
         problem.put_into(fresh);
         problem.put_into(used);
         for (const double other : {1e6, 0.3}) {
@@ -222,7 +219,7 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
     Problem problem{MatrixX<double>{{1, 0.5}, {-0.5, 0}}, MatrixX<double>{{1.2, 0.6}, {-0.6, 0}},
                     ElementVectors<double>(2, 2), VectorX<double>{{1, 3}}};
     problem.constant << 0.9, 0.7, 0.45, 0.36;
-    Solver<double> solver(2);
+    Solver solver(2);
     problem.put_into(solver);
     std::vector<Zone> zones{Zone::slip, Zone::stick};
     ElementVectors<double> start(2, 2);
@@ -271,7 +268,7 @@ TEST_CASE("Turned slip opposes the traction, at the angles of the solution with 
         problem.constant *= 5;  // half of the elements slip
         if (trial % 5 == 0) problem.bound[n / 2] = 0;
         const std::vector<Eigen::Index> behind = strips(n);
-        Solver<double> plain(n, problem.coupled()), solver(n, problem.coupled());
+        Solver plain(n, problem.coupled()), solver(n, problem.coupled());
         problem.put_into(plain);
         problem.put_into(solver);
         solver.turn_slip(behind);
@@ -317,7 +314,7 @@ TEST_CASE("Slip along one line is not turned", "[friction]") {
     for (const Eigen::Index n : {Eigen::Index(1), Eigen::Index(9)}) {
         Problem problem = random_problem(generator, n, Kind::definite);
         if (n > 1) problem.constant.col(1).setZero();
-        Solver<double> plain(n), solver(n);
+        Solver plain(n), solver(n);
         problem.put_into(plain);
         problem.put_into(solver);
         std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
@@ -434,8 +431,7 @@ struct Patch {
 };
 
 // Steady rolling from rest.
-detail::CombinedSolver<double>::Outcome roll(const Patch& patch, Solver<double>& solver, double creepage,
-                                             double lateral, double spin) {
+Solver::Outcome roll(const Patch& patch, Solver& solver, double creepage, double lateral, double spin) {
     for (const std::size_t d : {0, 1}) {
         solver.new_matrix(d) = -patch.system.G_prime(d, d);
         if (!solver.coupled()) continue;
@@ -451,8 +447,8 @@ TEST_CASE("Directions that are coupled by zeros give what uncoupled ones give", 
     const Patch patch(1.5, 0, 6, 5);
     for (const bool turned : {false, true}) {
         for (const double level : {0.1, 0.3, 1.0}) {
-            Solver<double> coupled(30, true), uncoupled(30);
-            for (Solver<double>* solver : {&coupled, &uncoupled}) {
+            Solver coupled(30, true), uncoupled(30);
+            for (Solver* solver : {&coupled, &uncoupled}) {
                 if (turned) solver->turn_slip(patch.system.elements().behind);
                 const auto outcome = roll(patch, *solver, 0.2 * level, -0.3 * level, 0.4 * level);
                 CAPTURE(turned, level, outcome.rounds, outcome.residual);
@@ -475,7 +471,7 @@ TEST_CASE("Forces of a patch converge to those of CONTACT", "[friction]") {
     };
     const Patch patch(1, 0.28, 8, 8);
     const VectorX<double> areas = patch.system.elements().areas;
-    Solver<double> solver(64, true);
+    Solver solver(64, true);
     solver.turn_slip(patch.system.elements().behind);
     for (const Case& c :
          {Case{true, false, false, 0.4, 0.35294, 0, 9e-3}, Case{true, false, false, 1, 0.72065, 0, 9e-3},
@@ -491,30 +487,6 @@ TEST_CASE("Forces of a patch converge to those of CONTACT", "[friction]") {
         CHECK(std::abs(-areas.dot(solver.traction().col(1)) - c.y) < c.tolerance);
         CHECK(outcome.rounds <= 15);
     }
-}
-
-template <class Scalar>
-void check_scalar(Scalar tolerance) {
-    std::mt19937 generator(2);
-    for (int trial = 0; trial < 60; ++trial) {
-        const Eigen::Index n = 2 + trial % 6;
-        const Problem problem = random_problem(generator, n, Kind::definite);
-        Solver<double> reference(n);
-        problem.put_into(reference);
-        Solver<Scalar> solver(n);
-        problem.put_into(solver);
-        REQUIRE(problem.solve_from_rest(reference).status == StepStatus::ok);
-        const auto outcome = problem.solve_from_rest(solver);
-        CAPTURE(trial, n, outcome.rounds, outcome.residual);
-        REQUIRE(outcome.status == StepStatus::ok);
-        const MatrixX<double> difference = solver.traction().template cast<double>() - reference.traction();
-        REQUIRE(Scalar(difference.cwiseAbs().maxCoeff()) < tolerance);
-    }
-}
-
-TEST_CASE("The combined solver gives the same solutions in float and in long double", "[friction]") {
-    check_scalar<float>(2e-4F);
-    check_scalar<long double>(1e-12L);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 
 #include "scene.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -547,21 +548,16 @@ TEST_CASE("The force by the exact border always agrees with that by elements", "
     CHECK(by_elements > 10);
 }
 
-template <class Scalar>
-void check_scalar(Scalar tolerance) {
+TEST_CASE("The exact border in long double has its digits", "[friction]") {
+    using Scalar = long double;
     const Contact<Scalar> contact = Contact<Scalar>::dimensionless(Scalar(10), Scalar(0.25));
     const PlaneKernel<Scalar> plane = PlaneKernel<Scalar>::longitudinal(contact);
     const HertzPressure<Scalar> unit;
     const Scalar ratio = Scalar(2) / 5, xi = ratio * 3 / 2;
     const auto solution = solve_stick_border(contact, plane, Scalar(1), unit, xi);
     CHECK(solution.exact);
-    CHECK(std::abs(-solution.force_per_width * 2 / std::numbers::pi_v<Scalar> - Scalar(16) / 25) < tolerance);
-    CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 10 * tolerance);
-}
-
-TEST_CASE("The exact border can be found in float and long double", "[friction]") {
-    check_scalar<float>(2e-6F);
-    check_scalar<long double>(1e-18L);
+    CHECK(std::abs(-solution.force_per_width * 2 / std::numbers::pi_v<Scalar> - Scalar(16) / 25) < 1e-18L);
+    CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 1e-17L);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <rollbem/reference/fitted_polynomial.hpp>
 
 #include "support/catch.hpp"
-#include "support/scalars.hpp"
 
 namespace {
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/adhesion/response.hpp>
+#include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/chebyshev.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/stability.hpp>
@@ -22,6 +24,7 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
 namespace {
@@ -461,56 +464,61 @@ TEST_CASE("The smooth split equals the kernel", "[chebyshev]") {
     CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11 == Approx(steady_c11(0.28)).epsilon(4 * eps));
 }
 
-TEMPLATE_TEST_CASE("Chebyshev states are accurate in double and long double", "[chebyshev]", double, long double) {
-    using Scalar = TestType;
-    const Scalar rounding = std::numeric_limits<Scalar>::epsilon();
-    const ChebyshevSystem<Scalar> system =
-        rolling_system(Chebyshev{24}, PlaneKernel<Scalar>(100, Scalar(0.75), Scalar(0.25)));
-    const FrequencySweep<Scalar> sweep(system);
+TEST_CASE("Chebyshev states are accurate to rounding", "[chebyshev]") {
+    const PlaneKernel<double> wide(100, 0.75, 0.25);
+    const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, wide);
+    const FrequencySweep<double> sweep(system);
     for (const double z : {0.0, 1.0, 5.0}) {
-        const std::complex<Scalar> exact =
-            polynomial_c11(std::complex<Scalar>(0, Scalar(z)), Scalar(0.25), Scalar(100)).c11;
-        CHECK(std::abs(sweep(Scalar(z)).c11 / exact - std::complex<Scalar>(1)) < 30 * rounding);
+        const std::complex<double> exact = polynomial_c11(std::complex<double>(0, z), 0.25, 100.0).c11;
+        CHECK(std::abs(sweep(z).c11 / exact - 1.0) < 30 * eps);
     }
-    const StripKernel<Scalar> kernel(Scalar(0.5), Scalar(0.75), Scalar(0.25));
-    const ChebyshevSteadySolution<Scalar> narrow = solve_steady(Chebyshev{64}, kernel);
-    const FrequencySweep<Scalar> narrow_sweep(rolling_system(Chebyshev{64}, kernel));
+    const StripKernel<double> kernel(0.5, 0.75, 0.25);
+    const ChebyshevSteadySolution<double> narrow = solve_steady(Chebyshev{64}, kernel);
+    const FrequencySweep<double> narrow_sweep(rolling_system(Chebyshev{64}, kernel));
     CHECK(narrow.status == Status::ok);
-    CHECK(std::abs(narrow_sweep(0).c11.real() / narrow.c11 - 1) < 100 * rounding);
-    const double exact = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11;
-    CHECK(std::abs(static_cast<double>(narrow.c11) / exact - 1) < 30 * std::max(static_cast<double>(rounding), eps));
-    const AdhesionModel<1, Scalar> model(Contact<Scalar>::dimensionless(100, Scalar(0.25)), system,
-                                         judge_stability(system));
-    CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(Scalar(0.25))) - 1) < 100 * rounding);
+    CHECK(std::abs(narrow_sweep(0).c11.real() / narrow.c11 - 1) < 100 * eps);
+    const AdhesionModel<> model(Contact<double>::dimensionless(100, 0.25), system, judge_stability(system));
+    CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(0.25)) - 1) < 100 * eps);
 }
 
-TEMPLATE_TEST_CASE("Round-off of steady states does not grow with their number", "[chebyshev]", double, long double) {
-    using Scalar = TestType;
-    const Scalar rounding = std::numeric_limits<Scalar>::epsilon(), nu = Scalar(0.25);
-    const PlaneKernel<Scalar> kernel(100, 1 - nu, nu);
-    const std::complex<Scalar> exact = polynomial_c11(std::complex<Scalar>(0, 1), nu, Scalar(100)).c11;
+TEST_CASE("Round-off of steady states does not grow with their number", "[chebyshev]") {
+    const PlaneKernel<double> kernel(100, 0.75, 0.25);
+    const std::complex<double> exact = polynomial_c11(std::complex<double>(0, 1), 0.25, 100.0).c11;
     for (const auto& [m, found] : {std::pair<Eigen::Index, double>{1, 7.8e-2}, {2, 9.7e-3}, {3, 4.6e-4}, {200, 0}}) {
-        const ChebyshevSteadySolution<Scalar> steady = solve_steady(Chebyshev{m}, kernel);
-        const ChebyshevSystem<Scalar> system = rolling_system(Chebyshev{m}, kernel);
-        const UnitSteadySolution<Scalar> by_system = solve_steady(system);
+        const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{m}, kernel);
+        const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
+        const UnitSteadySolution<double> by_system = solve_steady(system);
         CAPTURE(m, steady.rcond, by_system.rcond);
         CHECK(steady.status == Status::ok);
-        CHECK(steady.rcond > Scalar(0.2));  // for any number of states
-        CHECK(std::abs(steady.c11 / steady_c11(nu) - 1) <= 4 * rounding);
-        CHECK(std::abs(by_system.c11 / steady_c11(nu) - 1) <= 10 * rounding);
-        // 1/rcond of G' grows with the square of m / 2: in float it cannot be trusted for more than about 60 states
-        const bool trusted = m < 60 || rounding < Scalar(1e-10);
-        CHECK(by_system.status == (trusted ? Status::ok : Status::ill_conditioned));
-        CHECK(judge_stability(system).stable() == trusted);
-        const FrequencySweep<Scalar> sweep(system);
-        CHECK(sweep.reduced() == (m < 200));
-        const SweepPoint<Scalar> point = sweep(1);
-        const double error = static_cast<double>(std::abs(point.c11 / exact - Scalar(1)));
+        CHECK(steady.rcond > 0.2);  // for any number of states
+        CHECK(std::abs(steady.c11 / steady_c11(0.25) - 1) <= 4 * eps);
+        CHECK(std::abs(by_system.c11 / steady_c11(0.25) - 1) <= 10 * eps);
+        CHECK(by_system.status == Status::ok);
+        CHECK(judge_stability(system).stable());
+        const FrequencySweep<double> sweep(system);
+        CHECK(sweep.reduced() == (m < 200));  // 1/rcond of G' grows with the square of m / 2
+        const SweepPoint<double> point = sweep(1);
+        const double error = std::abs(point.c11 / exact - 1.0);
         CHECK(point.status == Status::ok);
         if (found > 0) CHECK_THAT(error, about(found));
-        if (found == 0) CHECK(error < 10 * static_cast<double>(rounding));
-        CHECK(std::abs(sweep(-1).c11 / std::conj(point.c11) - Scalar(1)) <= 4 * rounding);
+        if (found == 0) CHECK(error < 10 * eps);
+        CHECK(std::abs(sweep(-1).c11 / std::conj(point.c11) - 1.0) <= 4 * eps);
     }
+}
+
+TEST_CASE("Steady states in long double have its digits", "[chebyshev]") {
+    const auto c11 = [](Eigen::Index m, const auto& kernel) {
+        const ChebyshevSteadySolution<long double> steady = solve_steady(Chebyshev{m}, kernel);
+        CHECK(steady.status == Status::ok);
+        return steady.c11;
+    };
+    constexpr long double rounding = std::numeric_limits<long double>::epsilon();
+    for (const Eigen::Index m : {1, 2, 3, 200}) {
+        CHECK(std::abs(c11(m, PlaneKernel<long double>(100, 0.75L, 0.25L)) / steady_c11(0.25L) - 1) <= 4 * rounding);
+    }
+    const double narrow = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11;
+    CHECK(static_cast<double>(c11(64, StripKernel<long double>(0.5L, 0.75L, 0.25L)) / narrow - 1) ==
+          Approx(0).margin(30 * eps));
 }
 
 TEST_CASE("Chebyshev states of random contacts are stable and within their error estimate", "[chebyshev]") {
@@ -561,6 +569,96 @@ concept SteadyByStates = requires(const Kernel& kernel) {
 };
 static_assert(TakesStates<StripKernel<double>> && SteadyByStates<PlaneKernel<float>>);
 static_assert(LineKernel<NoSplit> && !TakesStates<NoSplit> && !SteadyByStates<NoSplit>);
+
+const PlaneKernel<double> lateral_plane(100, 1, -0.28);
+
+TEST_CASE("States under spin have the closed form of steady rolling", "[chebyshev]") {
+    const double pi = std::numbers::pi;
+    for (const Eigen::Index m : {2, 3, 12, 60}) {
+        const auto system = rolling_system(Chebyshev{m}, lateral_plane);
+        const Response<double> steady = solve_steady_response(system.with_spin());
+        CAPTURE(m, steady.coefficients);
+        REQUIRE(steady.status == Status::ok);
+        CHECK(std::abs(steady.coefficients(0, 0) - pi / 2) < 1e-13);  // by lateral creepage
+        CHECK(std::abs(steady.coefficients(1, 0) + pi / 4) < 1e-13);
+        CHECK(std::abs(steady.coefficients(0, 1) - pi / 4) < 1e-13);  // by spin
+        CHECK(std::abs(steady.coefficients(1, 1)) < 1e-13);
+        for (const double x : {-0.9, 0.0, 0.7}) {
+            const double traction = system.traction(VectorX<double>(steady.unknowns.col(1)))(x);
+            CHECK(std::abs(traction + std::sqrt(1 - x * x) / 2) < 1e-13);
+        }
+        const StateSpace<double> states = state_space(system.with_spin());
+        CHECK((states.B.col(0) + VectorX<double>::Unit(m, 0)).cwiseAbs().maxCoeff() < 1e-14);
+        CHECK((states.B.col(1) + VectorX<double>::Unit(m, 1)).cwiseAbs().maxCoeff() < 1e-14);
+    }
+}
+
+TEST_CASE("Under harmonic spin elements tend to states, and force and moment are reciprocal", "[chebyshev]") {
+    const StripKernel<double> kernel(10.0, 1.0, -0.28);
+    const RollingSystem<double> states = rolling_system(Chebyshev{24}, kernel).with_spin();
+    for (const double z : {0.0, 1.0}) {
+        const auto exact = solve_response(states, {0, z}).coefficients;
+        CHECK(std::abs(exact(0, 1) + exact(1, 0)) < 1e-13);
+        for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+            const std::vector<double> sizes{20, 40, 80};
+            std::vector<double> errors;
+            for (const Eigen::Index n : {20, 40, 80}) {
+                const auto system = rolling_system(cosine_mesh(n), NodeDifference{nodes}, kernel).with_spin();
+                errors.push_back((solve_response(system, {0, z}).coefficients - exact).cwiseAbs().maxCoeff());
+            }
+            CAPTURE(z, nodes == Nodes::centres, errors);
+            CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.15);
+        }
+    }
+}
+
+TEST_CASE("States of both directions with spin are stepped as elements are", "[chebyshev]") {
+    const Contact<double> contact(
+        {.half_length = 5e-3, .half_width = 0.5, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const auto along = PlaneKernel<double>::longitudinal(contact), across = PlaneKernel<double>::lateral(contact);
+    const auto states = both_directions<double>(rolling_system(Chebyshev{12}, along),
+                                                rolling_system(Chebyshev{12}, across).with_spin());
+    const auto verdict =
+        judge_stability(rolling_system(Chebyshev{12}, along)) + judge_stability(rolling_system(Chebyshev{12}, across));
+    CHECK(judge_stability(states).n == verdict.n);
+    CHECK(judge_stability(states).spectral_abscissa == Approx(verdict.spectral_abscissa).epsilon(1e-9));
+    const AdhesionModel<3> spectral(contact, states, verdict, Integrator::matrix_exponential);
+    const Mesh<double> mesh = cosine_mesh(80);
+    const AdhesionModel elements(
+        contact,
+        ElementSystem(rolling_system(mesh, NodeDifference{}, along), rolling_system(mesh, NodeDifference{}, across)),
+        unchecked, Integrator::matrix_exponential);
+    AdhesionState<> one = spectral.at_rest(), one_next = one, other = elements.at_rest(), other_next = other;
+    auto one_workspace = spectral.workspace();
+    auto other_workspace = elements.workspace();
+    const Creepage<double> creepage{1e-3, -5e-4, 0.3};
+    const double dq = 0.5 * contact.half_length();
+    const auto differs = [](const TangentialForce<double>& x, const TangentialForce<double>& y, double a) {
+        return std::hypot(x.longitudinal - y.longitudinal, x.lateral - y.lateral, (x.moment - y.moment) / a);
+    };
+    for (int k = 0; k < 12; ++k) {
+        const auto step = spectral.advance(one, dq, creepage, one_next, one_workspace);
+        const auto expected = elements.advance(other, dq, creepage, other_next, other_workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        CAPTURE(k, step.force.longitudinal, step.force.lateral, step.force.moment);
+        const double size = std::hypot(expected.force.longitudinal, expected.force.lateral);
+        CHECK(differs(step.force, expected.force, contact.half_length()) < 2e-3 * size);
+        CHECK(step.force.moment != 0);
+        std::swap(one, one_next);
+        std::swap(other, other_next);
+    }
+}
+
+TEST_CASE("Spin needs two states, known points and kernels of one width", "[chebyshev]") {
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{1}, lateral_plane).with_spin(),
+                      ContainsSubstring("number of states = 1 must be at least 2"));
+    const auto elements = rolling_system(cosine_mesh(4), NodeDifference{}, lateral_plane);
+    CHECK_THROWS_WITH(ElementSystem<double>(elements.G(), elements.G_prime(), elements.weights()).with_spin(),
+                      ContainsSubstring("spin needs them"));
+    const auto wider = rolling_system(Chebyshev{4}, PlaneKernel<double>(200, 0.72, 0.28));
+    CHECK_THROWS_WITH(both_directions<double>(wider, rolling_system(Chebyshev{4}, lateral_plane).with_spin()),
+                      ContainsSubstring("b/a of the lateral kernel = 100 must be that of the longitudinal one"));
+}
 
 TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "[chebyshev]") {
     const PlaneKernel<double> endless(infinity, 0.75, 0.25);

@@ -1,9 +1,10 @@
 #include "support/dense.hpp"
 
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 namespace dense {
 
@@ -16,7 +17,10 @@ Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A) {
     return Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ();
 }
 
-double largest_singular_value(const Eigen::MatrixXd& A) { return A.jacobiSvd().singularValues()[0]; }
+double largest_singular_value(const Eigen::MatrixXd& A) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(product(A.transpose(), A), false);
+    return std::sqrt(solver.eigenvalues().real().maxCoeff());
+}
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
 

@@ -1,14 +1,12 @@
 // The library's large templates in float and long double, which tests of several headers use: compiled once, in
 // scalars_float.cpp and scalars_long_double.cpp. ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
-// ROLLBEM_SCALARS(, Scalar) defines them. Decompositions of Eigen that differ in nothing but rounding are not compiled
-// in float.
+// ROLLBEM_SCALARS(, Scalar) defines them. What is little more than a decomposition of Eigen's is compiled for double
+// alone, except for the eigenvalues that long double judges.
 #pragma once
 
-#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/adhesion/transient.hpp>
-#include <rollbem/compiled/polynomial.hpp>
 
 #include "support/friction_of_scalars.hpp"
 
@@ -18,14 +16,13 @@
     keyword template decltype(detail::factorise_steady<Scalar>) detail::factorise_steady<Scalar>;   \
     keyword template decltype(detail::judge_steady<Scalar>) detail::judge_steady<Scalar>;           \
     keyword template class AdhesionModel<1, Scalar>;                                                \
+    keyword template class detail::ActiveSet<Scalar>;                                               \
+    keyword template class detail::FrictionCore<ConstantFriction<Scalar>, 1, Scalar>;               \
     keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;
 
-#define ROLLBEM_LONG_DOUBLE(keyword)                                                          \
-    ROLLBEM_SCALARS(keyword, long double)                                                     \
-    keyword template decltype(solve_exponential<long double>) solve_exponential<long double>; \
-    keyword template class FrequencySweep<long double>;                                       \
-    keyword template decltype(solve_stability<long double>) solve_stability<long double>;     \
-    keyword template decltype(detail::solve_monomial_once<long double>) detail::solve_monomial_once<long double>;
+#define ROLLBEM_LONG_DOUBLE(keyword)      \
+    ROLLBEM_SCALARS(keyword, long double) \
+    keyword template decltype(solve_stability<long double>) solve_stability<long double>;
 
 namespace rollbem {
 

@@ -21,15 +21,7 @@ namespace rollbem {
 template <class Scalar>
 StabilityVerdict judge_stability(const std::vector<PatchPart<Scalar>>& parts) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (const PatchPart<Scalar>& part : parts) {
-        const StabilityVerdict own = judge_stability(part.system);
-        all.n += own.n;
-        all.unstable_count += own.unstable_count;
-        all.settled_unstable_count += own.settled_unstable_count;
-        all.uncertain_count += own.uncertain_count;
-        all.spectral_abscissa = std::max(all.spectral_abscissa, own.spectral_abscissa);
-        if (all.status == Status::ok) all.status = own.status;
-    }
+    for (const PatchPart<Scalar>& part : parts) all = all + judge_stability(part.system);
     return all;
 }
 

@@ -53,7 +53,7 @@ template <class Scalar>
 struct LengthScale {
     Scalar linear, logarithmic;
 
-    static LengthScale at(Scalar a) { return {a, a * std::log(a)}; }
+    static LengthScale at(Scalar a) { return {a, a == 1 ? Scalar(0) : a * std::log(a)}; }
     /// dM/da
     static LengthScale rate(Scalar a) { return {1, std::log(a) + 1}; }
     /// M(to) - M(from), without cancellation.
@@ -97,6 +97,7 @@ struct Influence {
     /// The same from G p in `U`.
     template <class Traction, class Displacement>
     void rescale(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
+        if (scale.linear == 1 && scale.logarithmic == 0) return;
         const Scalar common =
             scale.logarithmic == 0 ? Scalar(0) : scale.logarithmic * log_strength * weights.matrix().dot(p);
         U.array() = scale.linear * U.array() - common;

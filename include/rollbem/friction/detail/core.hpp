@@ -73,6 +73,9 @@ public:
     /// The semi-axes of a state or load in those of the contact; on a line the half-width is 1.
     template <class Loaded>
     Axes axes(const Loaded& loaded) const {
+        if (loaded.half_length == half_length_ && (line_ || loaded.half_width == half_width_)) {
+            return contact_axes<Scalar>;
+        }
         return {loaded.half_length / half_length_, line_ ? Scalar(1) : loaded.half_width / half_width_};
     }
     static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }
@@ -213,7 +216,6 @@ private:
     void begin(const State& from, Scratch& scratch) const {
         scratch.slip.setZero();
         scratch.work.setZero();
-        scratch.displacement.setZero();
         scratch.start = from.traction / shear_modulus_;
         if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
     }
@@ -289,10 +291,10 @@ private:
                      const Axes& axes, Scratch& scratch, Progress& progress) const {
         auto& solver = scratch.solver;
         auto& constant = solver.constant();
-        constant = -scratch.displacement;
         if constexpr (directions == 1) {
-            constant.array() += factor * motion;
+            constant.array() = factor * motion - scratch.displacement.array();
         } else {
+            constant = -scratch.displacement;
             constant.col(0).array() += factor * motion.longitudinal;
             constant.col(1).array() += factor * motion.lateral;
             if (motion.spin != 0) {
@@ -492,14 +494,14 @@ private:
     }
 
     // From numbers per unit width, of a patch per `width_`, which only there are not for the user.
-    Step with_totals(Step step) const {
+    void add_totals(Step& step) const {
         step.force = width_ * step.force_per_width;
         step.tangent = width_ * step.tangent_per_width;
         step.tangent_by_load = width_ * step.tangent_by_load_per_width;
         step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
         step.slip_work = width_ * step.slip_work_per_width;
         step.jump_work = width_ * step.jump_work_per_width;
-        if (line_) return step;
+        if (line_) return;
         const Step none;
         step.force_per_width = none.force_per_width;
         step.tangent_per_width = none.tangent_per_width;
@@ -507,7 +509,6 @@ private:
         step.tangent_by_half_length_per_width = none.tangent_by_half_length_per_width;
         step.slip_work_per_width = none.slip_work_per_width;
         step.jump_work_per_width = none.jump_work_per_width;
-        return step;
     }
 
     // Of moments [m]: a, and on a patch by the tractions p_x the half-width over that of the contact, times a_0.
@@ -654,13 +655,15 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
         }
     }();
     begin(from, scratch);
+    scratch.displacement.setZero();
     if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
     set_bounds(load.pressure, scratch);
     Progress progress;
     solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
     if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
-    return with_totals(step);
+    add_totals(step);
+    return step;
 }
 
 template <class Law, int directions, class Scalar>
@@ -720,10 +723,13 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
                 axes_of(scratch.stage), scratch, progress);
     Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
     if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-    if (!progress.tangent_exists) return with_totals(step);
-    add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
-    add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch, step);
-    return with_totals(step);
+    if (progress.tangent_exists) {
+        add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
+        const Scalar spin = imposed * spin_of(motion.end());
+        add_load_tangents(bounds, system, part, spin, two_stages, asked, load, scratch, step);
+    }
+    add_totals(step);
+    return step;
 }
 
 }  // namespace rollbem::detail

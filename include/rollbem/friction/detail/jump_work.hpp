@@ -3,6 +3,8 @@
 
 #include "../../detail/language.hpp"
 
+#include <limits>
+
 #include <Eigen/Core>
 
 #include "../../types.hpp"
@@ -44,11 +46,14 @@ public:
     Scalar rolled(const System& system, const SlipWork<Scalar>& work, const SemiAxes<Scalar>& axes, bool two_stages,
                   const Eigen::MatrixBase<Start>& start, const Vectors& end) {
         change_ = end - start;
+        if (two_stages) part_ = first_ - start;
+        // settled: J is below the rounding of the energies
+        const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
+        if (change_.squaredNorm() <= least && (!two_stages || part_.squaredNorm() <= least)) return 0;
         find_displacements(system, axes, change_, displacement_);
         Scalar sum = work.product(change_, displacement_) / 2;
         if (two_stages) {
             change_ = end - first_;
-            part_ = first_ - start;
             find_displacements(system, axes, change_, displacement_);
             sum -= sdirk2_ratio<Scalar> * work.product(part_, displacement_);
         }
