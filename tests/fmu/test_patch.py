@@ -89,7 +89,7 @@ def test_equals_the_library_over_rejected_steps():
 
 
 def test_steady_rolling_is_a_fixed_point_whose_work_becomes_heat():
-    for slip, tolerance in (((0.3, 0.2, 0.2), 5e-2), ((0.1, -0.3, 0.6), 3e-2), ((1.5, 0.5, 0.0), 1e-10)):
+    for slip, tolerance in (((0.3, 0.2, 0.2), 2e-3), ((0.1, -0.3, 0.6), 1.5e-2), ((1.5, 0.5, 0.0), 1e-3)):
         values = [limit * V * slip[0], limit * V * slip[1], limit / a * V * slip[2]]
         for parameters in (follows_load, fixed):
             instance = Instance(fmu).start(**parameters, initial_state=2, **dict(zip(inputs, values)))
@@ -99,7 +99,7 @@ def test_steady_rolling_is_a_fixed_point_whose_work_becomes_heat():
             scale = np.array([mu * N, mu * N, mu * N * a])
             drift = np.abs((force(instance) - before) / scale).max()
             print(f"    slip {slip}: {-before / scale}, drift {drift:.1e}")
-            assert drift < 1  # steady but for the angles by which slip turns
+            assert drift < 7e-3  # steady but for the angles by which slip turns
             work = -np.dot(before, values) * 20 * 0.3 * a / V
             close_to(instance.get("slip_work"), work, tolerance, "slip work")
             instance.close()
@@ -116,7 +116,7 @@ def test_full_sliding():
         errors.append(np.abs((force(instance) - expected) / [mu * N, mu * N, mu * N * a]).max())
         instance.close()
     print(f"    errors at slip and ten times the slip: {errors}")
-    assert errors[0] < 1e-3 and 5 < errors[0] / errors[1] < 20
+    assert errors[0] < 1.5e-3 and 5 < errors[0] / errors[1] < 20
     moments = []
     for count in (8, 16):
         instance = Instance(fmu).start(**circle, rail_lateral_radius=1e9, initial_state=2, elements=count, strips=count,
