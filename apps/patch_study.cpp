@@ -1,11 +1,12 @@
 // Contact patches in three dimensions: Kalker's creep coefficients of ellipses and other outlines in full adhesion,
-// steady or over the frequency, whether they are stable in time, the patch as linear differential equations, and the
-// forces of ellipses with friction and spin:
+// steady or over the frequency, whether they are stable in time, the patch as linear differential equations, and forces
+// with friction and spin, steady or in time:
 //
 //     ./patch_study --a-over-b 0.5,1,2 --n 12
 //     ./patch_study --n 12 --omega 0.1,1,3
 //     ./patch_study --outline wheel.csv --n 16 --stability
 //     ./patch_study --n 12 --longitudinal 0.1,0.2,0.4 --spin 0,0.2
+//     ./patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --load-sine 0.5,8
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -24,8 +25,10 @@
 #include <rollbem/compiled/stability.hpp>
 
 #include "patch/friction.hpp"
+#include "patch/help.hpp"
 #include "patch/patches.hpp"
 #include "patch/plots.hpp"
+#include "patch/transient.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/state_space_files.hpp"
@@ -35,13 +38,8 @@
 namespace {
 
 using patch::Patch;
+using study::joined;
 using Kernel = rollbem::HalfSpace<double>;
-
-template <class Item>
-std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
 
 Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
 
@@ -59,10 +57,6 @@ std::vector<std::string> steady_columns(const study::Options& options) {
         names = joined(names, {"unstable_count", "uncertain_count", "spectral_abscissa"});
     }
     return joined(names, {"status", "nodes"});
-}
-
-study::Cell nodes_cell(const Patch& patch) {
-    return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
 }
 
 study::Row steady_row(const study::Options& options, const Patch& patch) {
@@ -94,7 +88,7 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
             if (steady.status == rollbem::Status::ok) status = name(verdict.status);
         }
     }
-    row.insert(row.end(), {status, nodes_cell(patch)});
+    row.insert(row.end(), {status, nodes_name(patch)});
     return row;
 }
 
@@ -119,7 +113,7 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
             row.emplace_back(trusted(point.status, c.real()));
             row.emplace_back(trusted(point.status, c.imag()));
         }
-        row.insert(row.end(), {name(point.status), nodes_cell(patch)});
+        row.insert(row.end(), {name(point.status), nodes_name(patch)});
         emit(std::move(row));
     }
 }
@@ -167,26 +161,8 @@ int main(int argc, char** argv) {
     options.add("omega", "LIST", "instead: response to creepages at frequencies omega a/V, at least 0 (dimensionless)");
     study::StateSpaceFiles::add_options(options, "one patch");
     patch::add_friction_options(options);
-    options.footer(R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
-  patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
-
-x is the rolling direction, y lies across it, z points into body 2 (the rail). Creepages xi, eta along x and y,
-spin phi about z: F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi), M_z = -G a b c (c32 eta + c c33 phi)
-about the origin of the outline, c = sqrt(a b); c32 = -c23 in the limit of small elements if the patch is
-symmetric fore and aft. Bodies are equal half-spaces; a line y = const cuts the patch in one interval.
-The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
-outline. With n = strips = 12 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2.5 % at nu = 0.5 or a/b >= 5).
-assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
-the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is not ok the
-coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
-and the largest Re(nu) a.
---longitudinal, --lateral, --spin: steady rolling of ellipses with friction under Hertz's pressure, a row for every
-combination, each solved from rest: -F_x, -F_y over mu N, -M_z over mu N c, the number of elements that stick, Newton
-steps (rounds), how far the law is violated, and the time of the solution, matrices ready [microseconds]. Errors of 12
-x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin. In --tractions lengths
-are in a along x and b along y, tractions in mu p_0, slip in the largest rigid slip.
---state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
-)");
+    patch::add_transient_options(options);
+    options.footer(patch::help, patch::topics);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each patch, or for each patch and frequency.
@@ -199,44 +175,39 @@ are in a along x and b along y, tractions in mu p_0, slip in the largest rigid s
                                    {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
         }
         const bool rubs = patch::asks_for_friction(given);
-        std::vector<patch::CreepPoint> points;
         if (rubs) {
             for (const char* name : {"stability", "omega", "state-space"}) given.ignored(name, "with friction");
-            points = patch::read_points(given);
         } else {
-            given.ignored("tractions", "without --longitudinal, --lateral or --spin");
+            for (const char* name : {"pressure", "tractions", "transient"}) {
+                given.ignored(name, "without --longitudinal, --lateral or --spin");
+            }
         }
+        if (!given.flag("transient")) patch::refuse_transient_options(given);
         if (!given.given("state-space")) given.ignored("states", "without --state-space");
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
         const std::vector<Patch> patches = patch::make_patches(given);
+        if (rubs) {
+            // 6. Stick and slip at each creepage, or in time.
+            (given.flag("transient") ? patch::run_transient : patch::run_friction)(given, patches);
+            return study::exit_ok;
+        }
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (given.given("state-space")) state_space = state_space_files(given, patches);
 
-        std::optional<study::TableFile> tractions_file;
-        if (given.given("tractions")) tractions_file.emplace(given, "tractions");
-        patch::Tractions tractions;
-
         study::Table table;
-        table.columns = rubs ? patch::friction_columns() : harmonic ? response_columns() : steady_columns(given);
-        table.rows_of_task.assign(patches.size(), rubs ? points.size() : harmonic ? omegas.size() : 1);
+        table.columns = harmonic ? response_columns() : steady_columns(given);
+        table.rows_of_task.assign(patches.size(), harmonic ? omegas.size() : 1);
         table.label = [&](std::size_t task) { return patches[task].label(); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            // 6. Stick and slip at each creepage.
-            if (rubs) {
-                return patch::friction_rows(given, patches[task], points, task, range, emit,
-                                            tractions_file ? &tractions : nullptr);
-            }
             if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
             emit(steady_row(given, patches[task]));
         };
         table.written = [&] {
             if (state_space) state_space->commit();
-            if (tractions_file) tractions.write(study::has_header(given), *tractions_file);
         };
         table.plot = [&](const std::vector<study::Row>& rows) {
-            if (rubs) return patch::draw_friction(rows);
             return harmonic ? patch::draw_responses(response_columns(), rows)
                             : patch::draw_coefficients(steady_columns(given), rows);
         };

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommendation.hpp>
+#include <rollbem/accuracy/recommended_patch.hpp>
 
 #include "precision/front.hpp"
 #include "precision/patches.hpp"
@@ -225,8 +227,9 @@ void print_recommendations(const study::Options& options) {
     const study::Rule open{[](double value) { return value > 0 && value < 1; }, "be above 0 and below 1"};
     const double tolerance = options.number("recommend", open);
     for (const auto& [name, value] : options.given_values()) {
-        if (name != "recommend") options.ignored(name, "with --recommend");
+        if (name != "recommend" && name != "a-over-b") options.ignored(name, "with --recommend");
     }
+    const double a_over_b = options.number("a-over-b", study::between(0.1, 10));
     const auto print = [&](const char* purpose, const auto& line) {
         std::cout << "# " << purpose << "\n";
         try {
@@ -259,6 +262,16 @@ void print_recommendations(const study::Options& options) {
     print("friction, creepage ratios from 0.05", [&] {
         return "friction_study --kernel plane --method nodes --nodes chebyshev --n " + elements(Purpose::friction);
     });
+    const std::string ratio = study::Cell(a_over_b).text();
+    const auto patch = [&](double spin) {
+        const rollbem::RecommendedPatch best = rollbem::recommended_patch(tolerance, a_over_b, spin);
+        return "patch_study --a-over-b " + ratio + " --n " + std::to_string(best.n) + " --strips " +
+               std::to_string(best.strips) + " --strip-grading uniform --longitudinal 0.2 --lateral 0.2" +
+               (spin > 0 ? " --spin 0.5" : "");
+    };
+    const double any = std::numeric_limits<double>::infinity();
+    print("friction on a patch, any creepages and spin, forces over mu N", [&] { return patch(any); });
+    print("the same without spin", [&] { return patch(0); });
 }
 
 }  // namespace
@@ -284,10 +297,14 @@ int main(int argc, char** argv) {
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force,"
                 "combined_force,load_force; or some of " +
-                    study::join(precision::patch_quantity_names(), ",") + ", creep coefficients of a contact patch",
+                    study::join(precision::patch_quantity_names(), ",") +
+                    ", creep coefficients of a contact patch and its forces with friction",
                 "all");
-    options.add("a-over-b", "RATIO", "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000", "1");
-    options.add("strips", "LIST", "quantities of patches: strips along the rolling direction; default: --n");
+    options.add("a-over-b", "RATIO",
+                "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000; with --recommend 0.1 to 10", "1");
+    options.add(
+        "strips", "LIST",
+        "quantities of patches: strips along the rolling direction; default: --n, see below for uniform-strips");
     options.add_input(
         "front",
         "compute nothing: read rows written before (shards, concatenated), fill on_front, and draw or search them");
@@ -327,7 +344,13 @@ patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-
 many strips (--strips: others) along the rolling direction, with nodes-chebyshev or richardson-nodes (n/2 and
 strips/2 as well); two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
 from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
-Their times are measured one after another. stable is empty above 256 elements. Without --n, n is 4 to 24.
+uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 10).
+patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
+would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
+difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each direction;
+that reference is good to about 1e-3. time_us is that of all three from the mesh to the forces.
+Times of patches are measured one after another. stable is empty above 256 elements. Without --n, n is 4 to 24, with
+patch_force to 16.
 Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 160: two to three minutes in all.
 )");
 

@@ -17,9 +17,9 @@
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
+#include "support/columns_file.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
-#include "support/pairs_file.hpp"
 #include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/scenes.hpp"

@@ -32,7 +32,9 @@ target_link_libraries(rollbem_study_support
     PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
 
 add_library(rollbem_app_support STATIC
-    "${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp" "${PROJECT_SOURCE_DIR}/apps/support/state_space_files.cpp"
+    "${PROJECT_SOURCE_DIR}/apps/support/columns_file.cpp" "${PROJECT_SOURCE_DIR}/apps/support/load_history.cpp"
+    "${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp" "${PROJECT_SOURCE_DIR}/apps/support/runs.cpp"
+    "${PROJECT_SOURCE_DIR}/apps/support/state_space_files.cpp"
     "${PROJECT_SOURCE_DIR}/apps/support/strip_instances.cpp")
 target_link_libraries(rollbem_app_support
     PUBLIC rollbem_study_support rollbem::compiled

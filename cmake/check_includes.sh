@@ -53,7 +53,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail root closed_form scene discretisation normal elasticity assembly spectral adhesion friction accuracy reference compiled umbrella", order, " ")
+    count = split("detail root closed_form scene discretisation normal elasticity assembly spectral adhesion friction accuracy vehicle reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 

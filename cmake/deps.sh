@@ -2,7 +2,7 @@
 # deps.sh [--ci] [--docs] [--fmu] [--simbody]: installs what building rollbem and its programs, tests and benchmarks
 # needs. Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of continuous
 # integration, --simbody Simbody for simbody_wheel (Debian and Ubuntu), --docs Doxygen for the API reference; --fmu
-# installs FMPy, which brings the headers of FMI 2.0 and runs the FMUs in tests, into build-fmu/venv.
+# installs FMPy, which brings the headers of FMI 2.0, and libcosimpy, which run the FMUs in tests, into build-fmu/venv.
 set -eu
 
 ci=no
@@ -52,15 +52,17 @@ say() { echo "deps.sh: installing with $1:$missing"; }
 # Whether Python can make virtual environments with pip in them.
 have_venv() { have python3 && python3 -c 'import ensurepip, venv' 2>/dev/null; }
 
-# Installs FMPy into build-fmu/venv, which is never activated: FMPy brings its own cmake.
+# Installs FMPy and libcosimpy into build-fmu/venv, which is never activated: FMPy brings its own cmake.
 fmpy=0.3.32
-install_fmpy() {
+libcosimpy=0.0.6
+install_importers() {
     venv=$(dirname "$0")/../build-fmu/venv
-    ! "$venv/bin/python3" -c "from importlib.metadata import version; assert version('fmpy') == '$fmpy'" 2>/dev/null ||
-        return 0
-    echo "deps.sh: installing with pip into build-fmu/venv: fmpy $fmpy"
+    ! "$venv/bin/python3" -c "from importlib.metadata import version
+assert (version('fmpy'), version('libcosimpy')) == ('$fmpy', '$libcosimpy')" 2>/dev/null || return 0
+    echo "deps.sh: installing with pip into build-fmu/venv: fmpy $fmpy, libcosimpy $libcosimpy"
     python3 -m venv --clear "$venv"
-    "$venv/bin/python3" -m pip install --quiet --disable-pip-version-check "fmpy==$fmpy" </dev/null
+    "$venv/bin/python3" -m pip install --quiet --disable-pip-version-check "fmpy==$fmpy" "libcosimpy==$libcosimpy" \
+        </dev/null
 }
 
 missing=
@@ -130,4 +132,4 @@ fi
 if [ $simbody = yes ] && [ $ci = no ] && ! have apt-get; then
     echo "deps.sh: no package of Simbody is known here; please install Simbody 3.7 or later from source" >&2
 fi
-[ $fmu = no ] || install_fmpy
+[ $fmu = no ] || install_importers

@@ -11,7 +11,7 @@ int main() {
     const HertzLine<double> line({.load_per_width = 2.5e6, .combined_radius = 0.46, .body_1 = steel, .body_2 = steel});
     const Contact<double> contact = line.contact(12e-3);
     const Mesh<double> mesh = cosine_mesh(40);
-    const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const NodeDifference scheme{Nodes::chebyshev};
     const auto system = rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact));
     const FrictionModel model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
     FrictionWorkspace<> workspace = model.workspace();

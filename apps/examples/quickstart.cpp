@@ -7,7 +7,7 @@ int main() {
     const rollbem::Contact<double> contact(
         {.half_length = 5e-3, .half_width = 50e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
-    const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    const rollbem::NodeDifference scheme;
     const auto rolling = rollbem::solve_steady(contact, mesh, scheme, 1e-4);  // creepage 1e-4
     if (rolling.status != rollbem::Status::ok) return 1;
     std::cout << "F = " << rolling.force_per_width << " N per metre of width, c11 = " << rolling.c11 << '\n';

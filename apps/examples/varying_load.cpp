@@ -13,7 +13,7 @@ int main() {
     const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
     NormalLoad<double> load = hertz.at(1e6);
     const auto system =
-        rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact));
+        rolling_system(mesh, NodeDifference{Nodes::chebyshev}, PlaneKernel<double>::longitudinal(contact));
     const FrictionModel model(contact, system, judge_stability(system), {0.3, load.normal_pressure});
     FrictionWorkspace<> workspace = model.workspace();
     FrictionState<> now = model.at_rest(), next = now;

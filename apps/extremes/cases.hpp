@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -55,5 +56,8 @@ std::vector<Case> friction_cases();
 std::vector<Case> load_cases();
 std::vector<Case> direction_cases();
 std::vector<Case> patch_cases();
+
+/// A random patch with friction, steady and in time.
+Case patch_scene(std::uint64_t seed);
 
 }  // namespace extremes

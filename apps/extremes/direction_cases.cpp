@@ -1,4 +1,4 @@
-// Friction on elements at the edges of its domain: both directions of creepage, and an elastic layer.
+// Friction on elements at the edges of its domain: both directions of creepage, an elastic layer, node differences.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -194,12 +194,79 @@ void add_layers(std::vector<Case>& cases) {
     for (const double layer : {-1e-12, nothing, infinity}) refused(layer, "compliance");
 }
 
+// --- differences between nodes
+
+void add_nodes(std::vector<Case>& cases) {
+    using rollbem::NodeDifference, rollbem::Nodes;
+    const Contact<double> contact = Contact<double>::dimensionless(infinity, steel);
+    const auto plane = PlaneKernel<double>::longitudinal(contact);
+    const auto friction = [=](const Mesh<double>& mesh, const NodeDifference& scheme, double delta, double reference,
+                              double bound) {
+        const rollbem::SteadyFrictionModel<> model(contact, mesh, scheme, plane,
+                                                   {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const auto rest = model.at_rest();
+        auto state = rest;
+        auto workspace = model.workspace();
+        const Step point = model.steady(rest, creepage(delta), state, workspace);
+        Outcome outcome = compare(-point.force_per_width / full_force, reference, bound, told_by(point.status));
+        outcome.residual = point.complementarity_residual;
+        return outcome;
+    };
+    for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+        const NodeDifference scheme{nodes};
+        const std::string which = nodes == Nodes::centres ? "centres" : "Chebyshev points";
+        for (const Eigen::Index n : {1, 2, 40, 400}) {
+            const std::string where = " by " + which + ", n = " + std::to_string(n);
+            const Mesh<double> mesh = rollbem::cosine_mesh(n);
+            cases.push_back({"creepage 1e9" + where, "force against full sliding",
+                             [=] { return friction(mesh, scheme, 1e9, 1, 1e-12); }});
+            cases.push_back({"creepage 1e-9" + where, "force against adhesion", [=] {
+                                 const auto adhesion = rollbem::solve_steady<double>(mesh, scheme, plane);
+                                 Outcome outcome =
+                                     friction(mesh, scheme, 1e-9, adhesion.c11 * creepage(1e-9) / full_force, 1e-11);
+                                 if (outcome.told.empty()) outcome.told = told_by(adhesion.status);
+                                 return outcome;
+                             }});
+        }
+        const Mesh<double> mesh = rollbem::cosine_mesh(40);
+        for (const double delta : {0.01, 0.5, 0.8, 0.999}) {
+            cases.push_back({"creepage " + shown(delta) + " by " + which + ", n = 40", "force against Carter",
+                             [=] { return friction(mesh, scheme, delta, rollbem::carter_force_ratio(delta), 5e-4); }});
+        }
+        // independent bristles: exact on any uniform mesh
+        for (const Eigen::Index n : {1, 3, 40}) {
+            if (nodes == Nodes::chebyshev) continue;
+            cases.push_back(
+                {"layer 1e9 by " + which + ", uniform, n = " + std::to_string(n), "c11 against a brush", [=] {
+                     const auto solution = rollbem::solve_steady<double>(rollbem::uniform_mesh(n), scheme,
+                                                                         rollbem::LayeredKernel(plane, 1e9));
+                     Outcome outcome = compare(solution.c11, 2e-9, 1e-8, told_by(solution.status));
+                     outcome.residual = solution.residual;
+                     return outcome;
+                 }});
+        }
+        // spin alone, all sliding: the traction is -mu p_n sign(x) across, but in the element that ends at x = 0
+        cases.push_back({"spin 1e9 by " + which + ", n = 40", "moment against full sliding", [=] {
+                             const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(
+                                 contact, mesh, scheme, plane, PlaneKernel<double>::lateral(contact),
+                                 {1, peak * rollbem::mean_hertz_pressure(mesh)});
+                             const auto rest = model.at_rest();
+                             auto state = rest;
+                             auto workspace = model.workspace();
+                             const auto point = model.steady(rest, {0, 0, creepage(1e9)}, state, workspace);
+                             return compare(-point.force_per_width.moment / full_force, 4 / (3 * pi), 1e-2,
+                                            told_by(point.status));
+                         }});
+    }
+}
+
 }  // namespace
 
 std::vector<Case> direction_cases() {
     std::vector<Case> cases;
     add_directions(cases);
     add_layers(cases);
+    add_nodes(cases);
     return cases;
 }
 

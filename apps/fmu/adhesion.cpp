@@ -15,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/detail/require.hpp>
@@ -59,31 +60,14 @@ public:
              .value = &initial_state_,
              .description = "State at the start",
              .items = &initial_states});
-        add({.name = "slip_velocity",
-             .value = &slip_.value,
-             .unit = "m/s",
-             .description = "Velocity of the wheel relative to the rail, as rigid bodies; creepage times rolling_speed",
-             .causality = Causality::input,
-             .rate = &slip_.rate});
-        add({.name = "rolling_speed",
-             .value = &speed_.value,
-             .unit = "m/s",
-             .description = "V, the speed of the contact along the rail; not negative",
-             .causality = Causality::input,
-             .rate = &speed_.rate});
-        add({.name = "normal_load",
-             .value = &load_.value,
-             .unit = "N",
-             .description = "N over the width 2b, in co-simulation at the end of a step; used where contact_length is "
-                            "follows_load",
-             .causality = Causality::input,
-             .rate = &load_.rate});
-        add({.name = "normal_load_rate",
-             .value = &load_rate_.value,
-             .unit = "N/s",
-             .description = "dN/dt, in model exchange; used where contact_length is follows_load",
-             .causality = Causality::input,
-             .rate = &load_rate_.rate});
+        add_input(slip_, "slip_velocity", "m/s",
+                  "Velocity of the wheel relative to the rail, as rigid bodies; creepage times rolling_speed");
+        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative");
+        add_input(load_, "normal_load", "N",
+                  "N over the width 2b, in co-simulation at the end of a step; used where contact_length is "
+                  "follows_load");
+        add_input(load_rate_, "normal_load_rate", "N/s",
+                  "dN/dt, in model exchange; used where contact_length is follows_load");
         add({.name = "force",
              .value = &force_,
              .unit = "N",
@@ -96,11 +80,7 @@ public:
              .description = "a",
              .causality = Causality::output,
              .depends_on = {"normal_load"}});
-        add({.name = "status",
-             .value = &status_,
-             .description = "Status of the last step or evaluation",
-             .causality = Causality::output,
-             .items = &step_statuses});
+        add_output(&status_, "status", "", "Status of the last step or evaluation", &step_statuses);
         int first_state = 0;
         for (Eigen::Index k = 0; k < state_count; ++k) {
             const int place = add({.name = state_name(k),
@@ -123,9 +103,6 @@ public:
     }
 
     void initialise() override {
-        require_item("direction", direction_, directions);
-        require_item("contact_length", length_, lengths);
-        require_item("initial_state", initial_state_, initial_states);
         const rollbem::Contact<Scalar> contact = parameters_.contact();
         first_half_length_ = contact.half_length();
         const bool plane = parameters_.kernel == static_cast<int>(KernelName::plane);
@@ -346,8 +323,7 @@ private:
         return rates[coefficient(unknown)];
     }
 
-    // Exact by slip velocity and load. By the rolling speed, for which the library has no tangent: by central
-    // differences of the step, or one-sided ones of the same order near zero.
+    // Exact by slip velocity and load, by differences of the step by the rolling speed.
     Scalar partial_of_step(const Variable& known) {
         if (past_.duration == 0 || &known.real() == &load_rate_.value) return 0;
         if (&known.real() == &slip_.value) return past_.tangent_by_shift * past_.duration;
@@ -356,18 +332,12 @@ private:
             const Scalar ratio = past_.half_length / first_half_length_;
             return past_.tangent_by_half_length * past_.half_length / (2 * ratio * ratio * parameters_.nominal_load);
         }
-        const auto force_at = [&](Scalar distance) {
-            Past step = past_;
-            step.distance = distance;
-            advance(from_, step, next_);
-            return step.force;
-        };
-        const Scalar distance = past_.distance, change = 1e-5 * std::max(distance, half_length_);
-        if (distance >= change) {
-            return (force_at(distance + change) - force_at(distance - change)) / (2 * change) * past_.duration;
-        }
-        return (4 * force_at(distance + change) - 3 * force_at(distance) - force_at(distance + 2 * change)) /
-               (2 * change) * past_.duration;
+        return past_.duration * rollbem::tangent_by_distance(past_.distance, half_length_, [&](Scalar distance) {
+                   Past step = past_;
+                   step.distance = distance;
+                   advance(from_, step, next_);
+                   return step.force;
+               });
     }
 
     ContactParameters parameters_;

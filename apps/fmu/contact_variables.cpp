@@ -1,4 +1,4 @@
-// What both FMUs have in common.
+// What FMUs have in common.
 #include "contact_variables.hpp"
 
 #include <numbers>
@@ -84,8 +84,6 @@ rollbem::Contact<double> ContactParameters::contact() const {
 }
 
 rollbem::Contact<double> ContactParameters::contact_of(double length) const {
-    require_item("half_length_from", half_length_from, half_length_sources);
-    require_item("kernel", kernel, kernels);
     const rollbem::Contact<double> contact({.half_length = length,
                                             .half_width = half_width,
                                             .shear_modulus = shear_modulus,
@@ -101,12 +99,6 @@ bool ContactParameters::half_length_is_given() const {
 Outcome outcome_of(rollbem::StepStatus status) {
     if (status == rollbem::StepStatus::ok) return Outcome::ok;
     return status == rollbem::StepStatus::not_finite ? Outcome::not_a_number : Outcome::refused;
-}
-
-void require_item(const char* parameter, int value, const Enumeration& items) {
-    const std::string rule = "lie in [1, " + std::to_string(items.items.size()) + "]";
-    rollbem::detail::require(value >= 1 && value <= static_cast<int>(items.items.size()), items.name.c_str(), parameter,
-                             value, rule.c_str());
 }
 
 }  // namespace fmu

@@ -1,4 +1,4 @@
-// What both FMUs have in common: the contact's parameters, and how the status of a step is reported.
+// What FMUs have in common: parameters of a line contact, and how the status of a step is reported.
 #pragma once
 
 #include <vector>
@@ -54,8 +54,5 @@ extern const Enumeration step_statuses;
 inline int value_of(rollbem::StepStatus status) { return static_cast<int>(status) + 1; }
 
 Outcome outcome_of(rollbem::StepStatus status);
-
-/// Throws std::invalid_argument unless the value of an enumeration is one of its items.
-void require_item(const char* parameter, int value, const Enumeration& items);
 
 }  // namespace fmu

@@ -60,11 +60,12 @@ const char* causality_of(const Variable& variable) {
 const char* variability_of(const Variable& variable) {
     const bool fixed =
         variable.causality == Causality::parameter || variable.causality == Causality::calculated_parameter;
-    return fixed ? "fixed" : variable.is_real() ? "continuous" : "discrete";
+    return fixed ? "fixed" : variable.is<double>() ? "continuous" : "discrete";
 }
 
 std::string start_of(const Variable& variable) {
-    return variable.is_real() ? text_of(variable.real()) : text_of(variable.integer());
+    if (variable.is<std::string>()) return variable.text();
+    return variable.is<double>() ? text_of(variable.real()) : text_of(variable.integer());
 }
 
 std::string units(const std::vector<Variable>& variables) {
@@ -77,6 +78,7 @@ std::string units(const std::vector<Variable>& variables) {
         if (unit.kg != 0) text += attribute("kg", text_of(unit.kg));
         if (unit.m != 0) text += attribute("m", text_of(unit.m));
         if (unit.s != 0) text += attribute("s", text_of(unit.s));
+        if (unit.rad != 0) text += attribute("rad", text_of(unit.rad));
         text += "/></Unit>\n";
     }
     return text + "  </UnitDefinitions>\n";
@@ -109,7 +111,10 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
         text += attribute("initial", has_start(variable) ? "exact" : "calculated");
     }
     text += '>';
-    text += variable.is_real() ? "<Real" : variable.items ? "<Enumeration" : "<Integer";
+    text += variable.is<double>()        ? "<Real"
+            : variable.is<std::string>() ? "<String"
+            : variable.items             ? "<Enumeration"
+                                         : "<Integer";
     if (variable.items) text += attribute("declaredType", variable.items->name);
     if (!variable.unit.empty()) text += attribute("unit", variable.unit);
     if (has_start(variable)) text += attribute("start", start_of(variable));
@@ -214,8 +219,8 @@ std::string table_of_variables() {
         std::string what = causality_of(variable);
         if (variable.causality == Causality::calculated_parameter) what = "calculated";
         if (variable.causality == Causality::state) what = "state";
-        // one row for all states, none for their der(...)
-        if (variable.causality == Causality::derivative) continue;
+        // one row for all states, none for their der(...) nor for twins
+        if (variable.causality == Causality::derivative || variable.is_code) continue;
         if (variable.causality == Causality::state && !variable.name.ends_with("[0]")) continue;
         std::string start;
         if (has_start(variable)) {

@@ -27,7 +27,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueR
     return call(component, "fmi2SetRealInputDerivatives", fmu::instantiated | fmu::initialization | fmu::stepping,
                 [&](Instance& instance) {
                     for (std::size_t i = 0; i < count; ++i) {
-                        const fmu::Variable& variable = instance.variable(references[i], true);
+                        const fmu::Variable& variable = instance.variable<double>(references[i]);
                         if (variable.rate == nullptr) throw std::invalid_argument(variable.name + " is no input");
                         if (orders[i] != 1) throw std::invalid_argument("inputs have first derivatives only");
                         *variable.rate = values[i];

@@ -27,22 +27,11 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
     return hash;
 }
 
-template <class Value>
-void get(Instance& instance, const fmi2ValueReference references[], std::size_t count, Value values[], bool real) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const fmu::Variable& variable = instance.variable(references[i], real);
-        if constexpr (std::is_same_v<Value, double>) {
-            values[i] = variable.real();
-        } else {
-            values[i] = variable.integer();
-        }
-    }
-}
-
 /// Whether any of the variables has to be calculated before it is read.
-bool calculated(const Instance& instance, const fmi2ValueReference references[], std::size_t count, bool real) {
+template <class Value>
+bool calculated(const Instance& instance, const fmi2ValueReference references[], std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const fmu::Causality causality = instance.variable(references[i], real).causality;
+        const fmu::Causality causality = instance.variable<Value>(references[i]).causality;
         if (causality != fmu::Causality::parameter && causality != fmu::Causality::input) return true;
     }
     return false;
@@ -55,7 +44,20 @@ fmi2Status no_such_type(fmi2Component component, const char* function, std::size
     });
 }
 
-constexpr unsigned before_and_while_running = fmu::instantiated | fmu::initialization | fmu::running;
+template <class Held, class Value>
+fmi2Status set(fmi2Component component, const char* function, const fmi2ValueReference references[], std::size_t count,
+               const Value values[]) {
+    constexpr unsigned before_and_while_running = fmu::instantiated | fmu::initialization | fmu::running;
+    return call(component, function, before_and_while_running, [&](Instance& instance) {
+        for (std::size_t i = 0; i < count; ++i) {
+            if constexpr (std::is_pointer_v<Value>) {
+                if (values[i] == nullptr) throw std::invalid_argument("there is no text");
+            }
+            instance.settable<Held>(references[i]) = values[i];
+        }
+        return fmi2OK;
+    });
+}
 
 }  // namespace
 
@@ -64,7 +66,7 @@ extern "C" {
 const char* fmi2GetTypesPlatform() { return fmi2TypesPlatform; }
 const char* fmi2GetVersion() { return fmi2Version; }
 
-fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String /*resources*/,
+fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/,
                               fmi2Boolean /*logging_on*/) {
     if (functions == nullptr) return nullptr;
@@ -85,7 +87,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         }
         return std::make_unique<Instance>(
                    name, type == fmi2ModelExchange ? fmu::Interface::model_exchange : fmu::Interface::co_simulation,
-                   *functions)
+                   resources == nullptr ? "" : resources, *functions)
             .release();
     } catch (...) {
         return refuse("fmi2Instantiate: out of memory");
@@ -146,9 +148,10 @@ fmi2Status fmi2Reset(fmi2Component component) {
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                        fmi2Real values[]) {
     return call(component, "fmi2GetReal", fmu::any, [&](Instance& instance) {
-        const fmi2Status status = calculated(instance, references, count, true) ? instance.refresh() : fmi2OK;
-        if (status == fmi2OK) get(instance, references, count, values, true);
-        return status;
+        const fmi2Status status = calculated<double>(instance, references, count) ? instance.refresh() : fmi2OK;
+        if (status != fmi2OK) return status;
+        for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<double>(references[i]).real();
+        return fmi2OK;
     });
 }
 
@@ -156,8 +159,8 @@ fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference refe
                           fmi2Integer values[]) {
     return call(component, "fmi2GetInteger", fmu::any, [&](Instance& instance) {
         // the status can be read even if nothing else can be calculated
-        if (calculated(instance, references, count, false)) instance.refresh();
-        get(instance, references, count, values, false);
+        if (calculated<int>(instance, references, count)) instance.refresh();
+        for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<int>(references[i]).integer();
         return fmi2OK;
     });
 }
@@ -166,32 +169,33 @@ fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference[], s
     return no_such_type(component, "fmi2GetBoolean", count);
 }
 
-fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2String[]) {
-    return no_such_type(component, "fmi2GetString", count);
+fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                         fmi2String values[]) {
+    return call(component, "fmi2GetString", fmu::any, [&](Instance& instance) {
+        for (std::size_t i = 0; i < count; ++i) {
+            values[i] = instance.variable<std::string>(references[i]).text().c_str();
+        }
+        return fmi2OK;
+    });
 }
 
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                        const fmi2Real values[]) {
-    return call(component, "fmi2SetReal", before_and_while_running, [&](Instance& instance) {
-        for (std::size_t i = 0; i < count; ++i) instance.settable(references[i], true).real() = values[i];
-        return fmi2OK;
-    });
+    return set<double>(component, "fmi2SetReal", references, count, values);
 }
 
 fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           const fmi2Integer values[]) {
-    return call(component, "fmi2SetInteger", before_and_while_running, [&](Instance& instance) {
-        for (std::size_t i = 0; i < count; ++i) instance.settable(references[i], false).integer() = values[i];
-        return fmi2OK;
-    });
+    return set<int>(component, "fmi2SetInteger", references, count, values);
 }
 
 fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, const fmi2Boolean[]) {
     return no_such_type(component, "fmi2SetBoolean", count);
 }
 
-fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference[], std::size_t count, const fmi2String[]) {
-    return no_such_type(component, "fmi2SetString", count);
+fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+                         const fmi2String values[]) {
+    return set<std::string>(component, "fmi2SetString", references, count, values);
 }
 
 fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {

@@ -1,6 +1,7 @@
 // An instance of an FMU.
 #include "instance.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <stdexcept>
@@ -17,6 +18,28 @@ std::string text_of(double value) {
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
+/// The path of a URI file://HOST/PATH with an empty host or localhost, in which %XX is a character; any other text is a
+/// path already.
+std::string path_of(std::string_view uri) {
+    if (!uri.starts_with("file:")) return std::string(uri);
+    uri.remove_prefix(5);
+    if (uri.starts_with("//")) uri.remove_prefix(std::min(uri.find('/', 2), uri.size()));
+    const bool drive = uri.size() > 2 && uri[2] == ':';
+    if (drive) uri.remove_prefix(1);  // the slash in /C:/
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned char byte = 0;
+        const char* const end = uri.data() + std::min(i + 3, uri.size());
+        if (uri[i] == '%' && std::from_chars(uri.data() + i + 1, end, byte, 16).ptr == uri.data() + i + 3) {
+            path += static_cast<char>(byte);
+            i += 2;
+        } else {
+            path += uri[i];
+        }
+    }
+    return path;
+}
+
 /// The beginning of a saved state.
 struct Header {
     std::array<char, 38> guid{};
@@ -28,8 +51,15 @@ struct Header {
 
 }  // namespace
 
-Instance::Instance(std::string name, Interface used, const fmi2CallbackFunctions& callbacks)
-    : name_(std::move(name)), interface_(used), callbacks_(callbacks), model_(make_model(used)) {}
+Instance::Instance(std::string name, Interface used, std::string_view resources, const fmi2CallbackFunctions& callbacks)
+    : name_(std::move(name)), interface_(used), resources_(path_of(resources)), callbacks_(callbacks) {
+    make();
+}
+
+void Instance::make() {
+    model_ = make_model(interface_);
+    model_->resources = resources_;
+}
 
 void Instance::log(fmi2Status status, const std::string& message) const {
     const bool discard = status == fmi2Discard;
@@ -55,7 +85,7 @@ void Instance::set_logging(std::span<const fmi2String> categories) {
 }
 
 void Instance::reset() {
-    model_ = make_model(interface_);
+    make();
     built_ = false;
     stale = true;
     refused = false;
@@ -68,8 +98,7 @@ void Instance::refuse_reference(fmi2ValueReference reference) const {
                                 std::to_string(reference));
 }
 
-const Variable& Instance::settable(fmi2ValueReference reference, bool real) {
-    const Variable& found = variable(reference, real);
+void Instance::before_setting(const Variable& found) {
     const bool before = (mode & (instantiated | initialization)) != 0;
     if (found.causality != Causality::input && !(found.causality == Causality::parameter && before)) {
         throw std::invalid_argument(found.name + (found.causality == Causality::parameter
@@ -78,11 +107,11 @@ const Variable& Instance::settable(fmi2ValueReference reference, bool real) {
     }
     if (before) built_ = false;
     stale = true;
-    return found;
 }
 
 void Instance::build() {
     if (built_) return;
+    model_->settle_enumerations();
     model_->initialise();
     built_ = true;
     stale = true;
@@ -133,22 +162,19 @@ fmi2Status Instance::step(double start, double duration) {
 }
 
 double Instance::partial(fmi2ValueReference unknown, fmi2ValueReference known) {
-    return model_->partial(variable(unknown, true), variable(known, true));
+    return model_->partial(variable<double>(unknown), variable<double>(known));
 }
 
 bool Instance::keep_variables(Archive& archive) {
     bool same = true;
     for (const Variable& variable : variables()) {
-        const bool parameter = variable.causality == Causality::parameter;
-        if (variable.is_real()) {
-            const double before = variable.real();
-            archive.keep(variable.real());
-            same = same && (!parameter || variable.real() == before);
-        } else {
-            const int before = variable.integer();
-            archive.keep(variable.integer());
-            same = same && (!parameter || variable.integer() == before);
-        }
+        std::visit(
+            [&](auto* value) {
+                const auto before = *value;
+                archive.keep(*value);
+                same = same && (variable.causality != Causality::parameter || *value == before);
+            },
+            variable.value);
         if (variable.rate) archive.keep(*variable.rate);
     }
     return same;

@@ -30,7 +30,8 @@ enum Mode : unsigned {
 
 class Instance {
 public:
-    Instance(std::string name, Interface used, const fmi2CallbackFunctions& callbacks);
+    /// `resources` is the folder of what is packed with the FMU, as a URI.
+    Instance(std::string name, Interface used, std::string_view resources, const fmi2CallbackFunctions& callbacks);
 
     /// Sends a message to the importing program.
     void log(fmi2Status status, const std::string& message) const;
@@ -43,12 +44,18 @@ public:
     Interface used() const { return interface_; }
     const std::vector<Variable>& variables() const { return model_->variables(); }
     /// Throws std::invalid_argument if there is no such variable of that type.
-    const Variable& variable(fmi2ValueReference reference, bool real) const {
-        if (reference >= variables().size() || variables()[reference].is_real() != real) refuse_reference(reference);
+    template <class Value>
+    const Variable& variable(fmi2ValueReference reference) const {
+        if (reference >= variables().size() || !variables()[reference].is<Value>()) refuse_reference(reference);
         return variables()[reference];
     }
     /// For writing. Throws std::invalid_argument if the variable may not be set in this mode.
-    const Variable& settable(fmi2ValueReference reference, bool real);
+    template <class Value>
+    Value& settable(fmi2ValueReference reference) {
+        const Variable& found = variable<Value>(reference);
+        before_setting(found);
+        return *std::get<Value*>(found.value);
+    }
 
     /// Builds the model unless it is built for the present parameters and initial inputs. Throws std::invalid_argument.
     void build();
@@ -68,11 +75,14 @@ public:
 
 private:
     [[noreturn]] void refuse_reference(fmi2ValueReference reference) const;
+    void before_setting(const Variable& variable);
+    void make();                                                  // a new model
     fmi2Status tell(Outcome outcome, std::string message) const;  // for an outcome that is not ok
     bool keep_variables(Archive& archive);                        // whether reading left the parameters unchanged
 
     std::string name_;
     Interface interface_;
+    std::string resources_;  // a path
     fmi2CallbackFunctions callbacks_;
     bool log_discards_ = true, log_errors_ = true;
     std::unique_ptr<Model> model_;

@@ -1,16 +1,76 @@
 // What all models share.
 #include "model.hpp"
 
-#include <array>
 #include <cstring>
 #include <stdexcept>
+
+#include <rollbem/detail/require.hpp>
 
 namespace fmu {
 
 std::span<const Unit> known_units() {
-    static constexpr std::array<Unit, 6> units{
-        {{"m", 0, 1, 0}, {"m/s", 0, 1, -1}, {"N", 1, 1, -2}, {"N/s", 1, 1, -3}, {"Pa", 1, -1, -2}, {"J", 1, 2, -2}}};
+    static constexpr Unit units[] = {{"m", 0, 1, 0},    {"m/s", 0, 1, -1}, {"rad/s", 0, 0, -1, 1}, {"N", 1, 1, -2},
+                                     {"N/s", 1, 1, -3}, {"N.m", 1, 2, -2}, {"Pa", 1, -1, -2},      {"J", 1, 2, -2}};
     return units;
+}
+
+int Model::add(Variable variable) {
+    const int place = static_cast<int>(variables_.size());
+    variables_.push_back(variable);
+    if (variable.items == nullptr) return place;
+    const bool sets = variable.causality == Causality::parameter;
+    variables_.push_back({.name = variable.name + "_code",
+                          .value = sets ? &codes_.emplace_back(0) : &variable.integer(),
+                          .description = variable.name + (sets ? " as an integer; 0: as that says" : " as an integer"),
+                          .causality = variable.causality,
+                          .is_code = true});
+    return place;
+}
+
+void Model::add_input(Input& input, const char* name, const char* unit, const char* description) {
+    add({.name = name,
+         .value = &input.value,
+         .unit = unit,
+         .description = description,
+         .causality = Causality::input,
+         .rate = &input.rate});
+}
+
+void Model::add_output(Variable::Value value, const char* name, const char* unit, const char* description,
+                       const Enumeration* items) {
+    add({.name = name,
+         .value = value,
+         .unit = unit,
+         .description = description,
+         .causality = Causality::output,
+         .items = items});
+}
+
+void Model::settle_enumerations() {
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+        const Variable& variable = variables_[i];
+        if (variable.items == nullptr || variable.causality != Causality::parameter) continue;
+        const int most = static_cast<int>(variable.items->items.size());
+        const auto check = [most](const Variable& one, int least) {
+            const std::string rule = "lie in [" + std::to_string(least) + ", " + std::to_string(most) + "]";
+            rollbem::detail::require(one.integer() >= least && one.integer() <= most, identity.identifier,
+                                     one.name.c_str(), one.integer(), rule.c_str());
+        };
+        const Variable& code = variables_[i + 1];
+        check(code, 0);
+        if (code.integer() != 0) variable.integer() = code.integer();
+        check(variable, 1);
+    }
+}
+
+void Archive::keep(std::string& text) {
+    std::size_t size = text.size();
+    keep(size);
+    if (reads()) {
+        if (left() < size) throw std::invalid_argument("the saved state is too short");
+        text.resize(size);
+    }
+    keep(text.data(), size);
 }
 
 void Archive::keep(void* data, std::size_t size) {

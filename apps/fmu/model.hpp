@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,8 +31,10 @@ enum class Causality { parameter, calculated_parameter, input, output, state, de
 
 /// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
 struct Variable {
+    using Value = std::variant<double*, int*, std::string*>;
+
     std::string name;
-    std::variant<double*, int*> value;
+    Value value;
     std::string unit = "";  ///< one of known_units(); empty: a pure number
     std::string description = "";
     Causality causality = Causality::parameter;
@@ -41,16 +44,21 @@ struct Variable {
     double nominal = 1;                  ///< of a state: its typical size
     /// Of an output: what it depends on at the same instant, states by the beginning of their names; empty: everything.
     std::vector<std::string> depends_on = {};
+    bool is_code = false;  ///< the integer twin of the enumeration before it in the table, see Model::add
 
-    bool is_real() const { return std::holds_alternative<double*>(value); }
+    template <class Value>
+    bool is() const {
+        return std::holds_alternative<Value*>(value);
+    }
     double& real() const { return *std::get<double*>(value); }
     int& integer() const { return *std::get<int*>(value); }
+    std::string& text() const { return *std::get<std::string*>(value); }
 };
 
-/// A unit in terms of kilogram, metre and second.
+/// A unit in terms of kilogram, metre, second and radian.
 struct Unit {
     const char* name;
-    int kg, m, s;
+    int kg, m, s, rad = 0;
 };
 std::span<const Unit> known_units();
 
@@ -83,6 +91,7 @@ public:
     void keep(std::vector<Value>& values) {
         keep(values.data(), sizeof(Value) * values.size());
     }
+    void keep(std::string& text);
 
     bool reads() const { return bytes_ == nullptr; }
     std::size_t left() const { return source_.size(); }  ///< bytes not yet read
@@ -104,6 +113,13 @@ public:
     Model& operator=(const Model&) = delete;
 
     const std::vector<Variable>& variables() const { return variables_; }
+
+    /// Folder of what is packed with the FMU.
+    std::string resources;
+
+    /// Gives enumerations the values of their integer twins. Throws std::invalid_argument if an enumeration among the
+    /// parameters has none of its values.
+    void settle_enumerations();
 
     /// Builds the contact of the parameters and its first state at the present inputs. Throws std::invalid_argument,
     /// naming the parameter.
@@ -132,15 +148,17 @@ protected:
 
     Interface used() const { return interface_; }
 
-    /// Returns the place in the table.
-    int add(Variable variable) {
-        variables_.push_back(std::move(variable));
-        return static_cast<int>(variables_.size()) - 1;
-    }
+    /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing programs
+    /// know no enumerations: an output's has the same value, a parameter's sets the value unless it is 0, its start.
+    int add(Variable variable);
+    void add_input(Input& input, const char* name, const char* unit, const char* description);
+    void add_output(Variable::Value value, const char* name, const char* unit, const char* description,
+                    const Enumeration* items = nullptr);
 
 private:
     Interface interface_;
     std::vector<Variable> variables_;
+    std::deque<int> codes_;  // twins of parameters
 };
 
 /// All of an FMU but its variables.

@@ -63,6 +63,10 @@ Both directions are coupled by friction alone; --lateral-ratio is the inner loop
 lateral_force_ratio are -F_x/(mu N) and -F_y/(mu N), tangent_ratio and lateral_tangent_ratio their derivatives
 with respect to the creepage ratio of the same direction. exact and lateral_exact are Carter's, where Poisson's
 ratio is 0 or the creepage has a single direction (across: with the ratio times 1 - nu); otherwise empty.
+
+--spin-ratio, the innermost loop, adds spin; moment_ratio is -M_z/(mu N a), about the middle of the contact:
+    friction_study --n 40 --method nodes --nodes chebyshev --creepage-ratio 0.3 --lateral-ratio 0 \
+        --spin-ratio 0,0.5,1
 )"},
     {"layer", "--layer: an elastic layer between the bodies",
      R"(friction_study --mesh uniform --n 40,80,160 --layer 0.5 --creepage-ratio 0.25,1

@@ -7,8 +7,8 @@
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/pressure_table.hpp>
 
+#include "support/columns_file.hpp"
 #include "support/errors.hpp"
-#include "support/pairs_file.hpp"
 
 namespace friction {
 

@@ -120,11 +120,11 @@ private:
 }  // namespace
 
 std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
-                                           const Pressure& pressure, const std::optional<LoadHistory>& load,
+                                           const Pressure& pressure, const std::optional<study::LoadHistory>& load,
                                            bool both_directions, const std::optional<FallingLaw>& falling,
                                            rollbem::Integrator integrator, double dq) {
     const bool fixed = load && !load->breathing;
-    const Surface surface{scene, read_layer(options), fixed ? load->largest_half_length() : 1};
+    const Surface surface{scene, read_layer(options), fixed ? largest_half_length(*load) : 1};
     const rollbem::ElementSystem<double> system = surface.system(Direction::longitudinal);
     study::require_steppable(options, scene, system);
     if (load && load->breathing && !system.log_strength()) {

@@ -60,7 +60,7 @@ public:
 /// For steps of `dq` [a_0], whose time a rigid shift takes where friction falls with slip. Throws BadInput where the
 /// scene's scheme is not fit to be stepped, or to breathe.
 std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
-                                           const Pressure& pressure, const std::optional<LoadHistory>& load,
+                                           const Pressure& pressure, const std::optional<study::LoadHistory>& load,
                                            bool both_directions, const std::optional<FallingLaw>& falling,
                                            rollbem::Integrator integrator, double dq);
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
 #include "support/progress.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/table.hpp"
 #include "surface.hpp"
@@ -69,7 +69,7 @@ struct History {
     double spin = 0;                  ///< constant
     std::optional<double> shift{};    ///< rigid, before rolling [mu p0 a/G]
     bool from_steady = false;         ///< starts from steady rolling
-    std::optional<LoadHistory> load{};
+    std::optional<study::LoadHistory> load{};
 
     Ratios at(double q) const { return {omega ? amplitude * std::sin(*omega * q) : amplitude, lateral, spin}; }
     double load_at(double q) const { return load ? load->at(q) : 1; }
@@ -147,20 +147,6 @@ double creep_work(const Moment& before, const Moment& after, const Ratios& start
     return work;
 }
 
-/// How often a step without a solution is divided in halves before the run ends.
-constexpr int most_halvings = 6;
-
-std::string why_ended(double q, rollbem::StepStatus status) {
-    const std::string where = "no results from the step to q/a = " + study::Cell(q).text(6) + " on: " + name(status);
-    switch (status) {
-        case rollbem::StepStatus::needs_fixed_mesh:
-            return where + ", the contact grows or shrinks as fast as it rolls; run without --breathing";
-        case rollbem::StepStatus::no_solution:
-            return q > 0 ? where + ", not even in steps of dq/" + std::to_string(1 << most_halvings) : where;
-        default: return where;
-    }
-}
-
 std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
     const std::unique_ptr<Rolling> contact = maker.start();
     const bool both_ends = integrator == rollbem::Integrator::sdirk2;
@@ -222,7 +208,7 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
             jump_work += next.jump_work;
             work += done;
         } else {
-            ended = why_ended(q, next.status);
+            ended = study::why_ended(q, next.status);
         }
     };
     if (history.shift) {
@@ -237,17 +223,14 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
         keep(next, 0, 0);
     }
     int rounds = 0;
-    const auto roll = [&](const auto& self, double from, double to, int halvings) -> void {
-        const Moment next = contact->advance(to - from, history.at(from), history.at(to), history.load_at(to));
-        if (next.status == rollbem::StepStatus::no_solution && halvings > 0) {
-            const double middle = from + (to - from) / 2;
-            self(self, from, middle, halvings - 1);
-            if (ended.empty()) self(self, middle, to, halvings - 1);
-            return;
-        }
+    Moment next;  // of the last step, also if that failed
+    const auto step = [&](double from, double to) {
+        next = contact->advance(to - from, history.at(from), history.at(to), history.load_at(to));
+        if (next.status != rollbem::StepStatus::ok) return next.status;
         rounds += next.rounds;
         keep(next, to,
              creepage(scene, 1) * (to - from) * creep_work(now, next, history.at(from), history.at(to), both_ends));
+        return next.status;
     };
     const std::size_t shifts = row;
     while (row < range.last) {
@@ -256,25 +239,16 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
         rounds = 0;
         for (double from = double(row - shifts) * dq; from < end && ended.empty();) {
             const double to = history.next_stop(from, end);
-            roll(roll, from, to, most_halvings);
+            if (const auto failed = study::roll(from, to, step)) {
+                rounds += next.rounds;
+                keep(next, *failed, 0);
+            }
             from = to;
         }
         now.rounds = rounds;
         record(end, history.at(end), 0, over ? std::nullopt : std::optional(now), std::nullopt);
     }
     return ended;
-}
-
-/// One line for the runs that ended early, which names the first; empty if there are none.
-std::string early_ends(const std::vector<study::Scene>& scenes, const std::vector<std::string>& ended) {
-    std::string text;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < ended.size(); ++i) {
-        if (!ended[i].empty() && count++ == 0) text = scenes[i].label() + ": " + ended[i];
-    }
-    if (count > 1)
-        text += "; " + std::to_string(count - 1) + " more of " + std::to_string(ended.size()) + " runs ended";
-    return text;
 }
 
 }  // namespace
@@ -320,15 +294,7 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
                               .end = double(steps.count) * steps.dq,
                               .scene = scene_in_title(options)});
     };
-    std::string undrawn;
-    try {
-        study::write_table(options, table);
-    } catch (const study::PlotError& error) {
-        undrawn = error.what();
-    }
-    const std::string early = early_ends(scenes, ended);
-    if (!early.empty()) throw std::runtime_error(undrawn.empty() ? early : early + "; " + undrawn);
-    if (!undrawn.empty()) throw study::PlotError(undrawn);
+    study::write_runs(options, table, ended);
 }
 
 }  // namespace friction

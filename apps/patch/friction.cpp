@@ -1,18 +1,17 @@
 #include "friction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
-#include <set>
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
-#include "support/errors.hpp"
-#include "support/program.hpp"
+#include "plots.hpp"
+#include "pressure.hpp"
+#include "support/table.hpp"
 #include "support/timing.hpp"
 
 namespace patch {
@@ -21,7 +20,7 @@ namespace {
 
 using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
 
-// a = G = 1, mu N = G a b: a creepage is the given number, a force over mu N is one over b
+// G = 1 and mu N = G a b: a creepage is the given number
 constexpr double mu = 1;
 constexpr double peak = 3 / (2 * std::numbers::pi);  // mu p_0
 
@@ -29,20 +28,20 @@ std::vector<study::Row> traction_rows(const Patch& patch, const CreepPoint& poin
                                       const rollbem::Creepage<double>& creepage, const rollbem::FrictionState<2>& state,
                                       const rollbem::ElementVectors<double>& slip, const std::string& status) {
     const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
-    const double b = patch.contact.half_width();
+    const double b_over_a = 1 / patch.contact.a_over_b(), spin = creepage.spin * patch.contact.half_length();
     double largest = 0;
     for (Eigen::Index i = 0; i < elements.size(); ++i) {
-        largest = std::max(largest, std::hypot(creepage.longitudinal - creepage.spin * elements.y[i],
-                                               creepage.lateral + creepage.spin * elements.x[i]));
+        largest = std::max(
+            largest, std::hypot(creepage.longitudinal - spin * elements.y[i], creepage.lateral + spin * elements.x[i]));
     }
     if (largest == 0) largest = 1;  // then nothing slips
     std::vector<study::Row> rows;
     for (Eigen::Index i = 0; i < elements.size(); ++i) {
         const double strip = patch.mesh.widths()[i / patch.mesh.elements_per_strip()];
         study::Row row = cells(patch);
-        row.insert(row.end(),
-                   {point.longitudinal, point.lateral, point.spin, elements.centre_x[i], elements.centre_y[i] / b,
-                    elements.areas[i] / strip, strip / b, mu * state.normal_pressure[i] / peak});
+        row.insert(row.end(), {point.longitudinal, point.lateral, point.spin, elements.centre_x[i],
+                               elements.centre_y[i] / b_over_a, elements.areas[i] / strip, strip / b_over_a,
+                               mu * state.normal_pressure[i] / peak});
         if (status == "ok") {
             row.insert(row.end(), {state.traction(i, 0) / peak, state.traction(i, 1) / peak, slip(i, 0) / largest,
                                    slip(i, 1) / largest, int(state.zones[std::size_t(i)] == rollbem::Zone::stick)});
@@ -55,77 +54,13 @@ std::vector<study::Row> traction_rows(const Patch& patch, const CreepPoint& poin
     return rows;
 }
 
-}  // namespace
-
-void add_friction_options(study::Options& options) {
-    options.group("Friction");
-    options.add("longitudinal", "LIST",
-                "instead: steady friction under Hertz's pressure at longitudinal creepages xi, times G a b/(mu N) "
-                "(dimensionless)",
-                "0");
-    options.add("lateral", "LIST", "the same with lateral creepages eta, times G a b/(mu N) (dimensionless)", "0");
-    options.add("spin", "LIST", "the same with spin phi, times G a b c/(mu N) (dimensionless)", "0");
-    options.add_table("tractions", "with these, also write a CSV file with one row per element, and FILE.toml");
-}
-
-bool asks_for_friction(const study::Options& options) {
-    return options.given("longitudinal") || options.given("lateral") || options.given("spin");
-}
-
-std::vector<CreepPoint> read_points(const study::Options& options) {
-    if (options.given("outline")) {
-        throw study::BadInput(options.said("outline") +
-                              " cannot go with --longitudinal, --lateral and --spin: Hertz's contact is an ellipse");
-    }
-    const study::Rule rule = study::between(-1e6, 1e6);
-    std::vector<CreepPoint> points;
-    for (const double longitudinal : options.numbers("longitudinal", rule)) {
-        for (const double lateral : options.numbers("lateral", rule)) {
-            for (const double spin : options.numbers("spin", rule)) points.push_back({longitudinal, lateral, spin});
-        }
-    }
-    return points;
-}
-
-void Tractions::add(std::size_t task, std::size_t point, std::vector<study::Row> rows) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    rows_[{task, point}] = std::move(rows);
-}
-
-void Tractions::write(bool with_header, study::TableFile& file) const {
-    if (with_header) {
-        study::Row names(columns().begin(), columns().end());
-        for (const char* name : {"longitudinal", "lateral", "spin", "x", "y", "width", "strip_width", "pressure_bound",
-                                 "traction_x", "traction_y", "slip_x", "slip_y", "stick", "status"}) {
-            names.emplace_back(name);
-        }
-        file.rows().write(study::csv_line(names));
-    }
-    for (const auto& [place, rows] : rows_) {
-        for (const study::Row& row : rows) file.rows().write(study::csv_line(row));
-    }
-    file.commit();
-}
-
-const std::vector<std::string>& friction_columns() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all = columns();
-        for (const char* name :
-             {"longitudinal", "lateral", "spin", "longitudinal_force", "lateral_force", "spin_moment", "stick_count",
-              "rounds", "complementarity_residual", "time_us", "status", "nodes"}) {
-            all.emplace_back(name);
-        }
-        return all;
-    }();
-    return names;
-}
-
+/// The rows of a patch, each solved from rest; `tractions` may be null.
 void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
-                   std::size_t task, study::RowRange range, const study::Emit& emit, Tractions* tractions) {
-    const double b = patch.contact.half_width(), c = patch.contact.c();
+                   const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
+                   Tractions* tractions) {
+    const double mu_N = patch.contact.half_length() * patch.contact.half_width(), c = patch.contact.c();
     const Model model(patch.contact, patch.mesh, patch.scheme,
-                      rollbem::HalfSpace<double>(patch.contact.poisson_ratio()),
-                      {mu, rollbem::hertz_pressures(patch.contact, patch.mesh, b)});
+                      rollbem::HalfSpace<double>(patch.contact.poisson_ratio()), {mu, pressure.on(patch)});
     auto workspace = model.workspace();
     const auto rest = model.at_rest();
     auto state = rest;
@@ -143,11 +78,10 @@ void friction_rows(const study::Options& options, const Patch& patch, const std:
         row.insert(row.end(), {point.longitudinal, point.lateral, point.spin});
         const auto& force = step.force;
         for (const double value : {force.longitudinal, force.lateral, force.moment / c}) {
-            row.emplace_back(step.status == rollbem::StepStatus::ok ? study::Cell(0 - value / (mu * b))
-                                                                    : study::Cell());
+            row.emplace_back(step.status == rollbem::StepStatus::ok ? study::Cell(0 - value / mu_N) : study::Cell());
         }
-        row.insert(row.end(), {step.stick_count, step.rounds, step.complementarity_residual, time_us, status,
-                               patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres"});
+        row.insert(row.end(),
+                   {step.stick_count, step.rounds, step.complementarity_residual, time_us, status, nodes_name(patch)});
         emit(std::move(row));
         if (tractions) {
             tractions->add(task, i, traction_rows(patch, point, creepage, state, workspace.slip(), status));
@@ -155,37 +89,89 @@ void friction_rows(const study::Options& options, const Patch& patch, const std:
     }
 }
 
-study::Plot draw_friction(const std::vector<study::Row>& rows) {
-    const std::array<const char*, 3> creepages{"longitudinal", "lateral", "spin"};
-    const std::array<const char*, 3> labels{"ξ G a b / (μ N)", "η G a b / (μ N)", "φ G a b c / (μ N)"};
-    std::array<std::size_t, 3> counts{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        std::set<double> values;
-        for (const study::Row& row : rows) values.insert(row[columns().size() + k].number().value_or(0));
-        counts[k] = values.size();
-    }
-    const auto most = std::size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
-    std::vector<std::string> by{"a_over_b", "poisson", "n", "strips"};
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (k != most) by.emplace_back(creepages[k]);
-    }
-    study::Plot first;
-    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
-    const std::array<const char*, 3> axes{"- F_x / (μ N)", "- F_y / (μ N)", "- M_z / (μ N c)"};
-    for (std::size_t k = 0; k < 3; ++k) {
-        study::Plot panel{.title = k == 0 ? "Contact patch with friction" : "",
-                          .x_label = labels[most],
-                          .y_label = axes[k],
-                          .series = {}};
-        study::add_series(panel, friction_columns(), rows, {.by = by, .x = creepages[most], .y = forces[k]});
-        if (k > 0) panel.title.clear();
-        if (k == 0) {
-            first = std::move(panel);
-        } else {
-            first.beside.push_back(std::move(panel));
+}  // namespace
+
+void add_friction_options(study::Options& options) {
+    options.group("Friction");
+    options.add("longitudinal", "LIST",
+                "instead: friction at longitudinal creepages xi, times G a b/(mu N) (dimensionless)", "0");
+    options.add("lateral", "LIST", "the same with lateral creepages eta, times G a b/(mu N) (dimensionless)", "0");
+    options.add("spin", "LIST", "the same with spin phi, times G a b c/(mu N) (dimensionless)", "0");
+    options.add_input("pressure",
+                      "with these: CSV file with the columns x,y,pressure instead of Hertz's pressure: any unit, rows "
+                      "that make a grid in any order, bilinear between them, zero outside; x and y in a and b, of an "
+                      "outline in its unit");
+    options.add_table("tractions", "with these, also write a CSV file with one row per element, and FILE.toml");
+}
+
+bool asks_for_friction(const study::Options& options) {
+    return options.given("longitudinal") || options.given("lateral") || options.given("spin");
+}
+
+std::vector<CreepPoint> read_points(const study::Options& options) {
+    const study::Rule rule = study::between(-1e6, 1e6);
+    std::vector<CreepPoint> points;
+    for (const double longitudinal : options.numbers("longitudinal", rule)) {
+        for (const double lateral : options.numbers("lateral", rule)) {
+            for (const double spin : options.numbers("spin", rule)) points.push_back({longitudinal, lateral, spin});
         }
     }
-    return first;
+    return points;
+}
+
+void Tractions::add(std::size_t task, std::size_t point, std::vector<study::Row> rows) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    rows_[{task, point}] = std::move(rows);
+}
+
+void Tractions::write(bool with_header, study::TableFile& file) const {
+    if (with_header) {
+        file.rows().write(study::csv_line({traction_columns().begin(), traction_columns().end()}));
+    }
+    for (const auto& [place, rows] : rows_) {
+        for (const study::Row& row : rows) file.rows().write(study::csv_line(row));
+    }
+    file.commit();
+}
+
+const std::vector<std::string>& friction_columns() {
+    static const std::vector<std::string> names = study::joined(
+        columns(), {"longitudinal", "lateral", "spin", "longitudinal_force", "lateral_force", "spin_moment",
+                    "stick_count", "rounds", "complementarity_residual", "time_us", "status", "nodes"});
+    return names;
+}
+
+const std::vector<std::string>& traction_columns() {
+    static const std::vector<std::string> names =
+        study::joined(columns(), {"longitudinal", "lateral", "spin", "x", "y", "width", "strip_width", "pressure_bound",
+                                  "traction_x", "traction_y", "slip_x", "slip_y", "stick", "status"});
+    return names;
+}
+
+void run_friction(const study::Options& options, const std::vector<Patch>& patches) {
+    const std::vector<CreepPoint> points = read_points(options);
+    const Pressure pressure(options);
+    for (const Patch& patch : patches) pressure.on(patch);  // before anything is written
+    std::optional<study::TableFile> tractions_file;
+    if (options.given("tractions")) tractions_file.emplace(options, "tractions");
+    const bool from_above = points.size() == 1 && patches.size() <= 3 && options.given("plot");
+    Tractions tractions;
+
+    study::Table table;
+    table.columns = friction_columns();
+    table.rows_of_task.assign(patches.size(), points.size());
+    table.label = [&](std::size_t task) { return patches[task].label(); };
+    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        friction_rows(options, patches[task], points, pressure, task, range, emit,
+                      tractions_file || from_above ? &tractions : nullptr);
+    };
+    table.written = [&] {
+        if (tractions_file) tractions.write(study::has_header(options), *tractions_file);
+    };
+    table.plot = [&](const std::vector<study::Row>& rows) {
+        return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(rows);
+    };
+    study::write_table(options, table);
 }
 
 }  // namespace patch

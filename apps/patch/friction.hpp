@@ -1,6 +1,7 @@
 // Steady friction on the patches of patch_study: forces over creepages and spin, and the tractions of all elements.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <mutex>
 #include <string>
@@ -10,7 +11,6 @@
 #include "patches.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
-#include "support/plot.hpp"
 #include "support/table.hpp"
 
 namespace patch {
@@ -20,7 +20,7 @@ struct CreepPoint {
     double longitudinal, lateral, spin;
 };
 
-/// Declares --longitudinal, --lateral, --spin and --tractions.
+/// Declares --longitudinal, --lateral, --spin, --pressure and --tractions.
 void add_friction_options(study::Options& options);
 
 /// Whether any of the creepages was given.
@@ -34,6 +34,8 @@ class Tractions {
 public:
     void add(std::size_t task, std::size_t point, std::vector<study::Row> rows);
     void write(bool with_header, study::TableFile& file) const;
+    /// By patch and creepage.
+    const std::map<std::pair<std::size_t, std::size_t>, std::vector<study::Row>>& all() const { return rows_; }
 
 private:
     std::mutex mutex_;
@@ -41,12 +43,9 @@ private:
 };
 
 const std::vector<std::string>& friction_columns();
+const std::vector<std::string>& traction_columns();
 
-/// The rows of a patch, each solved from rest; `tractions` may be null.
-void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
-                   std::size_t task, study::RowRange range, const study::Emit& emit, Tractions* tractions);
-
-/// Forces and moment over the creepage that varies most.
-study::Plot draw_friction(const std::vector<study::Row>& rows);
+/// Writes a row for each patch and creepage, solved from rest. Throws what write_table throws, and BadInput.
+void run_friction(const study::Options& options, const std::vector<Patch>& patches);
 
 }  // namespace patch

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "support/columns_file.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 
@@ -14,7 +15,7 @@ namespace patch {
 
 namespace {
 
-using Numbers = std::vector<double>;
+using study::Numbers;
 using Contact = rollbem::PatchContact<double>;
 using Mesh = rollbem::Mesh<double>;
 using Outline = rollbem::Outline<double>;
@@ -25,42 +26,8 @@ Eigen::ArrayXd array(const Numbers& numbers) {
     return Eigen::Map<const Eigen::ArrayXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-/// The columns of a CSV file that --name gives, by the names in its first line.
-std::vector<Numbers> read_columns(const study::Options& options, const std::string& name,
-                                  const std::vector<std::string>& names) {
-    study::Lines lines(options, name);
-    std::vector<std::string> present;
-    std::vector<Numbers> columns(names.size());
-    const std::string header = study::join(names, ",");
-    char separator = ',';
-    while (lines.next()) {
-        const std::string where = lines.where() + " = " + lines.text();
-        if (lines.number() == 1) {
-            separator = study::separator_of(lines.text());
-            present = study::cells_of(lines.text(), separator);
-            for (const std::string& one : names) {
-                if (std::count(present.begin(), present.end(), one) != 1) {
-                    throw study::BadInput(where + " must be " + header);
-                }
-            }
-            continue;
-        }
-        const std::vector<std::string> cells = study::cells_of(lines.text(), separator);
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            const auto place = std::size_t(std::find(present.begin(), present.end(), names[k]) - present.begin());
-            const auto value =
-                cells.size() == present.size() ? study::number_of(cells[place], separator) : std::nullopt;
-            if (!value || !std::isfinite(*value)) {
-                throw study::BadInput(where + " must be finite numbers under " + study::join(present, ","));
-            }
-            columns[k].push_back(*value);
-        }
-    }
-    return columns;
-}
-
 Outline read_outline(const study::Options& options) {
-    const std::vector<Numbers> columns = read_columns(options, "outline", {"y", "x_trailing", "x_leading"});
+    const std::vector<Numbers> columns = study::read_columns(options, "outline", "y,x_trailing,x_leading");
     try {
         return {array(columns[0]), array(columns[1]), array(columns[2])};
     } catch (const std::invalid_argument& error) {
@@ -165,7 +132,8 @@ std::vector<Patch> make_patches(const study::Options& options) {
                                       " strips must be at most " + std::to_string(most_elements));
             }
             for (const Contact& contact : contacts) {
-                patches.push_back({contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), scheme});
+                patches.push_back(
+                    {contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), across, scheme});
             }
         }
     }
@@ -180,6 +148,10 @@ const std::vector<std::string>& columns() {
 study::Row cells(const Patch& patch) {
     return {patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b()),
             patch.contact.poisson_ratio(), patch.mesh.elements_per_strip(), patch.mesh.strip_count()};
+}
+
+const char* nodes_name(const Patch& patch) {
+    return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
 }
 
 }  // namespace patch

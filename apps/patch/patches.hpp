@@ -18,6 +18,7 @@ namespace patch {
 struct Patch {
     rollbem::PatchContact<double> contact;  ///< a = G = 1; an outline in its own unit of length
     rollbem::PatchMesh<double> mesh;
+    rollbem::Mesh<double> across;  ///< that cuts it into strips
     rollbem::NodeDifference scheme;
 
     std::string label() const;  ///< for the progress line
@@ -33,5 +34,8 @@ std::vector<Patch> make_patches(const study::Options& options);
 /// a_over_b, poisson, n, strips: the first columns of every table, and those that follow the listed ones.
 const std::vector<std::string>& columns();
 study::Row cells(const Patch& patch);
+
+/// The cell of the column nodes.
+const char* nodes_name(const Patch& patch);
 
 }  // namespace patch

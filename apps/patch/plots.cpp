@@ -1,8 +1,12 @@
 #include "plots.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <set>
+#include <utility>
 
 #include <rollbem/closed_form/kalker_table.hpp>
 
@@ -37,6 +41,102 @@ void add_table(study::Plot& plot, std::size_t coefficient, const std::vector<stu
         }
         plot.series.push_back(std::move(points));
     }
+}
+
+/// The edge of a patch as a closed line, in c.
+std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<double>& contact) {
+    std::vector<std::pair<double, double>> points;
+    const double c = contact.c();
+    if (const auto& outline = contact.outline()) {
+        const auto& y = outline->y();
+        for (Eigen::Index i = 0; i < y.size(); ++i) points.emplace_back(outline->trailing(y[i]) / c, y[i] / c);
+        for (Eigen::Index i = y.size(); i-- > 0;) points.emplace_back(outline->leading(y[i]) / c, y[i] / c);
+        points.push_back(points.front());
+        return points;
+    }
+    for (int i = 0; i <= 360; ++i) {
+        const double angle = i * std::numbers::pi / 180;
+        points.emplace_back(contact.half_length() / c * std::cos(angle), contact.half_width() / c * std::sin(angle));
+    }
+    return points;
+}
+
+/// Whether the patch covers a place, in c.
+bool covers(const rollbem::PatchContact<double>& contact, double x, double y) {
+    const double c = contact.c();
+    if (const auto& outline = contact.outline()) {
+        return y * c >= outline->low() && y * c <= outline->high() && x * c >= outline->trailing(y * c) &&
+               x * c <= outline->leading(y * c);
+    }
+    return std::hypot(x * c / contact.half_length(), y * c / contact.half_width()) <= 1;
+}
+
+/// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
+/// looks.
+study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const std::vector<study::Row>& rows) {
+    const rollbem::PatchContact<double>& contact = patch.contact;
+    const auto shown = [](double value) { return study::Cell(value).text(6); };
+    study::Plot plot{.title = "Patch from above",
+                     .x_label = "x / c, rolling to the right",
+                     .y_label = "y / c",
+                     .true_scale = true,
+                     .series = {}};
+    if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
+    plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
+                  " × " + std::to_string(patch.mesh.strip_count()) + " elements, ξ = " + shown(point.longitudinal) +
+                  ", η = " + shown(point.lateral) + ", φ c = " + shown(point.spin) + " in μ N / (G a b)";
+    study::Series stick{.label = "stick", .points = {}, .style = 5, .shape = study::Shape::rectangles};
+    study::Series slip{.label = "slip", .points = {}, .style = 4, .shape = study::Shape::rectangles};
+    study::Series arrows{.label = "", .points = {}, .reference = true, .shape = study::Shape::arrows};
+    const auto number = [&](const study::Row& row, const char* name) {
+        return row[std::size_t(std::find(traction_columns().begin(), traction_columns().end(), name) -
+                               traction_columns().begin())]
+            .number();
+    };
+    const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
+    double longest = 0, area = 0;
+    for (const study::Row& row : rows) {
+        const auto traction_x = number(row, "traction_x"), traction_y = number(row, "traction_y");
+        if (!traction_x || !traction_y) return plot;  // not solved
+        if (!(*number(row, "pressure_bound") > 0)) continue;
+        const double x = *number(row, "x") * a, y = *number(row, "y") * b;
+        const double dx = *number(row, "width") * a / 2, dy = *number(row, "strip_width") * b / 2;
+        auto& zone = (*number(row, "stick") > 0 ? stick : slip).points;
+        zone.emplace_back(x - dx, y - dy);
+        zone.emplace_back(x + dx, y + dy);
+        arrows.points.emplace_back(x, y);
+        arrows.points.emplace_back(*traction_x, *traction_y);
+        longest = std::max(longest, std::hypot(*traction_x, *traction_y));
+        area += 4 * dx * dy;
+    }
+    if (arrows.points.empty()) return plot;
+    // their middles in those of the elements, the longest as long as one and a half elements of mean size
+    const double scale = longest > 0 ? 1.5 * std::sqrt(2 * area / double(arrows.points.size())) / longest : 0;
+    for (std::size_t i = 1; i < arrows.points.size(); i += 2) {
+        auto& [x, y] = arrows.points[i - 1];
+        const double dx = scale * arrows.points[i].first / 2, dy = scale * arrows.points[i].second / 2;
+        arrows.points[i] = {x + dx, y + dy};
+        arrows.points[i - 1] = {x - dx, y - dy};
+    }
+    arrows.label = "traction, at most " + study::Cell(longest).text(3) + " μ p_0";
+    study::Series edge{.label = "", .points = edge_of(contact), .markers = false, .style = 4, .reference = true};
+    study::PlotRange across{0, 0}, along{0, 0};
+    for (const auto& [x, y] : edge.points) {
+        along = {std::min(along.low, x), std::max(along.high, x)};
+        across = {std::max(across.low, y), std::min(across.high, y)};  // points down
+    }
+    for (study::PlotRange* range : {&along, &across}) {
+        const double margin = 0.05 * (range->high - range->low);
+        *range = {range->low - margin, range->high + margin};
+    }
+    plot.x_range = along;
+    plot.y_range = across;
+    plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
+    const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
+    if (point.spin != 0 && covers(contact, pole_x, pole_y)) {
+        plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});
+    }
+    return plot;
 }
 
 }  // namespace
@@ -102,6 +202,96 @@ study::Plot draw_responses(const std::vector<std::string>& columns, const std::v
         }
     }
     return first;
+}
+
+study::Plot draw_friction(const std::vector<study::Row>& rows) {
+    const std::vector<std::string> given{"longitudinal", "lateral", "spin", "a_over_b", "n", "strips", "poisson"};
+    const std::array<const char*, 7> labels{"ξ G a b / (μ N)",       "η G a b / (μ N)",    "φ G a b c / (μ N)", "a/b",
+                                            "elements of a strip n", "number of strips m", "Poisson's ratio ν"};
+    std::vector<std::size_t> counts;
+    for (const std::string& name : given) {
+        const auto column = std::find(friction_columns().begin(), friction_columns().end(), name);
+        counts.push_back(values(rows, std::size_t(column - friction_columns().begin())).size());
+    }
+    // a creepage if any varies
+    const auto creepages = counts.begin() + 3;
+    auto varied = std::max_element(counts.begin(), creepages);
+    if (*varied <= 1) varied = std::find_if(creepages, counts.end() - 1, [](std::size_t count) { return count > 1; });
+    const auto most = std::size_t(varied - counts.begin());
+    const bool as_many_strips =
+        std::all_of(rows.begin(), rows.end(), [](const study::Row& row) { return row[2].number() == row[3].number(); });
+    std::vector<std::string> by;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        if (k != most && !(given[most] == "n" && given[k] == "strips" && as_many_strips)) by.emplace_back(given[k]);
+    }
+    study::Plot first;
+    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
+    const std::array<const char*, 3> axes{"- F_x / (μ N)", "- F_y / (μ N)", "- M_z / (μ N c)"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        study::Plot panel{.title = k == 0 ? "Contact patch with friction" : "",
+                          .x_label = labels[most],
+                          .y_label = axes[k],
+                          .log_x = most == 3,
+                          .series = {}};
+        study::add_series(panel, friction_columns(), rows, {.by = by, .x = given[most], .y = forces[k]});
+        if (k > 0) panel.title.clear();
+        if (k == 0) {
+            first = std::move(panel);
+        } else {
+            first.beside.push_back(std::move(panel));
+        }
+    }
+    return first;
+}
+
+study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point, const Tractions& tractions) {
+    std::vector<study::Plot> panels;
+    for (const auto& [place, rows] : tractions.all()) {
+        if (study::Plot panel = seen_from_above(patches[place.first], point, rows); can_be_drawn(panel)) {
+            panels.push_back(std::move(panel));
+        }
+    }
+    if (panels.empty()) return {};
+    study::Plot first = std::move(panels.front());
+    for (std::size_t k = 1; k < panels.size(); ++k) first.beside.push_back(std::move(panels[k]));
+    return first;
+}
+
+study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                         bool load_varies) {
+    const std::vector<std::string> by{"a_over_b", "poisson", "n", "strips", "nodes", "longitudinal", "lateral", "spin"};
+    const std::string load = load_varies ? "μ N_0" : "μ N";
+    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
+    const std::array<std::string, 3> labels{"-F_x / (" + load + ")", "-F_y / (" + load + ")",
+                                            "-M_z / (" + load + (load_varies ? " c_0)" : " c)")};
+    std::vector<study::Plot> panels;
+    for (std::size_t k = 0; k < 3; ++k) {
+        study::Plot panel{
+            .title = "Patch in time", .x_label = "distance rolled q/a", .y_label = labels[k], .series = {}};
+        study::add_series(panel, columns, rows, {.by = by, .x = "q_over_a", .y = forces[k]});
+        for (study::Series& series : panel.series) series.markers = false;
+        panels.push_back(std::move(panel));
+    }
+    study::Plot& first = panels.front();
+    const bool one_patch = first.series.size() <= 1;
+    for (std::size_t k = 1; k < 3; ++k) {
+        if (one_patch) {
+            for (study::Series& series : panels[k].series) first.series.push_back(std::move(series));
+        } else {
+            panels[k].title.clear();
+            first.beside.push_back(std::move(panels[k]));
+        }
+    }
+    if (one_patch) first.y_label = "force over " + load + ", moment over " + load + (load_varies ? " c_0" : " c");
+    if (load_varies && !rows.empty()) {
+        study::Plot loads{.title = "", .x_label = "", .y_label = "", .series = {}};
+        study::add_series(loads, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"});
+        loads.series.front().label = "load N/N_0";
+        loads.series.front().markers = false;
+        loads.series.front().reference = true;
+        first.series.push_back(std::move(loads.series.front()));
+    }
+    return std::move(first);
 }
 
 }  // namespace patch

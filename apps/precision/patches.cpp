@@ -1,13 +1,15 @@
 #include "patches.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include <rollbem/accuracy/recommended_patch.hpp>
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/closed_form/kalker_table.hpp>
+#include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 
@@ -23,36 +25,85 @@ namespace {
 constexpr rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
 constexpr long reference_n = 48;                                   // and half of it
 constexpr std::ptrdiff_t most_elements = 4096, most_judged = 256;  // eigenvalues cost much more than the coefficients
-const std::string direct = "nodes-chebyshev", extrapolated = "richardson-nodes";
+constexpr std::ptrdiff_t reference_elements = 500;                 // with friction
+const std::string direct = "nodes-chebyshev", extrapolated = "richardson-nodes", uniform = "uniform-strips";
 
 using Contact = rollbem::PatchContact<double>;
 
-struct Coefficients {
-    std::array<double, 4> values;
-    rollbem::Status status;
+struct Found {
+    std::vector<double> values;
+    std::string status = "ok";
 };
 
-Coefficients solve(const Contact& contact, long n, long strips) {
-    const auto steady = rollbem::solve_steady(contact, rollbem::patch_mesh(contact, n, strips), scheme);
-    return {{steady.c11, steady.c22, steady.c23, steady.c33}, steady.status};
+rollbem::PatchMesh<double> mesh_of(const Contact& contact, const std::string& by, long n, long strips) {
+    return rollbem::patch_mesh(contact, rollbem::cosine_mesh(n),
+                               by == uniform ? rollbem::uniform_mesh(strips) : rollbem::cosine_mesh(strips));
 }
 
-/// Of n and strips, and half as many of both.
-Coefficients extrapolate(const Contact& contact, long n, long strips) {
-    const Coefficients coarse = solve(contact, n / 2, strips / 2);
-    Coefficients fine = solve(contact, n, strips);
+/// By order 2, from meshes of which the fine one has `ratio` times as many elements and strips.
+Found extrapolate(const Found& coarse, Found fine, double ratio) {
     for (std::size_t k = 0; k < fine.values.size(); ++k) {
-        fine.values[k] = rollbem::richardson(coarse.values[k], fine.values[k], 2.0);
+        fine.values[k] = rollbem::richardson(coarse.values[k], fine.values[k], 2 * std::log2(ratio));
     }
-    if (fine.status == rollbem::Status::ok) fine.status = coarse.status;
+    if (fine.status == "ok") fine.status = coarse.status;
     return fine;
 }
 
+/// c11, c22, c23, c33.
+Found coefficients(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
+    const auto steady = rollbem::solve_steady(contact, mesh, scheme);
+    return {{steady.c11, steady.c22, steady.c23, steady.c33}, rollbem::name(steady.status)};
+}
+
+/// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to
+/// choose their sizes only.
+Found forces(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
+    const rollbem::SteadyFrictionModel model(contact, mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio()),
+                                             {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
+    const double a_over_b = contact.a_over_b(), c = 1 / std::sqrt(a_over_b);
+    const auto nearest = std::min_element(
+        rollbem::kalker_table.begin(), rollbem::kalker_table.end(), [&](const auto& one, const auto& other) {
+            return std::abs(std::log(one.a_over_b / a_over_b)) < std::abs(std::log(other.a_over_b / a_over_b));
+        });
+    const double xi = a_over_b / nearest->c11[1], eta = a_over_b / nearest->c22[1],
+                 phi = a_over_b / c / nearest->c23[1], two = std::sqrt(0.5), three = std::sqrt(1.0 / 3);
+    auto workspace = model.workspace();
+    const auto rest = model.at_rest();
+    auto state = rest;
+    Found found;
+    for (const rollbem::Creepage<double>& creepage : {rollbem::Creepage<double>{two * xi, two * eta, 0},
+                                                      {0, 0, 2.5 * phi},
+                                                      {three * xi, three * eta, three * phi}}) {
+        const auto step = model.steady(rest, creepage, state, workspace);
+        found.values.insert(found.values.end(), {-step.force.longitudinal, -step.force.lateral});
+        if (step.status != rollbem::StepStatus::ok) found.status = rollbem::name(step.status);
+    }
+    return found;
+}
+
+/// Extrapolated from strips of equal width and three times as many in both directions.
+Found reference_forces(const Contact& contact) {
+    const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 10.0);
+    long n = 10;
+    while (n > 2 && 9 * n * rollbem::recommended_strips(n, a_over_b) > reference_elements) --n;
+    const long strips = rollbem::recommended_strips(n, a_over_b);
+    return extrapolate(forces(contact, mesh_of(contact, uniform, n, strips)),
+                       forces(contact, mesh_of(contact, uniform, 3 * n, 3 * strips)), 3);
+}
+
+Found compute(const Contact& contact, Problem problem, const PatchTask& task) {
+    const auto of = [&](const std::string& by, long n, long strips) {
+        return (problem == Problem::steady ? coefficients : forces)(contact, mesh_of(contact, by, n, strips));
+    };
+    if (task.scheme != extrapolated) return of(task.scheme, task.n, task.strips);
+    return extrapolate(of(direct, task.n / 2, task.strips / 2), of(direct, task.n, task.strips), 2);
+}
+
 /// Empty if the eigenvalues were not found or are too many.
-std::optional<bool> stable(const Contact& contact, long n, long strips) {
-    if (n * strips > most_judged) return std::nullopt;
-    const rollbem::StabilityVerdict verdict = rollbem::judge_stability(rollbem::patch_parts(
-        rollbem::patch_mesh(contact, n, strips), scheme, rollbem::HalfSpace<double>(contact.poisson_ratio())));
+std::optional<bool> stable(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
+    if (mesh.size() > most_judged) return std::nullopt;
+    const rollbem::StabilityVerdict verdict = rollbem::judge_stability(
+        rollbem::patch_parts(mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio())));
     if (verdict.status != rollbem::Status::ok) return std::nullopt;
     return verdict.unstable_count == 0;
 }
@@ -60,7 +111,12 @@ std::optional<bool> stable(const Contact& contact, long n, long strips) {
 }  // namespace
 
 const std::vector<std::string>& patch_quantity_names() {
-    static const std::vector<std::string> names{"patch_c11", "patch_c22", "patch_c23", "patch_c33"};
+    static const std::vector<std::string> names{"patch_c11", "patch_c22", "patch_c23", "patch_c33", "patch_force"};
+    return names;
+}
+
+const std::vector<std::string>& patch_scheme_names() {
+    static const std::vector<std::string> names{direct, extrapolated, uniform};
     return names;
 }
 
@@ -69,7 +125,9 @@ std::vector<Quantity> chosen_patch_quantities(const study::Options& options) {
     if (options.text("quantity").find("patch_") == std::string::npos) return chosen;
     const std::vector<std::string> asked = options.choices("quantity", patch_quantity_names());
     for (const std::string& name : patch_quantity_names()) {
-        if (std::count(asked.begin(), asked.end(), name) > 0) chosen.push_back({name, Problem::steady});
+        if (std::count(asked.begin(), asked.end(), name) > 0) {
+            chosen.push_back({name, name == "patch_force" ? Problem::combined_friction : Problem::steady});
+        }
     }
     return chosen;
 }
@@ -90,53 +148,71 @@ PatchComputation::PatchComputation(const study::Options& options, const std::vec
     for (const char* name : {"kernel", "aspect", "size-ratio", "epsilon", "front"}) {
         options.ignored(name, "with quantities of patches");
     }
-    std::vector<std::ptrdiff_t> sizes{4, 6, 8, 12, 16, 24};
+    for (const Quantity& quantity : quantities) problems_.insert(quantity.problem);
+    const double a_over_b = contact_.a_over_b();
+    std::vector<std::ptrdiff_t> sizes{4, 6, 8, 12, 16};
+    if (problems_.count(Problem::combined_friction) == 0) sizes.push_back(24);
     if (options.given("n")) sizes = options.integers("n", 1, most_elements);
     std::vector<std::ptrdiff_t> strips;
     if (by_strips_) strips = options.integers("strips", 1, most_elements);
-    const std::vector<std::string> schemes = options.choices("schemes", {direct, extrapolated});
+    const std::vector<std::string> schemes = options.choices("schemes", patch_scheme_names());
     for (const std::ptrdiff_t n : sizes) {
-        for (const std::ptrdiff_t m : by_strips_ ? strips : std::vector{n}) {
-            if (n * m > most_elements) {
-                throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(m) +
-                                      " strips must be at most " + std::to_string(most_elements));
-            }
-            for (const std::string& name : schemes) {
-                if (name == direct || (n % 2 == 0 && m % 2 == 0)) tasks_.push_back({name, n, m});
+        for (const std::string& name : schemes) {
+            const bool own = name == uniform && a_over_b >= 0.1 && a_over_b <= 10;
+            const std::ptrdiff_t usual = own ? rollbem::recommended_strips(n, a_over_b) : n;
+            for (const std::ptrdiff_t m : by_strips_ ? strips : std::vector{usual}) {
+                if (n * m > most_elements) {
+                    throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(m) +
+                                          " strips must be at most " + std::to_string(most_elements));
+                }
+                if (name != extrapolated || (n % 2 == 0 && m % 2 == 0)) tasks_.push_back({name, n, m});
             }
         }
     }
     if (tasks_.empty()) throw study::BadInput(options.said("n") + " and the strips must be even to extrapolate");
-    const Coefficients reference = extrapolate(contact_, reference_n, reference_n);
-    reference_.assign(reference.values.begin(), reference.values.end());
+    for (const Problem problem : problems_) {
+        references_[problem] = problem == Problem::steady
+                                   ? compute(contact_, problem, {extrapolated, reference_n, reference_n}).values
+                                   : reference_forces(contact_).values;
+    }
 }
 
 std::vector<std::size_t> PatchComputation::rows_of_task() const {
     return std::vector<std::size_t>(tasks_.size(), quantities_.size());
 }
 
-std::vector<Point> PatchComputation::points_of(const Task& task) const {
-    const bool twice = task.scheme == extrapolated;
-    const auto compute = [&] { return (twice ? extrapolate : solve)(contact_, task.n, task.strips); };
-    const Coefficients found = compute();
-    std::optional<double> time;
-    if (with_times_) time = study::median_time_us([&] { return compute().values[0]; });
-    std::optional<bool> decays = stable(contact_, task.n, task.strips);
-    if (twice && decays && *decays) decays = stable(contact_, task.n / 2, task.strips / 2);
+std::vector<Point> PatchComputation::points_of(const PatchTask& task) const {
+    std::map<Problem, Found> found;
+    std::map<Problem, double> times;
+    for (const Problem problem : problems_) {
+        const auto run = [&] { return compute(contact_, problem, task); };
+        found[problem] = run();
+        if (with_times_) times[problem] = study::median_time_us([&] { return run().values[0]; });
+    }
+    std::optional<bool> decays = stable(contact_, mesh_of(contact_, task.scheme, task.n, task.strips));
+    if (task.scheme == extrapolated && decays && *decays) {
+        decays = stable(contact_, mesh_of(contact_, direct, task.n / 2, task.strips / 2));
+    }
     std::vector<Point> points;
     for (const Quantity& quantity : quantities_) {
-        const auto& names = patch_quantity_names();
-        const auto k = std::size_t(std::find(names.begin(), names.end(), quantity.name) - names.begin());
+        const Found& own = found[quantity.problem];
+        const std::vector<double>& reference = references_.at(quantity.problem);
         Point point{.scheme = task.scheme,
                     .n = task.n,
                     .quantity = quantity.name,
                     .relative_error = std::nullopt,
-                    .time_us = time,
-                    .stable = decays};
-        if (found.status == rollbem::Status::ok) {
-            point.relative_error = found.values[k] / reference_[k] - 1;
-        } else {
-            point.status = name(found.status);
+                    .time_us = with_times_ ? std::optional(times[quantity.problem]) : std::nullopt,
+                    .stable = decays,
+                    .status = own.status};
+        if (own.status == "ok" && quantity.problem == Problem::steady) {
+            const auto& names = patch_quantity_names();
+            const auto k = std::size_t(std::find(names.begin(), names.end(), quantity.name) - names.begin());
+            point.relative_error = own.values[k] / reference[k] - 1;
+        } else if (own.status == "ok") {
+            point.relative_error = 0;
+            for (std::size_t k = 0; k < reference.size(); ++k) {
+                point.relative_error = std::max(*point.relative_error, std::abs(own.values[k] - reference[k]));
+            }
         }
         point.setting = {"half-space",
                          "",

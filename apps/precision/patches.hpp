@@ -1,8 +1,11 @@
-// Creep coefficients of contact patches as precision_study compares them: error against time over n and strips.
+// Creep coefficients and forces with friction of contact patches as precision_study compares them: error against time
+// over n and strips.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,8 +18,15 @@
 
 namespace precision {
 
-/// patch_c11, patch_c22, patch_c23, patch_c33.
+/// patch_c11, patch_c22, patch_c23, patch_c33, patch_force.
 const std::vector<std::string>& patch_quantity_names();
+
+const std::vector<std::string>& patch_scheme_names();
+
+struct PatchTask {
+    std::string scheme;
+    long n, strips;
+};
 
 /// Those that --quantity gives, in the order of the rows; none if it gives none. Throws BadInput if there are others.
 std::vector<Quantity> chosen_patch_quantities(const study::Options& options);
@@ -38,17 +48,14 @@ public:
     const std::vector<Point>& points() const { return points_; }
 
 private:
-    struct Task {
-        std::string scheme;
-        long n, strips;
-    };
-    std::vector<Point> points_of(const Task& task) const;
+    std::vector<Point> points_of(const PatchTask& task) const;
 
     rollbem::PatchContact<double> contact_;
     std::vector<Quantity> quantities_;
-    std::vector<Task> tasks_;
+    std::set<Problem> problems_;
+    std::vector<PatchTask> tasks_;
     bool with_times_, partial_, by_strips_;
-    std::vector<double> reference_;  // of all coefficients
+    std::map<Problem, std::vector<double>> references_;
     std::vector<Point> points_;
 };
 

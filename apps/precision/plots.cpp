@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "patches.hpp"
 #include "schemes.hpp"
 
 namespace precision {
@@ -16,9 +17,17 @@ namespace {
 
 constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a logarithmic axis cannot show
 
+std::vector<std::string> all_schemes() {
+    std::vector<std::string> names = scheme_names();
+    for (const std::string& name : patch_scheme_names()) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
 /// The colour, dashes and marker of a scheme, the same in all panels.
 std::size_t style_of(const std::string& scheme) {
-    const std::vector<std::string>& names = scheme_names();
+    const std::vector<std::string> names = all_schemes();
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), scheme) - names.begin());
 }
 
@@ -34,12 +43,13 @@ std::string title_of(const Quantity& quantity) {
 /// Errors below the floor are drawn on it.
 study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
     const std::string& quantity = shown.name;
-    study::Plot plot{.title = title_of(shown),
-                     .x_label = "time [microseconds]",
-                     .y_label = "|relative error|",
-                     .log_x = true,
-                     .log_y = true,
-                     .series = {}};
+    study::Plot plot{
+        .title = title_of(shown),
+        .x_label = "time [microseconds]",
+        .y_label = quantity == "patch_force" ? "largest error of F_x, F_y over μ N" : "|relative error|",
+        .log_x = true,
+        .log_y = true,
+        .series = {}};
     study::Series front{.label = "Pareto front", .points = {}, .markers = false, .reference = true};
     const std::vector<double> sustained = sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -52,7 +62,7 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     int left_out = 0;  // of the front: they serve for comparison
     double largest_error = floor;
     std::vector<double> times;
-    for (const std::string& scheme : scheme_names()) {
+    for (const std::string& scheme : all_schemes()) {
         study::Series series{.label = scheme, .points = {}, .style = style_of(scheme)};
         for (const study::Row& cells : rows) {
             if (cells[0].text() != scheme || cells[2].text() != quantity) continue;

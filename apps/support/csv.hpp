@@ -46,6 +46,13 @@ private:
 
 using Row = std::vector<Cell>;
 
+/// Both lists, one after the other.
+template <class Item>
+std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 /// A row as a line of CSV.
 std::string csv_line(const Row& row);
 

@@ -118,8 +118,12 @@ std::string style_of(const Series& given, std::size_t style) {
     constexpr std::array dashes{"1", "(12,6)", "(3,4)", "(12,5,3,5)", "(20,6,6,6)"};
     constexpr std::array filled{7, 5, 9, 13, 11, 15};
     constexpr std::array open{6, 4, 8, 12, 10, 14};
+    const std::string colour =
+        std::string(" lc rgb '") + (series.reference ? "#000000" : colours[style % colours.size()]) + "'";
+    if (given.shape == Shape::rectangles) return "boxxyerror" + colour + " fs solid 0.5 border rgb '#ffffff'";
+    if (given.shape == Shape::arrows) return "vectors head filled size graph 0.012,20 lw 1.2" + colour;
     std::string text = !series.markers ? "lines" : series.line ? "linespoints" : "points";
-    text += std::string(" lw 2 lc rgb '") + (series.reference ? "#000000" : colours[style % colours.size()]) + "'";
+    text += " lw 2" + colour;
     if (series.line) text += " dt " + std::string(dashes[(style + (series.reference ? 1 : 0)) % dashes.size()]);
     if (series.markers) text += " pt " + std::to_string((series.open ? open : filled)[style % open.size()]);
     if (series.markers && series.open) text += " ps 1.2";
@@ -129,6 +133,43 @@ std::string style_of(const Series& given, std::size_t style) {
 bool has_place(const Plot& plot, const std::pair<double, double>& point) {
     return std::isfinite(point.first) && std::isfinite(point.second) && (!plot.log_x || point.first > 0) &&
            (!plot.log_y || point.second > 0);
+}
+
+/// Of both axes of a plot in true scale: 1, 2 or 5 times a power of ten, 5 to 10 ticks on the longer axis.
+double tick_step(const Plot& plot) {
+    double longer = 0;
+    for (const auto& range : {plot.x_range, plot.y_range}) {
+        if (range) longer = std::max(longer, std::abs(range->high - range->low));
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(longer / 10)));
+    for (const double step : {1, 2, 5}) {
+        if (step * power >= longer / 10) return step * power;
+    }
+    return 10 * power;
+}
+
+/// Lines for gnuplot: points, rectangles by middle and half sides, or arrows by tail and components.
+std::string data_of(const Plot& plot, const Series& series) {
+    std::string text;
+    if (series.shape == Shape::curve) {
+        for (const auto& point : series.points) {  // an empty line interrupts the curve, two would end it
+            if (has_place(plot, point)) {
+                text += number_text(point.first) + " " + number_text(point.second) + "\n";
+            } else if (text.rfind("\n\n") != text.size() - 2) {
+                text += "\n";
+            }
+        }
+        return text;
+    }
+    for (std::size_t i = 1; i < series.points.size(); i += 2) {
+        const auto [x, y] = series.points[i - 1];
+        const double dx = series.points[i].first - x, dy = series.points[i].second - y;
+        const bool arrow = series.shape == Shape::arrows;
+        for (const double number : {arrow ? x : x + dx / 2, arrow ? y : y + dy / 2}) text += number_text(number) + " ";
+        for (const double length : {dx, dy}) text += number_text(arrow ? length : std::abs(length) / 2) + " ";
+        text += "\n";
+    }
+    return text;
 }
 
 std::string panel_script(const Plot& plot, bool alone) {
@@ -148,6 +189,10 @@ std::string panel_script(const Plot& plot, bool alone) {
     script += title_command(title, alone ? 105 : 76) + "set xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key above samplen 3\nset autoscale xfix\nset format '%h'\n";
+    if (plot.true_scale) {
+        const std::string step = number_text(tick_step(plot));
+        script += "set size ratio -1\nset xtics " + step + "\nset ytics " + step + "\n";
+    }
     if (plot.log_x) script += "set logscale x " + std::to_string(plot.log_base) + "\n";
     if (plot.log_y) script += "set logscale y 10\nset format y '10^{%T}'\n";
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
@@ -170,15 +215,7 @@ std::string panel_script(const Plot& plot, bool alone) {
         if (std::none_of(series.points.begin(), series.points.end(), usable)) continue;
         if (is_counted(series) && ++drawn > most_curves) continue;
         const std::string data = "$data" + std::to_string(k);
-        script += data + " << EOD\n";
-        for (const auto& point : series.points) {  // an empty line interrupts the curve, two would end it
-            if (usable(point)) {
-                script += number_text(point.first) + " " + number_text(point.second) + "\n";
-            } else if (script.rfind("\n\n") != script.size() - 2) {
-                script += "\n";
-            }
-        }
-        script += "EOD\n";
+        script += data + " << EOD\n" + data_of(plot, series) + "EOD\n";
         commands.push_back(data + " with " + style_of(series, style) +
                            (series.label.empty() ? " notitle" : " title " + gnuplot_string(series.label)));
     }

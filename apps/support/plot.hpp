@@ -13,6 +13,10 @@
 
 namespace study {
 
+/// How the points of a series are drawn: one by one, or two by two as opposite corners of filled rectangles, or as tail
+/// and head of arrows.
+enum class Shape { curve, rectangles, arrows };
+
 /// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. A line of one
 /// point gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
 struct Series {
@@ -23,6 +27,7 @@ struct Series {
     bool open = false;                   ///< markers, which then show what lies below them
     std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
     bool reference = false;              ///< such as exact values: black, and drawn however many curves there are
+    Shape shape = Shape::curve;
 };
 
 /// How many curves with a label a panel draws at most; its title says if there are more.
@@ -35,7 +40,7 @@ std::string shown_name(const std::string& column);
 inline constexpr double least_drawn = 1e-16;
 
 struct PlotRange {
-    double low, high;
+    double low, high;  ///< the other way round if the axis points left or down
 };
 
 struct Plot {
@@ -43,6 +48,7 @@ struct Plot {
     bool log_x = false, log_y = false;
     int log_base = 10;                              ///< of the marks on a logarithmic x axis
     std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
+    bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
     std::vector<Series> series;
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };

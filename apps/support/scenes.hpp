@@ -77,13 +77,6 @@ Row all_setting_cells(const Scene& scene);
 /// b/a, "inf" if it is infinite.
 Cell aspect_cell(const rollbem::Contact<double>& contact);
 
-/// Both lists, one after the other.
-template <class Item>
-std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 /// The contacts of --aspect and --poisson, with a = G = 1; the latter is the inner loop.
 std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem);
 

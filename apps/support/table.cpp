@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -48,6 +50,53 @@ std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
     }
     return tasks;
 }
+
+/// Rows of a run that may be interrupted, in a file beside the one that they are for.
+class UnfinishedRows {
+public:
+    /// Reads what an earlier run left. Throws BadInput if that run was another one, or if the file cannot be written.
+    explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".unfinished") {
+        std::string first = options.program();
+        for (const auto& [name, value] : options.values()) {
+            if (name != "output" && name != "jobs" && name != "quiet" && name != "check")
+                first += " --" + name + " " + value;
+        }
+        std::ifstream old(path_, std::ios::binary);
+        std::string line;
+        if (std::getline(old, line) && !old.eof()) {
+            if (line != first) {
+                throw BadInput(options.said("output") + ": " + path_ + " must hold rows of the same run: it is of \"" +
+                               line + "\"; remove it to start again");
+            }
+            while (std::getline(old, line) && !old.eof()) lines_.push_back(line + '\n');  // not a line cut short
+        }
+        old.close();
+        file_.open(path_, std::ios::binary | std::ios::trunc);
+        file_ << first << '\n';
+        for (const std::string& kept : lines_) file_ << kept;
+        if (!file_.flush())
+            throw BadInput(options.said("output") + ": " + path_ + " must be a file that can be written");
+    }
+
+    const std::vector<std::string>& lines() const { return lines_; }
+
+    void add(const std::string& line) { file_ << line; }
+
+    /// Throws WriteError.
+    void flush() {
+        if (!file_.flush()) throw WriteError(path_ + ": cannot be written");
+    }
+
+    void remove() {
+        file_.close();
+        std::remove(path_.c_str());
+    }
+
+private:
+    std::string path_;
+    std::vector<std::string> lines_;
+    std::ofstream file_;
+};
 
 }  // namespace
 
@@ -142,9 +191,19 @@ void write_table(const Options& options, const Table& table) {
     // 2. The rows.
     std::size_t total = 0;
     for (const std::size_t rows : table.rows_of_task) total += rows;
-    const RowRange wanted = shard.rows(total);
+    RowRange wanted = shard.rows(total);
     const std::size_t count = wanted.last - wanted.first;
     if (has_header(options)) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
+    std::optional<UnfinishedRows> unfinished;
+    std::vector<std::string> lines;  // for table.finish
+    std::size_t written = 0;
+    if (table.resumable && csv.is_regular()) {
+        unfinished.emplace(options);
+        lines = unfinished->lines();
+        for (const std::string& line : lines) csv.write(line);
+        written = std::min(lines.size(), count);
+        wanted.first += written;
+    }
     const std::vector<Task> tasks = tasks_of(table, wanted);
     const bool shows = shows_progress(options);
     if (table.prepare) {
@@ -155,9 +214,11 @@ void write_table(const Options& options, const Table& table) {
     }
     Progress progress(options.program(), count, shows);
     std::vector<Row> kept;
-    std::size_t written = 0;
     const auto emit = [&](Row row) {
-        csv.write(csv_line(row));
+        const std::string line = csv_line(row);
+        csv.write(line);
+        if (unfinished) unfinished->add(line);
+        if (table.finish) lines.push_back(line);
         progress.update(++written);
         if (plots) kept.push_back(std::move(row));
     };
@@ -165,12 +226,19 @@ void write_table(const Options& options, const Table& table) {
         if (table.label) progress.doing(table.label(task));
     };
     compute_in_order(
-        table, tasks, jobs, emit, [&] { csv.flush(); }, started);
+        table, tasks, jobs, emit,
+        [&] {
+            csv.flush();
+            if (unfinished) unfinished->flush();
+        },
+        started);
     progress.clear();
 
     // 3. The files take their names.
     file.commit();
+    if (unfinished) unfinished->remove();
     if (table.written) table.written();
+    if (table.finish) table.finish(lines);
     if (plots) draw(table.plot(kept), *drawing, png);
 }
 

@@ -5,7 +5,9 @@
 
 #include "detail/language.hpp"
 
+#include "accuracy/distance_tangent.hpp"
 #include "accuracy/recommendation.hpp"
+#include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
 #include "adhesion/critical_alpha.hpp"
@@ -25,6 +27,7 @@
 #include "assembly/rolling_system.hpp"
 #include "closed_form/carter.hpp"
 #include "closed_form/friction.hpp"
+#include "closed_form/full_sliding.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/patch_mesh.hpp"
 #include "discretisation/scheme.hpp"
@@ -42,3 +45,4 @@
 #include "spectral/polynomial.hpp"
 #include "status.hpp"
 #include "types.hpp"
+#include "vehicle/creep_force_table.hpp"

@@ -37,6 +37,7 @@ enum class StepStatus {
     inconsistent,  ///< steady friction with a scheme that does not converge to full adhesion: see Status::inconsistent
     needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready
                    ///< matrices)
+    wrong_table,   ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
 };
 
 /// The name of a status as spelt in this header.
@@ -63,6 +64,7 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::needs_fixed_mesh: return "needs_fixed_mesh";
         case StepStatus::inconsistent: return "inconsistent";
         case StepStatus::needs_places: return "needs_places";
+        case StepStatus::wrong_table: return "wrong_table";
         case StepStatus::not_finite: break;
     }
     return "not_finite";

@@ -1,4 +1,5 @@
-// rollbem/accuracy/recommendation.hpp and rollbem/accuracy/richardson.hpp
+// rollbem/accuracy/: recommendation.hpp, richardson.hpp, distance_tangent.hpp
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -8,8 +9,10 @@
 #include <type_traits>
 #include <variant>
 
+#include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/scene/force.hpp>
 
 #include "support/catch.hpp"
 
@@ -38,6 +41,26 @@ TEST_CASE("Extrapolation cancels exactly the power of n that it is given", "[ric
     const Complex coarse(1, 2), fine(2, 4);
     CHECK(std::abs(richardson(coarse, fine, 1.0) - Complex(3, 6)) < 1e-15);
     CHECK(std::abs(richardson(1.0F, 2.0F, 1) - 3.0F) < 1e-6F);
+}
+
+TEST_CASE("The tangent by the distance rolled is exact for squares and not for cubes, at no negative distance",
+          "[tangent]") {
+    for (const double dq : {0.0, 9e-6, 1.1e-5, 0.3, 2.0}) {
+        const auto power = [](int exponent) {
+            return [exponent](double distance) {
+                CHECK(distance >= 0);
+                return TangentialForce<double>{std::pow(distance, exponent), 1, 2 * distance};
+            };
+        };
+        CAPTURE(dq);
+        const TangentialForce<double> square = tangent_by_distance(dq, 1, power(2));
+        CHECK(std::abs(square.longitudinal - 2 * dq) < 1e-10 * (1e-5 + dq));
+        CHECK(std::abs(square.lateral) < 1e-10);
+        CHECK(std::abs(square.moment - 2) < 1e-10);
+        const double change = 1e-5 * std::max(dq, 1.0);
+        const double error = tangent_by_distance(dq, 1, power(3)).longitudinal - 3 * dq * dq;
+        CHECK(std::abs(error / (change * change) - (dq < change ? -2 : 1)) < (dq < 1e-4 ? 1e-5 : 0.5));
+    }
 }
 
 TEST_CASE("Extrapolation is rejected where the observed order differs from the assumed one", "[richardson]") {

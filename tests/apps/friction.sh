@@ -389,6 +389,43 @@ for lateral in '' '--lateral-ratio 0.2'; do
         fail "a shift that takes its time $lateral"
 done
 
+# --- spin
+# named NAME...: these columns of every row of the file out, in this order
+named() {
+    awk -F, -v names="$*" 'BEGIN { count = split(names, name, " ") }
+        NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+        { for (i = 1; i <= count; ++i) printf "%s%s", $(at[name[i]]), i < count ? " " : "\n" }' out
+}
+bad '--spin-ratio = 1 has no effect without --lateral-ratio' $study --spin-ratio 1
+bad '--spin-ratio = 1,2 must be one number' $rolling --creepage-ratio 0.5 --lateral-ratio 0 --spin-ratio 1,2
+nodes='--n 40 --method nodes --nodes chebyshev'
+spun="$steady $nodes --creepage-ratio 0,0.3 --lateral-ratio 0,0.3"
+good 13 $spun --spin-ratio 0.5,1,-1
+named creepage_ratio lateral_ratio spin_ratio force_ratio lateral_force_ratio status | awk '
+    function near(along, across) { ++found; if (($4 - along) ^ 2 + ($5 - across) ^ 2 > 3e-4 ^ 2 * 2) bad = 1 }
+    $1 == 0 && $2 == 0 && $3 == 0.5 { near(0, 0.36) }
+    $1 == 0.3 && $2 == 0 && $3 == 1 { near(0.49107, 0.67344) }
+    $1 == 0 && $2 == 0.3 && $3 == 1 { near(0, 0.98537) }
+    $6 != "ok" { bad = 1 }
+    END { exit bad || found != 3 }' || fail "forces under spin: $(cat out)"
+# reversed spin: the lateral force and the moment change their signs without lateral creepage
+named creepage_ratio lateral_ratio spin_ratio force_ratio lateral_force_ratio moment_ratio | awk '
+    $2 == 0 && $3 == 1 { x[$1] = $4; y[$1] = $5; m[$1] = $6 }
+    $2 == 0 && $3 == -1 { ++found; if (($4 - x[$1]) ^ 2 + ($5 + y[$1]) ^ 2 + ($6 + m[$1]) ^ 2 > 1e-20) bad = 1 }
+    END { exit bad || found != 2 || !(m[0.3] > 0.06 && m[0.3] < 0.07) }' || fail "reversed spin: $(cat out)"
+# work of the rigid bodies, xi F_x + eta F_y + phi M, is slip work, to the order of the scheme
+named creepage_ratio lateral_ratio spin_ratio force_ratio lateral_force_ratio moment_ratio slip_work | awk '
+    $1 == 0.3 && $2 == 0.3 && $3 > 0 { work = 2 * 0.72 * ($1 * $4 + $2 * $5 + $3 * $6); ++found
+        if (($7 / work - 1) ^ 2 > 0.01 ^ 2) bad = 1 }
+    END { exit bad || found != 2 }' || fail "work under spin: $(cat out)"
+good 201 $study --transient --kernel plane --aspect 100 $nodes --creepage-ratio 0.3 --lateral-ratio 0.3 --spin-ratio 1 --until 40 --dq 0.2
+named force_ratio lateral_force_ratio moment_ratio spin_ratio | tail -n 1 >settled
+good 2 $study --kernel plane --aspect 100 $nodes --creepage-ratio 0.3 --lateral-ratio 0.3 --spin-ratio 1
+named force_ratio lateral_force_ratio moment_ratio spin_ratio | cat - settled | awk '
+    NR == 1 { x = $1; y = $2; m = $3; next }
+    END { exit !($4 == 1 && ($1 - x) ^ 2 + ($2 - y) ^ 2 + ($3 - m) ^ 2 < 1e-3 ^ 2) }' || fail 'the long-time limit under spin'
+shards $steady --n 5,6 --creepage-ratio 0.5 --lateral-ratio 0.2 --spin-ratio 0,0.5
+
 # --- a load that varies
 vary="$study --transient --kernel plane --creepage-ratio 0.5 --load-sine 0.5,8 --from steady --until 8 --dq 0.1"
 series='0.7500 0.7618 0.7737 0.7851 0.7963 0.8066 0.8151 0.8207 0.8228 0.8199 0.8101 0.7897 0.7061 0.5955 0.5245 0.4980 0.4937 0.5000 0.5129 0.5299 0.5494'

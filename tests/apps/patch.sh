@@ -29,8 +29,8 @@ bad 'must be a file that can be read' $p --outline missing.csv
 bad_outline 'number of lines = 1 must be at least 2' '0,-1,1\n'
 bad_outline 'number of lines = 0 must be at least 2' ''
 bad_outline 'the edges cross' '-1,-1,1\n0,1,-1\n1,-1,1\n'
-bad_outline 'line 3 = 1,nan,1 must be finite numbers' '0,-1,1\n1,nan,1\n'
-bad_outline 'line 3 = 1,1 must be finite numbers' '0,-1,1\n1,1\n'
+bad_outline 'line 3 = 1,nan,1 must have 3 cells with a comma between them, finite numbers under' '0,-1,1\n1,nan,1\n'
+bad_outline 'line 3 = 1,1 must have 3 cells' '0,-1,1\n1,1\n'
 bad_outline 'y of line 2 = -2 must be larger' '-1,-1,1\n-2,-1,1\n'
 bad_outline 'x_leading - x_trailing of line 2 = 0 must be positive' '-1,-1,1\n0,0.5,0.5\n1,-1,1\n'
 bad_outline 'area = 0 must be positive' '-1,0,0\n1,0,0\n'
@@ -48,7 +48,21 @@ bad 'must end with 1, the largest y' $p --strip-edges "$scratch/edges"
 bad '--omega = 1 has no effect with friction' $p --spin 1 --omega 1
 bad '--stability = true has no effect with friction' $p --lateral 1 --stability
 bad '--tractions = t.csv has no effect without' $p --tractions t.csv
-bad "Hertz's contact is an ellipse" $p --longitudinal 1 --outline "$scratch/outline.csv"
+bad "must go with --pressure for friction: Hertz's contact is an ellipse" $p --spin 1 --outline "$scratch/outline.csv"
+bad '--pressure = t.csv has no effect without' $p --pressure t.csv
+pressure() { printf 'x,y,pressure\n%b' "$1" >"$scratch/pressure.csv"; }
+bad_pressure() {
+    pressure "$2"
+    bad "$1" $p --longitudinal 1 --pressure "$scratch/pressure.csv"
+}
+bad_pressure 'number of x = 0 must be at least 2' ''
+bad_pressure 'number of y = 1 must be at least 2' '0,0,1\n1,0,1\n'
+bad_pressure 'line 3 = 1,0,-1: pressure must not be negative' '0,0,1\n1,0,-1\n'
+bad_pressure 'line 4 = 0,0,2 must not be the second row at this place' '0,0,1\n1,0,1\n0,0,2\n'
+bad_pressure 'must have a row at x = 1, y = 2: its points must make a grid' '0,0,1\n1,0,1\n0,2,1\n'
+bad_pressure 'line 3 = 1,0 must have 3 cells with a comma between them' '0,0,1\n1,0\n'
+bad_pressure 'load = 0 must be positive' '-1,-1,0\n1,-1,0\n-1,1,0\n1,1,0\n'
+bad_pressure 'the share of its load on the patch = 0.00' '-20,-20,1\n20,-20,1\n-20,20,1\n20,20,1\n'
 bad '--spin = nan must lie in' $p --spin nan
 bad '--lateral = x must be a number' $p --lateral x
 
@@ -109,5 +123,124 @@ rows 'NR > 1 && $longitudinal > 0 && $spin > 0 { F += $width * $strip_width * $t
 good 3 "$patch" --n 1 --longitudinal 1 --a-over-b 0.5,2
 check 'one element slides' '$longitudinal_force > 0.999999 && $longitudinal_force < 1.000001 && $stick_count == 0 && $time_us > 0'
 shards "$patch" --n 4,6 --longitudinal 0.1,0.2 --spin 0,0.3 --no-timing
+
+# --- a pressure of a table, in any unit: a rectangle whose pressure is 2/3 of Hertz's peak everywhere, and Hertz's
+# pressure as a table on an ellipse and on the same ellipse as an outline
+outline '-2e-3,-1e-3,1e-3\n2e-3,-1e-3,1e-3\n'
+pressure '-1e-3,-2e-3,7e8\n-1e-3,3e-3,7e8\n2e-3,-2e-3,7e8\n2e-3,3e-3,7e8\n'
+good 2 "$patch" --n 6 --outline "$scratch/outline.csv" --pressure "$scratch/pressure.csv" --longitudinal 3 --tractions t.csv
+check 'all slides' '$longitudinal_force > 0.9999 && $stick_count == 0 && $a_over_b == ""'
+mv t.csv out
+check 'uniform bound' '$pressure_bound > 0.666666 && $pressure_bound < 0.666667'
+awk 'BEGIN {
+    print "y,x_trailing,x_leading" >"ellipse.csv"
+    print "x,y,pressure" >"hertz.csv"
+    print "x,y,pressure" >"hertz_in_mm.csv"
+    for (j = -60; j <= 60; ++j) {
+        y = j / 60; angle = y * atan2(1, 0)
+        printf "%.9f,%.9f,%.9f\n", 1.5 * sin(angle), -3 * cos(angle), 3 * cos(angle) >"ellipse.csv"
+        for (i = -60; i <= 60; ++i) {
+            x = i / 60; p = x * x + y * y < 1 ? sqrt(1 - x * x - y * y) : 0
+            printf "%.9f,%.9f,%.9f\n", x, y, p >"hertz.csv"
+            printf "%.9f,%.9f,%.9f\n", 3 * x, 1.5 * y, p >"hertz_in_mm.csv"
+        }
+    }
+}'
+set -- --n 6 --longitudinal 0.1 --lateral 0.1 --spin 0.3 --no-timing
+"$patch" "$@" --a-over-b 2 >out
+"$patch" "$@" --a-over-b 2 --pressure hertz.csv | tail -n 1 >>out
+"$patch" "$@" --outline ellipse.csv --pressure hertz_in_mm.csv | tail -n 1 >>out
+check 'one ellipse in three ways' '$status == "ok" && NR <= 4 &&
+    (NR > 2 || (F = $longitudinal_force) + (Q = $lateral_force) + (M = $spin_moment) > 0) &&
+    ($longitudinal_force / F - 1) ^ 2 + ($lateral_force / Q - 1) ^ 2 + ($spin_moment / M - 1) ^ 2 < 1e-6'
+shards "$patch" --n 4,6 --pressure hertz.csv --longitudinal 0.1,0.2 --no-timing
+
+# --- in time: bad input, a step of creepages from rest against Kalker's program, orders, balance of energy
+set -- $p --n 6 --longitudinal 0.1 --transient
+bad '--transient = true has no effect without --longitudinal' $p --transient
+bad '--dq = 0.1 has no effect without --transient' $p --spin 1 --dq 0.1
+bad '--breathing = true has no effect without --transient' $p --spin 1 --breathing
+bad '--breathing = true has no effect without --load-sine or --load' "$@" --breathing
+bad '--tractions = t.csv has no effect with --transient' "$@" --tractions t.csv
+bad 'must have one value each with --transient' "$@" --spin 0,1
+bad '--from = here' "$@" --from here
+bad '--integrator = euler' "$@" --integrator euler
+bad '--load-sine = 2,8 must be A,LENGTH' "$@" --load-sine 2,8
+bad 'has no effect under a load that varies' "$@" --pressure "$scratch/hertz.csv" --load-sine 0.5,8
+bad_pairs q_over_a,load_ratio "$@" --load
+loads() { printf 'q_over_a,load_ratio,a_ratio,b_ratio\n%b' "$1" >"$scratch/load.csv"; }
+loads '0,1,1,1\n5,1,1,1\n'
+bad 'must cover the run' "$@" --load "$scratch/load.csv"
+loads '0,1,1,1\n100,1,1,0\n'
+bad 'a_ratio and b_ratio must lie in [0.001, 1000], not 0' "$@" --load "$scratch/load.csv"
+printf 'q_over_a,load_ratio,a_ratio\n0,1,1\n' >"$scratch/load.csv"
+bad 'must be q_over_a,load_ratio or q_over_a,load_ratio,a_ratio,b_ratio' "$@" --load "$scratch/load.csv"
+
+set -- "$patch" --longitudinal 0.13661083 --lateral 0.15583295 --spin 0.38798217 --transient --until 4 --no-timing
+good 41 "$@" --n 12 --dq 0.1
+header a_over_b,poisson,n,strips,q_over_a,load_ratio,a_ratio,b_ratio,longitudinal_force,lateral_force,spin_moment,stick_count,slip_work,creep_work,status
+near() { check "$2 at q/a = $1" "\$q_over_a != $1 || (\$$2 - $3) ^ 2 < 9e-6"; }
+near 0.5 longitudinal_force .1280 && near 0.5 lateral_force .2185 && near 1 longitudinal_force .2069
+near 1 lateral_force .4522 && near 2 longitudinal_force .2765 && near 2 lateral_force .7311
+near 4 longitudinal_force .3052 && near 4 lateral_force .7867
+check 'energy' '($creep_work - $slip_work - $elastic_energy) ^ 2 < (0.02 * $creep_work) ^ 2'
+check 'constant load' '$load_ratio $a_ratio $b_ratio $status == "111ok"'
+orders "$(column longitudinal_force)" "$patch" --n 6 --longitudinal 0.0946467 --transient --until 2 --no-timing
+good 41 "$@" --n 12 --dq 0.1 --from steady
+check 'steady rolling stays' '($longitudinal_force - .3097) ^ 2 + ($lateral_force - .7894) ^ 2 < 1e-6 && $slip_work > 0'
+
+# under a load: a table of ones changes nothing; eight times the load on twice the ellipse at half the creepage is the
+# same; forces follow the load to zero and back; a period must be resolved
+set -- "$patch" --n 6 --a-over-b 0.5 --lateral 0.1 --spin 0.2 --transient --no-timing
+good 21 "$@" --dq 0.1 --until 2
+mv out constant
+loads '0,1,1,1\n0.25,1,1,1\n2,1,1,1\n'
+good 21 "$@" --dq 0.1 --until 2 --load "$scratch/load.csv"
+paste -d, constant out | awk -F, 'NR == 1 { for (k = NF / 2; k > 0; --k) place[$k] = k } NR > 1 && NR != 4 {
+    for (name in place) if (name ~ /force|moment|count/ && ($place[name] - $(place[name] + NF / 2)) ^ 2 > 1e-5) exit 1 }' ||
+    fail 'a load of ones'
+printf 'load_ratio;q_over_a\n8;0\n8;4\n' >"$scratch/load.csv"
+"$patch" --n 6 --a-over-b 0.5 --lateral 0.2 --spin 0.2 --transient --no-timing --dq 0.2 --until 4 \
+    --load "$scratch/load.csv" >out
+check 'semi-axes' '$a_ratio == 2 && $b_ratio == 2'
+paste -d, constant out | awk -F, 'NR == 1 { for (k = NF / 2; k > 0; --k) place[$k] = k } NR > 1 {
+    if ((8 * $place["lateral_force"] / $(place["lateral_force"] + NF / 2) - 1) ^ 2 > 1e-20) exit 1
+    if ((16 * $place["spin_moment"] / $(place["spin_moment"] + NF / 2) - 1) ^ 2 > 1e-20) exit 1 }' ||
+    fail 'scaling of the load'
+good 81 "$@" --dq 0.1 --until 8 --load-sine 1,8
+check 'a load that vanishes' '$lateral_force <= $load_ratio * 1.000001 && $status == "ok" &&
+    ($q_over_a != 6 || $load_ratio < 1e-9 && $lateral_force < 1e-9)'
+good 6 "$@" --dq 0.1 --until 0.5 --load-sine 0.5,0.5
+check 'unresolved' '$status == "unresolved" && $lateral_force $slip_work == ""'
+shards "$@" --dq 0.1 --until 0.5 --load-sine 0.5,8 --poisson 0,0.28
+
+# --- a mesh that follows the ellipse: the load of the method's description within the error of 8 x 8 elements and of
+# rounding to four digits, beside a fixed mesh; shapes that change; too fast a change
+set -- "$patch" --n 8 --longitudinal 0.1422475 --lateral 0.1081081 --spin 0.2022927 --transient --dq 0.05 --until 8 \
+    --integrator implicit-euler --no-timing
+within() { check "$3 at q/a = $2" "(\$q_over_a - $2) ^ 2 > 1e-12 || (\$$3 - $4) ^ 2 < ($1) ^ 2"; }
+good 161 "$@" --load-sine 0.5,8 --breathing
+within 2e-4 2 longitudinal_force .4409 && within 2e-4 2 lateral_force .6107 && within 2e-4 2 spin_moment .2570
+within 2e-4 4 longitudinal_force .4400 && within 2e-4 6 lateral_force .3474 && within 2e-4 8 spin_moment .0869
+good 161 "$@" --load-sine 0.5,8
+within 2e-2 2 longitudinal_force .4409 && within 8e-2 8 lateral_force .4605
+set -- "$patch" --n 6 --lateral 0.1 --spin 0.2 --transient --no-timing
+loads '0,1,1,1\n4,1,1.5,0.75\n20,1,1.5,0.75\n'
+good 101 "$@" --dq 0.2 --until 20 --load "$scratch/load.csv" --breathing --from steady
+tail -n 1 out | cut -d, -f"$(column lateral_force)" >end
+check 'energy of a patch that changes its shape' '$status == "ok" &&
+    (NR > 2 || (E = $elastic_energy + $slip_work - $creep_work)) &&
+    ($elastic_energy + $slip_work - $creep_work - E) ^ 2 < (0.03 * $creep_work + 1e-3) ^ 2'
+# the ellipse of the end: a b is larger by 1.125, which the creepages and c are measured in
+good 81 "$patch" --n 6 --a-over-b 2 --lateral 0.1125 --spin 0.2386485 --transient --dq 0.125 --until 10 --from steady \
+    --no-timing
+tail -n 1 out | cut -d, -f"$(column lateral_force)" | paste - end | awk '{ exit !(($1 / $2 - 1) ^ 2 < 1e-7) }' ||
+    fail "the force under the last ellipse is not $(cat end): $(tail -n 1 out)"
+bad '|A| < 1 where the mesh breathes' $p --n 4 --spin 1 --transient --load-sine 1,8 --breathing
+loads '0,1,1,1\n1,8,3,3\n20,1,1,1\n'
+ends_early 11 'no results from the step to q/a = 0.5 on: needs_fixed_mesh, the contact grows or shrinks as fast' \
+    "$@" --dq 0.5 --until 5 --load "$scratch/load.csv" --breathing
+check 'rows behind the end' '(NR == 2 ? $status == "needs_fixed_mesh" : $status == "after_failure") &&
+    $lateral_force $slip_work $elastic_energy == ""'
 
 finish

@@ -110,4 +110,18 @@ title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 for study in "friction_study --n 10" "precision_study --n 4,8" "frequency_study --n 10"; do
     "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "$study as PNG: $(cat err)"
 done
+# a patch from above: stick, slip, outline, tractions and the pole of spin; curves if there is more to compare
+set -- "$programs/patch_study" --n 6 --no-timing
+draws "$@" --longitudinal 0.1 --spin 0.2
+title 'Patch from above, a/b = 1, ν = 0.28, 6 × 6 elements, ξ = 0.1, η = 0, φ c = 0.2 in μ N / (G a b)'
+says stick && says slip && says 'pole of spin' && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
+curves 5
+draws "$@" --longitudinal 2 --spin 0.2 --a-over-b 0.3,3
+says slip && says_not stick && says_not 'pole of spin'
+curves 6
+draws "$@" --longitudinal 0.1,0.2 --spin 0.2
+says_not above && says 'ξ G a b / (μ N)' && says '- Mz / (μ N c)'
+draws "$@" --longitudinal 0.1 --a-over-b 0.5,1,2,4
+says a/b && says '- Fx / (μ N)'
+
 finish

@@ -51,6 +51,9 @@ bad '--n = 4 has no effect with --recommend' "$precision" --recommend 1e-4 --n 4
 "$precision" --recommend 1e-4 >lines || fail '--recommend'
 grep -q '^precision_study --quantity c11 --schemes richardson-nodes --n 10$' lines &&
     grep -q '^friction_study --kernel plane --method nodes --nodes chebyshev --n 115$' lines || fail "--recommend: $(cat lines)"
+bad '--a-over-b = 20 must lie in [0.1, 10]' "$precision" --recommend 1e-4 --a-over-b 20
+"$precision" --recommend 0.02 --a-over-b 0.2 >lines || fail '--recommend, patch'
+grep -q '^patch_study --a-over-b 0.2 --n 12 --strips 17 --strip-grading uniform ' lines || fail "--recommend 0.02: $(cat lines)"
 good 2 "$precision" --quantity c11 --schemes richardson-nodes --n 10
 check 'what is recommended meets its tolerance' '$relative_error < 1e-4 && $relative_error > -1e-4'
 
@@ -125,14 +128,14 @@ bad '--aspect = inf must be positive and finite' $p --quantity load_force --aspe
 "$precision" --help | grep -q 'load_force: creepage ratio' || fail '--help says nothing of load_force'
 
 # --- creep coefficients of patches, against Kalker's, whose limits at a/b = 0.5, nu = 0.25 are 3.625, 3.011, 0.9278
-bad '--quantity = c11 must be all, or some of patch_c11,patch_c22,patch_c23,patch_c33' "$precision" --quantity c11,patch_c11
+bad '--quantity = c11 must be all, or some of patch_c11,patch_c22,patch_c23,patch_c33,patch_force' "$precision" --quantity c11,patch_c11
 bad '--strips = 4 has no effect without quantities of patches' $p --strips 4
 bad '--a-over-b = 1 has no effect without quantities of patches' $p --a-over-b 1
 bad '--kernel = plane has no effect with quantities of patches' "$precision" --quantity patch_c11 --kernel plane
-bad '--schemes = cosine must be all, or some of nodes-chebyshev,richardson-nodes' "$precision" --quantity patch_c11 --schemes cosine
+bad '--schemes = cosine must be all, or some of nodes-chebyshev,richardson-nodes,uniform-strips' "$precision" --quantity patch_c11 --schemes cosine
 bad '--n = 5 and the strips must be even' "$precision" --quantity patch_c11 --schemes richardson-nodes --n 5
 bad '--n = 100 times 100 strips must be at most 4096' "$precision" --quantity patch_c11 --n 100
-good 17 "$precision" --quantity patch_c11,patch_c22,patch_c23,patch_c33 --a-over-b 0.5 --poisson 0.25 --n 6,12 --cheapest cheapest.csv
+good 17 "$precision" --quantity patch_c11,patch_c22,patch_c23,patch_c33 --a-over-b 0.5 --poisson 0.25 --n 6,12 --schemes nodes-chebyshev,richardson-nodes --cheapest cheapest.csv
 header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status,kernel,aspect,poisson,size_ratio,epsilon,a_over_b,strips
 check 'settings of patches' '$status == "ok" && $kernel == "half-space" && $poisson == 0.25 && $a_over_b == 0.5 && $strips == $n && $time_us > 0 && $stable == 1 && $on_front != ""'
 $programs/patch_study --a-over-b 0.5 --poisson 0.25 --n 12 --quiet >both
@@ -148,9 +151,12 @@ limit nodes-chebyshev c33 1.939 5e-3
 limit richardson-nodes c11 0 1e-3
 limit richardson-nodes c22 0 2e-3
 grep -q '^patch_c11,1e-2,stable-elements,richardson-nodes,6,' cheapest.csv || fail "cheapest patches: $(cat cheapest.csv)"
-good 5 "$precision" --quantity patch_c11 --n 4 --strips 2,4 --jobs 2
+good 7 "$precision" --quantity patch_c11 --n 4 --strips 2,4 --jobs 2
 check 'n and strips' '$n == 4 && ($strips == 2 || $strips == 4) && $time_us == "" && $on_front == ""'
-
+# forces: second order, and strips of equal width better than more that are graded
+good 7 "$precision" --quantity patch_force --n 6,8,12 --schemes nodes-chebyshev,uniform-strips --no-timing
+check 'strips of patch_force' '$strips == ($scheme == "nodes-chebyshev" ? $n : $n == 6 ? 3 : $n == 8 ? 5 : 7) && $status == "ok" && $time_us == ""'
+check 'errors of forces' '$scheme == "uniform-strips" ? $relative_error * $n ^ 2 > 0.5 && $relative_error * $n ^ 2 < 1 : $relative_error * $n ^ 2 > 1.8 && $relative_error * $n ^ 2 < 2.8'
 # --- Chebyshev states: known errors for the plane, b/a = 100 and nu = 0.25, which fall geometrically; the difference of
 # strip and plane; problems that states cannot solve
 good 9 "$precision" --n 6,8,10,12 --schemes chebyshev-states --quantity c11_z5,step_force --aspect 100 --poisson 0.25

@@ -21,7 +21,8 @@ int main(int count, char **arguments) {
     if (count != 3) return 2;
     const Fmu fmu = load_fmu(arguments[1], arguments[2]);
     const int adhesion = has_variable(&fmu, "slip_velocity");
-    double (*const library)(double, int) = adhesion ? library_adhesion : library_friction;
+    const int patch = has_variable(&fmu, "spin_rate");
+    double (*const library)(double, int) = adhesion ? library_adhesion : patch ? library_patch : library_friction;
     const fmi2Component instance = instantiate(&fmu, "contact", fmi2CoSimulation);
     expect(fmu.setup_experiment(instance, fmi2False, 0, 0, fmi2False, 0), fmi2OK, "fmi2SetupExperiment");
     set_real(&fmu, instance, adhesion ? "slip_velocity" : "longitudinal_slip_velocity", 1e-3);

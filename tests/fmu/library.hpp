@@ -1,11 +1,21 @@
 // The library as a C++ program calls it, for comparison with the FMUs.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/discretisation/mesh.hpp>
+#include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/rectangle_kernel.hpp>
 #include <rollbem/friction/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 namespace library {
@@ -13,80 +23,97 @@ namespace library {
 constexpr double half_length = 5e-3, half_width = 0.05, shear_modulus = 8e10, poisson_ratio = 0.28;
 constexpr double friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 2e5;
 
-/// The steps of rollbem_friction at its start values, with 40 elements.
+/// Steps of a contact with friction under Hertz's pressure, from rest.
+template <class Hertz>
 class Friction {
 public:
-    using Step = rollbem::FrictionStep<2>;
+    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<>, 2>;
+    using Step = Model::Step;
 
-    explicit Friction(bool fixed) : Friction(line(), fixed) {}
+    /// Loads are divided by `load_width` for `hertz`; the first one is nominal_load.
+    Friction(Hertz hertz, Model model, double load_width)
+        : hertz_(std::move(hertz)),
+          load_width_(load_width),
+          load_(hertz_.at(nominal_load / load_width)),
+          model_(std::move(model)),
+          workspace_(model_.workspace()),
+          now_(model_.at_rest()) {
+        now_.normal_pressure = load_.normal_pressure;
+        now_.half_length = load_.half_length;
+        if (load_.half_width > 0) now_.half_width = load_.half_width;
+        next_ = now_;
+    }
 
-    /// `duration` [s], slip velocities and rolling speed [m/s], load at the end [N].
-    Step step(double duration, double longitudinal, double lateral, double speed, double load) {
-        hertz_.set(load / (2 * half_width), load_);
-        const Step result = model_.advance(
-            now_, duration * speed,
-            rollbem::RigidMotion<rollbem::Creepage<double>>::shift({duration * longitudinal, duration * lateral}),
-            load_, next_, workspace_);
+    /// `duration` [s], slip velocities [m/s], spin [rad/s], rolling speed [m/s], load at the end [N].
+    Step step(double duration, double longitudinal, double lateral, double spin, double speed, double load) {
+        hertz_.set(load / load_width_, load_);
+        const auto motion = Model::Motion::shift({duration * longitudinal, duration * lateral, duration * spin});
+        const Step result = model_.advance(now_, duration * speed, motion, load_, next_, workspace_);
         if (result.status == rollbem::StepStatus::ok) std::swap(now_, next_);
         return result;
     }
 
 private:
-    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<>, 2>;
-
-    static rollbem::HertzLine<double> line() {
-        const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
-        const double load_per_width = nominal_load / (2 * half_width);
-        return rollbem::HertzLine<double>({.load_per_width = load_per_width,
-                                           .combined_radius = std::numbers::pi * shear_modulus / (1 - poisson_ratio) *
-                                                              half_length * half_length / (4 * load_per_width),
-                                           .body_1 = body,
-                                           .body_2 = body});
-    }
-
-    static rollbem::HertzLoad<double> hertz_of(const rollbem::HertzLine<double>& line, bool fixed, double length) {
-        const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
-        return fixed ? rollbem::HertzLoad<double>::fixed(line, mesh, length)
-                     : rollbem::HertzLoad<double>::breathing(line, mesh);
-    }
-
-    static Model model_of(bool fixed, double length, const rollbem::NormalLoad<double>& load) {
-        const rollbem::Contact<double> contact({.half_length = length,
-                                                .half_width = half_width,
-                                                .shear_modulus = shear_modulus,
-                                                .poisson_ratio = poisson_ratio});
-        const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
-        const rollbem::Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-        using Kernel = rollbem::PlaneKernel<double>;
-        return Model(contact,
-                     {rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
-                      rolling_system(mesh, scheme, Kernel::lateral(contact))},
-                     rollbem::unchecked, {friction_coefficient, load.normal_pressure});
-    }
-
-    static double length_of(const rollbem::HertzLine<double>& line, bool fixed) {
-        if (!fixed) return line.half_length();
-        return line.half_length() * std::sqrt(largest_load / (2 * half_width) / line.load_per_width());
-    }
-
-    Friction(const rollbem::HertzLine<double>& line, bool fixed)
-        : hertz_(hertz_of(line, fixed, length_of(line, fixed))),
-          load_(hertz_.at((fixed ? largest_load : nominal_load) / (2 * half_width))),
-          model_(model_of(fixed, length_of(line, fixed), load_)),
-          workspace_(model_.workspace()),
-          now_(model_.at_rest()) {
-        hertz_.set(nominal_load / (2 * half_width), load_);
-        now_.normal_pressure = load_.normal_pressure;
-        now_.half_length = load_.half_length;
-        next_ = now_;
-    }
-
-    rollbem::HertzLoad<double> hertz_;
+    Hertz hertz_;
+    double load_width_;
     rollbem::NormalLoad<double> load_;
     Model model_;
     Model::Workspace workspace_;
     Model::State now_, next_;
 };
+
+/// rollbem_friction at its start values, with 40 elements; a fixed mesh is uniform.
+inline Friction<rollbem::HertzLoad<double>> line(bool fixed) {
+    using Hertz = rollbem::HertzLoad<double>;
+    const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
+    const double load_per_width = nominal_load / (2 * half_width);
+    const rollbem::HertzLine<double> line({.load_per_width = load_per_width,
+                                           .combined_radius = std::numbers::pi * shear_modulus / (1 - poisson_ratio) *
+                                                              half_length * half_length / (4 * load_per_width),
+                                           .body_1 = body,
+                                           .body_2 = body});
+    const double first_load = (fixed ? largest_load : nominal_load) / (2 * half_width);
+    const double length = line.half_length() * (fixed ? std::sqrt(first_load / line.load_per_width()) : 1);
+    const rollbem::Mesh<double> mesh = fixed ? rollbem::uniform_mesh<double>(40) : rollbem::cosine_mesh<double>(40);
+    const Hertz hertz = fixed ? Hertz::fixed(line, mesh, length) : Hertz::breathing(line, mesh);
+    const rollbem::Contact<double> contact({.half_length = length,
+                                            .half_width = half_width,
+                                            .shear_modulus = shear_modulus,
+                                            .poisson_ratio = poisson_ratio});
+    const rollbem::NodeDifference scheme{fixed ? rollbem::Nodes::centres : rollbem::Nodes::chebyshev};
+    using Kernel = rollbem::PlaneKernel<double>;
+    return {hertz,
+            {contact,
+             {rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
+              rolling_system(mesh, scheme, Kernel::lateral(contact))},
+             rollbem::unchecked,
+             {friction_coefficient, hertz.at(first_load).normal_pressure}},
+            2 * half_width};
+}
+
+/// rollbem_patch at its start values, with 8 x 8 elements.
+inline Friction<rollbem::HertzPatchLoad<double>> patch(bool fixed) {
+    using Hertz = rollbem::HertzPatchLoad<double>;
+    const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
+    const rollbem::HertzEllipse<double> ellipse({.load = largest_load,
+                                                 .radii_1 = {.rolling = 0.46, .lateral = 1e9},
+                                                 .radii_2 = {.rolling = 1e9, .lateral = 0.3},
+                                                 .body_1 = body,
+                                                 .body_2 = body});
+    const rollbem::PatchContact<double> contact({.half_length = ellipse.half_length(),
+                                                 .half_width = ellipse.half_width(),
+                                                 .shear_modulus = shear_modulus,
+                                                 .poisson_ratio = poisson_ratio});
+    const rollbem::PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
+    const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
+    const rollbem::HalfSpace<double> kernel(poisson_ratio);
+    return {fixed ? Hertz::fixed(ellipse, contact, mesh) : Hertz::breathing(ellipse, contact, mesh),
+            {contact,
+             fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
+             rollbem::unchecked,
+             {friction_coefficient, hertz_pressures(contact, mesh, largest_load)}},
+            1};
+}
 
 /// The steps of rollbem_adhesion at its start values, with 12 states and steps of equal length.
 class Adhesion {

@@ -11,8 +11,15 @@ double library_adhesion(double duration, int count) {
 }
 
 double library_friction(double duration, int count) {
-    static library::Friction contact(false);
+    static auto contact = library::line(false);
     double force = 0;
-    for (int i = 0; i < count; ++i) force = contact.step(duration, 1e-3, 0, 20, 1e5).force.longitudinal;
+    for (int i = 0; i < count; ++i) force = contact.step(duration, 1e-3, 0, 0, 20, 1e5).force.longitudinal;
+    return force;
+}
+
+double library_patch(double duration, int count) {
+    static auto contact = library::patch(false);
+    double force = 0;
+    for (int i = 0; i < count; ++i) force = contact.step(duration, 1e-3, 0, 0, 20, 1e5).force.longitudinal;
     return force;
 }

@@ -5,6 +5,7 @@ extern "C" {
 #endif
 double library_adhesion(double duration, int count);
 double library_friction(double duration, int count);
+double library_patch(double duration, int count);
 #ifdef __cplusplus
 }
 #endif

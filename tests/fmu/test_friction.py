@@ -44,12 +44,13 @@ def make_run(lift_off):
 
 def by_library(mesh_length, rows):
     """The library's result of each step."""
-    text = "".join(" ".join(value.hex() for value in row) + "\n" for row in rows)
-    lines = subprocess.run([reference, mesh_length], input=text, capture_output=True, text=True, check=True).stdout
+    # no spin
+    text = "".join(" ".join(value.hex() for value in (*row[:3], 0.0, *row[3:])) + "\n" for row in rows)
+    lines = subprocess.run([reference, "line", mesh_length], input=text, capture_output=True, text=True, check=True).stdout
     result = []
     for line in lines.splitlines():
-        *numbers, sticking = line.split()
-        result.append((*map(float.fromhex, numbers), int(sticking)))
+        along, across, _, work, sticking = line.split()
+        result.append((*map(float.fromhex, (along, across, work)), int(sticking)))
     assert len(result) == len(rows)
     return result
 
@@ -82,7 +83,7 @@ def test_equals_the_library_over_rejected_steps():
 
 
 def test_steady_rolling_under_both_creepages():
-    # CONTACT's forces at delta = 0.5, 30 degrees, and at full sliding; 40 elements are accurate to 1.5e-3 of mu N
+    # CONTACT's forces at delta = 0.5, 30 degrees, and at full sliding; 40 elements are accurate to 7e-4 of mu N
     for delta, angle, along, across in ((0.5, 30, 0.6575, 0.2868), (0.25, 45, 0.3128, 0.2296),
                                         (1.1, 45, 0.7645, 0.6371)):
         creepage = delta * sliding
@@ -92,7 +93,7 @@ def test_steady_rolling_under_both_creepages():
             normal_load=N * 20)
         forces = [-instance.get(name) / (mu * 20 * N) for name in ("longitudinal_force", "lateral_force")]
         print(f"    delta = {delta}, {angle} degrees: {forces[0]:.4f}, {forces[1]:.4f}, expected {along}, {across}")
-        assert abs(forces[0] - along) < 1.5e-3 and abs(forces[1] - across) < 1.5e-3
+        assert abs(forces[0] - along) < 7e-4 and abs(forces[1] - across) < 7e-4
         # steady rolling is a fixed point but for the angles by which slip turns, which are those of each step, and all
         # the work of the creepage becomes heat
         before = np.array(forces)
@@ -102,7 +103,7 @@ def test_steady_rolling_under_both_creepages():
         assert np.abs(after - before).max() < 1e-4
         direction = [math.cos(math.radians(angle)), math.sin(math.radians(angle))]
         work = mu * 20 * N * creepage * 20 * 0.3 * a * (after @ direction)
-        close_to(instance.get("slip_work"), work, 2e-3 if delta >= 0.5 else 6e-3, "slip work")
+        close_to(instance.get("slip_work"), work, 1e-3 if delta >= 0.5 else 4e-3, "slip work")
         instance.close()
 
 

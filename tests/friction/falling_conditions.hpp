@@ -78,7 +78,7 @@ Violation<Scalar> violation(const Law& law, const rollbem::FrictionMemory<Scalar
             const Scalar came = before == nullptr ? (i == n - 1 ? at_rest : after.friction_coefficient[i + 1])
                                                   : carried(*system.points(), before->friction_coefficient,
                                                             (*system.points())[i] + way, at_rest);
-            const Scalar time = before == nullptr ? duration * system.weights()[i] : duration;
+            const Scalar time = before == nullptr ? duration * system.elements().intervals[i] : duration;
             const Scalar forgets = time * std::max(v, memory.least_velocity) / memory.distance;
             return (came + forgets * law(v)) / (1 + forgets);
         };

@@ -1,5 +1,5 @@
-// rollbem/friction/falling.hpp in long double: the conditions of the law to the rounding of the type, and the
-// forces of double.
+// Friction that falls with slip in long double and with node differences: the conditions of the law to the rounding of
+// the type, and the forces of double.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,8 +18,9 @@ namespace {
 using namespace rollbem;
 
 // -F/(mu_0 N) of a ride with a memory of `distance` [m], a steady solution first; with implicit Euler each is checked.
-template <class Scalar>
-std::vector<double> ride(double distance, Integrator integrator) {
+template <class Scalar, class Scheme = Collocation>
+std::vector<double> ride(double distance, Integrator integrator,
+                         const Scheme& scheme = {.alpha_L = 0.5, .alpha_T = 0.5}) {
     using falling_tests::law, falling_tests::speed, falling_tests::full_force;
     const auto a = static_cast<Scalar>(falling_tests::a), modulus = static_cast<Scalar>(falling_tests::shear_modulus);
     const auto V = static_cast<Scalar>(speed);
@@ -28,8 +29,7 @@ std::vector<double> ride(double distance, Integrator integrator) {
                                    .shear_modulus = modulus,
                                    .poisson_ratio = static_cast<Scalar>(falling_tests::poisson_ratio)});
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(20);
-    const auto system =
-        rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<Scalar>::longitudinal(contact));
+    const auto system = rolling_system(mesh, scheme, PlaneKernel<Scalar>::longitudinal(contact));
     const ExponentialFall<Scalar> falling{static_cast<Scalar>(law.mu_0), static_cast<Scalar>(law.mu_k),
                                           static_cast<Scalar>(law.half_velocity)};
     const FrictionMemory<Scalar> memory{static_cast<Scalar>(distance),
@@ -74,6 +74,14 @@ void compare(double tolerance) {
             }
             CAPTURE(distance, name(integrator), worst);
             CHECK(worst < tolerance);
+        }
+    }
+}
+
+TEST_CASE("With node differences a particle takes its coefficient from point to point", "[friction]") {
+    for (const double distance : {0.0, 5e-6, 20e-6}) {
+        for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+            ride<double>(distance, Integrator::implicit_euler, NodeDifference{nodes});
         }
     }
 }

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include <rollbem/accuracy/recommended_patch.hpp>
 #include <rollbem/adhesion/patch_stability.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
@@ -30,9 +32,10 @@ struct Scene {
     double load, c;
     Friction<ConstantFriction<double>> friction;
 
-    Scene(double a, double b, Eigen::Index n, Eigen::Index m)
+    Scene(double a, double b, Eigen::Index n, Eigen::Index m) : Scene(a, b, cosine_mesh(n), cosine_mesh(m)) {}
+    Scene(double a, double b, const Mesh<double>& along, const Mesh<double>& across)
         : contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu}),
-          mesh(patch_mesh(contact, n, m)),
+          mesh(patch_mesh(contact, along, across)),
           load(G * a * b * 3 / 250 / mu),
           c(std::sqrt(a * b)),
           friction{mu, hertz_pressures(contact, mesh, load)} {}
@@ -154,6 +157,58 @@ TEST_CASE("patch_friction: steady forces of a circle tend to their limits") {
     CHECK(twelve.moment < 9e-3);
     CHECK(both.moment < 3e-3);
     CHECK(rounds < 18 * 11);
+}
+
+TEST_CASE("patch_friction: recommended patches stay below their error bound") {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    const auto recommended = [](double a_over_b, Eigen::Index n) {
+        return Scene(5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), cosine_mesh(n),
+                     uniform_mesh(recommended_strips(n, a_over_b)));
+    };
+    const auto difference = [](const std::array<double, 3>& one, const std::array<double, 3>& other) {
+        return std::max(std::abs(one[0] - other[0]), std::abs(one[1] - other[1]));
+    };
+    for (const auto& [tolerance, spin] : {std::pair{0.1, any}, {0.02, any}, {0.05, 0.0}, {0.01, 0.0}, {0.03, 0.4}}) {
+        CAPTURE(tolerance, spin);
+        const RecommendedPatch best = recommended_patch(tolerance, 1, spin);
+        const Scene scene = recommended(1, best.n);
+        CHECK((best.mesh(scene.contact).edges() == scene.mesh.edges()).all());
+        const auto model = scene.steady();
+        double largest = 0;
+        for (const Limit& limit : limits) {
+            const double acting = int(limit.xi) + int(limit.eta) + int(limit.phi);
+            if (limit.phi && limit.level / std::sqrt(acting) > spin) continue;
+            const Creepage<double> creepage = scene.creepage(limit.level, limit.xi, limit.eta, limit.phi);
+            largest = std::max(largest, difference(scene.ratios(solve(model, creepage).step.force), limit.ratios));
+        }
+        CHECK(best.error_bound <= tolerance);
+        CHECK(largest <= best.error_bound);
+        CHECK(largest >= best.error_bound / 4);
+    }
+    // other ratios, against twice as fine patches: xi alone, spin alone, spin against eta
+    for (const auto& [a_over_b, tolerance, c11, c22, c23] :
+         {std::tuple{0.25, 0.05, 3.52, 2.72, 0.68}, {3.0, 0.06, 6.15, 6.1, 3.9}}) {
+        CAPTURE(a_over_b);
+        const RecommendedPatch best = recommended_patch(tolerance, a_over_b);
+        const Scene coarse = recommended(a_over_b, best.n), fine = recommended(a_over_b, 2 * best.n);
+        const auto coarse_model = coarse.steady(), fine_model = fine.steady();
+        const double unit = 3.0 / 250;
+        double largest = 0;
+        for (const Creepage<double>& creepage :
+             {Creepage<double>{unit / c11, 0, 0}, Creepage<double>{0, 0, 2.5 * unit / c23 / coarse.c},
+              Creepage<double>{0, -1.8 * unit / c22, 1.8 * unit / c23 / coarse.c}}) {
+            largest = std::max(largest, difference(coarse.ratios(solve(coarse_model, creepage).step.force),
+                                                   fine.ratios(solve(fine_model, creepage).step.force)));
+        }
+        CHECK(largest <= best.error_bound);
+        CHECK(largest >= best.error_bound / 6);
+    }
+    CHECK(recommended_patch(0.02, 1).n == 16);
+    CHECK(recommended_patch(0.02, 1).strips == 9);
+    CHECK(recommended_strips(12, 0.2) == 17);
+    CHECK_THROWS_WITH(recommended_patch(0.02, 11), ContainsSubstring("a_over_b = 11"));
+    CHECK_THROWS_WITH(recommended_patch(1e-3, 1), ContainsSubstring("tolerance = 0.001"));
+    CHECK_THROWS_WITH(recommended_patch(0.02, 1, -1), ContainsSubstring("spin = -1"));
 }
 
 TEST_CASE("patch_friction: slip work is the work of the creepages") {

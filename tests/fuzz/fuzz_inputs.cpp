@@ -19,10 +19,10 @@
 
 #include "friction/load.hpp"
 #include "friction/pressure.hpp"
+#include "support/columns_file.hpp"
 #include "support/csv.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
-#include "support/pairs_file.hpp"
 #include "support/scenes.hpp"
 
 namespace {

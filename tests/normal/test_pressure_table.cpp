@@ -1,7 +1,9 @@
-// rollbem/normal/pressure_table.hpp
+// rollbem/normal/pressure_table.hpp, normal/pressure_grid.hpp
 #include <algorithm>
 #include <initializer_list>
+#include <vector>
 
+#include <rollbem/normal/pressure_grid.hpp>
 #include <rollbem/normal/pressure_table.hpp>
 
 #include "support/catch.hpp"
@@ -57,6 +59,51 @@ TEST_CASE("A tabulated pressure is linear between its points and zero outside th
     CHECK(table(0.5) == 0.5);
     CHECK(table(0.501) == 0);
     CHECK(table(1.0) == 0);
+}
+
+TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pressure]") {
+    // a product of functions that are linear between the points, whose antiderivatives are known
+    ArrayX<double> x(4), y(3), f(4), g(3);
+    x << -3, -1, 0.5, 2;
+    y << -1, 0.25, 4;
+    f << 0, 2, 1, 3;
+    g << 1, 0.5, 2;
+    const PressureGrid<double> grid(x, y, (f.matrix() * g.matrix().transpose()).eval());
+    const auto antiderivative = [](const ArrayX<double>& knots, const ArrayX<double>& values, double place) {
+        double sum = 0;
+        for (Eigen::Index k = 1; k < knots.size(); ++k) {
+            const double slope = (values[k] - values[k - 1]) / (knots[k] - knots[k - 1]);
+            const double part = std::clamp(place, knots[k - 1], knots[k]) - knots[k - 1];
+            sum += part * (values[k - 1] + slope * part / 2);
+        }
+        return sum;
+    };
+    CHECK(grid.integral() == Approx(antiderivative(x, f, 2) * antiderivative(y, g, 4)).epsilon(1e-14));
+    std::vector<Rectangle<double>> elements;
+    for (const double x_1 : {-5.0, -3.0, -2.0, -1.0, 0.0, 1.5}) {
+        for (const double width : {0.3, 1.5, 9.0}) {
+            for (const double y_1 : {-2.0, -1.0, 0.0, 3.5, 4.0}) {
+                elements.push_back({x_1, x_1 + width, y_1, y_1 + width / 2});
+            }
+        }
+    }
+    const ArrayX<double> means = grid(elements);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto& [x_1, x_2, y_1, y_2] = elements[i];
+        const double integral = (antiderivative(x, f, x_2) - antiderivative(x, f, x_1)) *
+                                (antiderivative(y, g, y_2) - antiderivative(y, g, y_1));
+        CHECK(means[Eigen::Index(i)] == Approx(integral / ((x_2 - x_1) * (y_2 - y_1))).epsilon(1e-13).margin(1e-14));
+    }
+    const MatrixX<double> ones = MatrixX<double>::Ones(4, 3);
+    CHECK_THROWS_WITH((PressureGrid<double>(x, x, ones)),
+                      "PressureGrid: number of pressures = 12 must equal that of points");
+    CHECK_THROWS_WITH((PressureGrid<double>(x.head(1), y, ones.topRows(1))),
+                      "PressureGrid: number of x = 1 must be at least 2");
+    CHECK_THROWS_WITH((PressureGrid<double>(x.reverse(), y, ones)),
+                      "PressureGrid: x = 0.5 must be finite and larger than the value before");
+    CHECK_THROWS_WITH((PressureGrid<double>(x, y, -ones)),
+                      "PressureGrid: pressure = -1 must be finite and not negative");
+    CHECK_THROWS_WITH((PressureGrid<double>(x, y, 0 * ones)), "PressureGrid: load = 0 must be positive and finite");
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/adhesion/response.hpp>
+#include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/chebyshev.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/stability.hpp>
@@ -22,6 +24,7 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
 namespace {
@@ -566,6 +569,96 @@ concept SteadyByStates = requires(const Kernel& kernel) {
 };
 static_assert(TakesStates<StripKernel<double>> && SteadyByStates<PlaneKernel<float>>);
 static_assert(LineKernel<NoSplit> && !TakesStates<NoSplit> && !SteadyByStates<NoSplit>);
+
+const PlaneKernel<double> lateral_plane(100, 1, -0.28);
+
+TEST_CASE("States under spin have the closed form of steady rolling", "[chebyshev]") {
+    const double pi = std::numbers::pi;
+    for (const Eigen::Index m : {2, 3, 12, 60}) {
+        const auto system = rolling_system(Chebyshev{m}, lateral_plane);
+        const Response<double> steady = solve_steady_response(system.with_spin());
+        CAPTURE(m, steady.coefficients);
+        REQUIRE(steady.status == Status::ok);
+        CHECK(std::abs(steady.coefficients(0, 0) - pi / 2) < 1e-13);  // by lateral creepage
+        CHECK(std::abs(steady.coefficients(1, 0) + pi / 4) < 1e-13);
+        CHECK(std::abs(steady.coefficients(0, 1) - pi / 4) < 1e-13);  // by spin
+        CHECK(std::abs(steady.coefficients(1, 1)) < 1e-13);
+        for (const double x : {-0.9, 0.0, 0.7}) {
+            const double traction = system.traction(VectorX<double>(steady.unknowns.col(1)))(x);
+            CHECK(std::abs(traction + std::sqrt(1 - x * x) / 2) < 1e-13);
+        }
+        const StateSpace<double> states = state_space(system.with_spin());
+        CHECK((states.B.col(0) + VectorX<double>::Unit(m, 0)).cwiseAbs().maxCoeff() < 1e-14);
+        CHECK((states.B.col(1) + VectorX<double>::Unit(m, 1)).cwiseAbs().maxCoeff() < 1e-14);
+    }
+}
+
+TEST_CASE("Under harmonic spin elements tend to states, and force and moment are reciprocal", "[chebyshev]") {
+    const StripKernel<double> kernel(10.0, 1.0, -0.28);
+    const RollingSystem<double> states = rolling_system(Chebyshev{24}, kernel).with_spin();
+    for (const double z : {0.0, 1.0}) {
+        const auto exact = solve_response(states, {0, z}).coefficients;
+        CHECK(std::abs(exact(0, 1) + exact(1, 0)) < 1e-13);
+        for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
+            const std::vector<double> sizes{20, 40, 80};
+            std::vector<double> errors;
+            for (const Eigen::Index n : {20, 40, 80}) {
+                const auto system = rolling_system(cosine_mesh(n), NodeDifference{nodes}, kernel).with_spin();
+                errors.push_back((solve_response(system, {0, z}).coefficients - exact).cwiseAbs().maxCoeff());
+            }
+            CAPTURE(z, nodes == Nodes::centres, errors);
+            CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.15);
+        }
+    }
+}
+
+TEST_CASE("States of both directions with spin are stepped as elements are", "[chebyshev]") {
+    const Contact<double> contact(
+        {.half_length = 5e-3, .half_width = 0.5, .shear_modulus = 8e10, .poisson_ratio = 0.28});
+    const auto along = PlaneKernel<double>::longitudinal(contact), across = PlaneKernel<double>::lateral(contact);
+    const auto states = both_directions<double>(rolling_system(Chebyshev{12}, along),
+                                                rolling_system(Chebyshev{12}, across).with_spin());
+    const auto verdict =
+        judge_stability(rolling_system(Chebyshev{12}, along)) + judge_stability(rolling_system(Chebyshev{12}, across));
+    CHECK(judge_stability(states).n == verdict.n);
+    CHECK(judge_stability(states).spectral_abscissa == Approx(verdict.spectral_abscissa).epsilon(1e-9));
+    const AdhesionModel<3> spectral(contact, states, verdict, Integrator::matrix_exponential);
+    const Mesh<double> mesh = cosine_mesh(80);
+    const AdhesionModel elements(
+        contact,
+        ElementSystem(rolling_system(mesh, NodeDifference{}, along), rolling_system(mesh, NodeDifference{}, across)),
+        unchecked, Integrator::matrix_exponential);
+    AdhesionState<> one = spectral.at_rest(), one_next = one, other = elements.at_rest(), other_next = other;
+    auto one_workspace = spectral.workspace();
+    auto other_workspace = elements.workspace();
+    const Creepage<double> creepage{1e-3, -5e-4, 0.3};
+    const double dq = 0.5 * contact.half_length();
+    const auto differs = [](const TangentialForce<double>& x, const TangentialForce<double>& y, double a) {
+        return std::hypot(x.longitudinal - y.longitudinal, x.lateral - y.lateral, (x.moment - y.moment) / a);
+    };
+    for (int k = 0; k < 12; ++k) {
+        const auto step = spectral.advance(one, dq, creepage, one_next, one_workspace);
+        const auto expected = elements.advance(other, dq, creepage, other_next, other_workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        CAPTURE(k, step.force.longitudinal, step.force.lateral, step.force.moment);
+        const double size = std::hypot(expected.force.longitudinal, expected.force.lateral);
+        CHECK(differs(step.force, expected.force, contact.half_length()) < 2e-3 * size);
+        CHECK(step.force.moment != 0);
+        std::swap(one, one_next);
+        std::swap(other, other_next);
+    }
+}
+
+TEST_CASE("Spin needs two states, known points and kernels of one width", "[chebyshev]") {
+    CHECK_THROWS_WITH(rolling_system(Chebyshev{1}, lateral_plane).with_spin(),
+                      ContainsSubstring("number of states = 1 must be at least 2"));
+    const auto elements = rolling_system(cosine_mesh(4), NodeDifference{}, lateral_plane);
+    CHECK_THROWS_WITH(ElementSystem<double>(elements.G(), elements.G_prime(), elements.weights()).with_spin(),
+                      ContainsSubstring("spin needs them"));
+    const auto wider = rolling_system(Chebyshev{4}, PlaneKernel<double>(200, 0.72, 0.28));
+    CHECK_THROWS_WITH(both_directions<double>(wider, rolling_system(Chebyshev{4}, lateral_plane).with_spin()),
+                      ContainsSubstring("b/a of the lateral kernel = 100 must be that of the longitudinal one"));
+}
 
 TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "[chebyshev]") {
     const PlaneKernel<double> endless(infinity, 0.75, 0.25);

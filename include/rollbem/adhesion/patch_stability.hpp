@@ -4,9 +4,11 @@
 #include "../detail/language.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "../assembly/patch_shapes.hpp"
 #include "../assembly/patch_system.hpp"
 #include "../status.hpp"
 #include "stability.hpp"
@@ -19,16 +21,25 @@ namespace rollbem {
 template <class Scalar>
 StabilityVerdict judge_stability(const std::vector<PatchPart<Scalar>>& parts) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (const PatchPart<Scalar>& part : parts) {
-        const StabilityVerdict own = judge_stability(part.system);
-        all.n += own.n;
-        all.unstable_count += own.unstable_count;
-        all.settled_unstable_count += own.settled_unstable_count;
-        all.uncertain_count += own.uncertain_count;
-        all.spectral_abscissa = std::max(all.spectral_abscissa, own.spectral_abscissa);
-        if (all.status == Status::ok) all.status = own.status;
-    }
+    for (const PatchPart<Scalar>& part : parts) all = all + judge_stability(part.system);
     return all;
+}
+
+/// The worst verdict on the nodes of a set of shapes, each judged by its parts: the largest of each number. The shapes
+/// between two nodes are taken to behave as these do.
+template <class Scalar>
+StabilityVerdict judge_stability(const PatchShapes<Scalar>& shapes) {
+    StabilityVerdict worst{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
+    for (std::size_t node = 0; node < shapes.node_count(); ++node) {
+        const StabilityVerdict own = judge_stability(shapes.parts(node));
+        worst.n = own.n;
+        worst.unstable_count = std::max(worst.unstable_count, own.unstable_count);
+        worst.settled_unstable_count = std::max(worst.settled_unstable_count, own.settled_unstable_count);
+        worst.uncertain_count = std::max(worst.uncertain_count, own.uncertain_count);
+        worst.spectral_abscissa = std::max(worst.spectral_abscissa, own.spectral_abscissa);
+        if (worst.status == Status::ok) worst.status = own.status;
+    }
+    return worst;
 }
 
 }  // namespace rollbem

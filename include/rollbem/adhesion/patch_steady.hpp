@@ -14,21 +14,13 @@
 #include "../detail/finite.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
+#include "../scene/creep_coefficients.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 #include "response.hpp"
 
 namespace rollbem {
-
-/// Kalker's creep coefficients: F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi),
-/// M_z = -G a b c (c32 eta + c c33 phi) about the origin, with creepages xi, eta [-], spin phi [1/m] and c = sqrt(a b);
-/// of an outline, c stands for a and b. In the limit of small elements c32 = -c23 if the patch is symmetric fore and
-/// aft. Real for steady rolling, complex for harmonic creepage.
-template <class Value>
-struct CreepCoefficients {
-    Value c11 = 0, c22 = 0, c23 = 0, c32 = 0, c33 = 0;
-};
 
 /// From the 3 x 3 coefficients of a system in units of a, entry (i, j) minus the force F_x, F_y, M_z per xi, eta, phi.
 template <class Value, class Scalar>

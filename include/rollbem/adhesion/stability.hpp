@@ -262,18 +262,10 @@ StabilityVerdict judge_stability(const RollingSystem<Scalar>& system) {
 template <class Scalar>
 StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
     if (system.coupled()) return judge_stability(system.whole());
-    StabilityVerdict verdict{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (std::size_t d = 0; d < 2; ++d) {
-        const StabilityVerdict one =
-            judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
-        verdict.n += one.n;
-        verdict.unstable_count += one.unstable_count;
-        verdict.settled_unstable_count += one.settled_unstable_count;
-        verdict.uncertain_count += one.uncertain_count;
-        verdict.spectral_abscissa = std::max(verdict.spectral_abscissa, one.spectral_abscissa);
-        if (verdict.status == Status::ok) verdict.status = one.status;
-    }
-    return verdict;
+    const auto direction = [&](std::size_t d) {
+        return judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
+    };
+    return direction(0) + direction(1);
 }
 
 }  // namespace rollbem

@@ -4,6 +4,8 @@
 
 #include "../detail/language.hpp"
 
+#include <algorithm>
+
 #include <Eigen/Core>
 
 #include "../status.hpp"
@@ -26,6 +28,16 @@ struct StabilityVerdict {
     bool stable() const { return status == Status::ok && unstable_count == 0 && uncertain_count == 0; }
     /// At least one mode certainly grows.
     bool certainly_unstable() const { return status == Status::ok && settled_unstable_count > 0; }
+
+    /// The verdict on two systems that do not couple, which together have the eigenvalues of both.
+    friend StabilityVerdict operator+(const StabilityVerdict& one, const StabilityVerdict& other) {
+        return {.n = one.n + other.n,
+                .unstable_count = one.unstable_count + other.unstable_count,
+                .settled_unstable_count = one.settled_unstable_count + other.settled_unstable_count,
+                .uncertain_count = one.uncertain_count + other.uncertain_count,
+                .spectral_abscissa = std::max(one.spectral_abscissa, other.spectral_abscissa),
+                .status = one.status == Status::ok ? other.status : one.status};
+    }
 };
 
 }  // namespace rollbem

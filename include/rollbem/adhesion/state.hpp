@@ -27,6 +27,7 @@ struct AdhesionState {
     /// Rolled in the step that led here [m]. Makes a next step of the same distance cheaper, and changes results by
     /// round-off only.
     Scalar distance = 0;
+    Scalar half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
 };
 
 namespace detail {
@@ -92,6 +93,8 @@ struct AdhesionStep {
     /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steps that
     /// are not to a given half-length, and if the model cannot breathe.
     Force tangent_by_half_length = Values::unknown();
+    /// The same of a patch by its half-width. At constant a/b: see FrictionStep::tangent_by_load.
+    Force tangent_by_half_width = Values::unknown();
     StepStatus status = StepStatus::not_finite;
 };
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
+#include "detail/shape_set.hpp"
 #include "elements.hpp"
 #include "rolling_system.hpp"
 
@@ -130,6 +132,15 @@ public:
                         "be that of G_prime_xy");
     }
 
+    /// The same for a patch that may change its size and shape, with blocks for semi-axes of the given a/b, which
+    /// `shapes` cover.
+    ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
+                  std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
+        : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {
+        shapes_ = std::move(shapes);
+        a_over_b_ = a_over_b;
+    }
+
     /// From the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
     ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral)
         : G_(detail::uncoupled(longitudinal.G(), lateral.G())),
@@ -165,6 +176,10 @@ public:
     std::optional<Scalar> aspect() const { return aspect_; }
     std::optional<Scalar> log_strength(std::size_t direction) const { return log_strength_[direction]; }
 
+    /// Of a patch that may change its size or shape, and null of any other: see breathing_system and PatchShapes.
+    const std::shared_ptr<const detail::ShapeSet<Scalar>>& shapes() const { return shapes_; }
+    Scalar a_over_b() const { return a_over_b_; }  ///< of such a patch, for which the blocks hold
+
     /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
     RollingSystem<Scalar> whole() const {
         return {detail::joined(G_), detail::joined(G_prime_), rigid_slip(elements_), force_weights(elements_)};
@@ -177,6 +192,11 @@ public:
         detail::add_blocks(G_prime_, fingerprint);
         fingerprint.add(rigid_slip(elements_));
         fingerprint.add(force_weights(elements_));
+        if (shapes_) {
+            fingerprint.add(a_over_b_);
+            fingerprint.add(shapes_->first);
+            fingerprint.add(shapes_->step);
+        }
         return fingerprint.value();
     }
 
@@ -186,12 +206,23 @@ private:
     Eigen::Index element_count_;
     std::optional<Scalar> aspect_;
     std::array<std::optional<Scalar>, 2> log_strength_;
+    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;
+    Scalar a_over_b_ = 1;
 };
 
 template <class Scalar>
 ElementSystem(const ElementSystem<Scalar>&, const ElementSystem<Scalar>&) -> ElementSystem<Scalar, 2>;
 
 namespace detail {
+
+/// Throws std::invalid_argument unless the a/b of a system that may change its size, if it may, is that of a patch.
+template <class AnyContact, class Scalar>
+void require_same_shape(const char* who, const AnyContact& contact, const ElementSystem<Scalar, 2>& system) {
+    if (!system.shapes()) return;
+    const Scalar ratio = contact.a_over_b() / system.a_over_b();
+    const bool same = std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon();
+    require(same, who, "a/b of the patch over that of its system", ratio, "be 1");
+}
 
 /// Throws std::invalid_argument if the half-width of a contact is infinite or not that of the system's kernel.
 template <class Scalar>

@@ -45,28 +45,38 @@ Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& sch
 
 namespace detail {
 
+/// Rows of all strips from those of the strips at y <= 0, which `given` counts; their mirror images have entries `sign`
+/// times as large.
+template <class Scalar>
+MatrixX<Scalar> unfolded(const MatrixX<Scalar>& given, Eigen::Index n, Eigen::Index m, Scalar sign) {
+    const Eigen::Index computed = given.rows() / n;
+    MatrixX<Scalar> block(m * n, m * n);
+    block.topRows(computed * n) = given;
+    for (Eigen::Index j = computed; j < m; ++j) {
+        for (Eigen::Index k = 0; k < m; ++k) {
+            block.block(j * n, k * n, n, n) = sign * given.block((m - 1 - j) * n, (m - 1 - k) * n, n, n);
+        }
+    }
+    return block;
+}
+
+/// The number of strips whose rows are computed.
+template <class Scalar>
+Eigen::Index computed_strips(const PatchMesh<Scalar>& mesh) {
+    return mesh.is_mirrored() ? (mesh.strip_count() + 1) / 2 : mesh.strip_count();
+}
+
 /// All blocks of G or G'.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 DirectionBlocks<Scalar> patch_blocks(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                      Quantity quantity) {
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
-    const Eigen::Index computed = mesh.is_mirrored() ? (m + 1) / 2 : m;
-    InfluenceRows<Scalar> rows =
-        patch_rows(mesh, strip_rows(mesh.along(), scheme, quantity), kernel, quantity, computed);
-    const auto all = [&](MatrixX<Scalar>& first, Scalar sign) {
-        MatrixX<Scalar> block(m * n, m * n);
-        block.topRows(computed * n) = first;
-        for (Eigen::Index j = computed; j < m; ++j) {
-            for (Eigen::Index k = 0; k < m; ++k) {
-                block.block(j * n, k * n, n, n) = sign * first.block((m - 1 - j) * n, (m - 1 - k) * n, n, n);
-            }
-        }
-        return block;
-    };
+    const InfluenceRows<Scalar> rows =
+        patch_rows(mesh, strip_rows(mesh.along(), scheme, quantity), kernel, quantity, computed_strips(mesh));
     DirectionBlocks<Scalar> blocks;
-    blocks[0][0] = all(rows.xx, 1);
-    blocks[1][1] = all(rows.yy, 1);
-    if (kernel.couples()) blocks[0][1] = blocks[1][0] = all(rows.xy, -1);
+    blocks[0][0] = unfolded(rows.xx, n, m, Scalar(1));
+    blocks[1][1] = unfolded(rows.yy, n, m, Scalar(1));
+    if (kernel.couples()) blocks[0][1] = blocks[1][0] = unfolded(rows.xy, n, m, Scalar(-1));
     return blocks;
 }
 
@@ -153,7 +163,7 @@ std::vector<PatchPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const 
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
     const auto rows = [&](Quantity quantity) {
         return detail::patch_rows(mesh, detail::strip_rows(mesh.along(), scheme, quantity), kernel, quantity,
-                                  (m + 1) / 2);
+                                  detail::computed_strips(mesh));
     };
     const detail::InfluenceRows<Scalar> G = rows(Quantity::displacement), G_prime = rows(Quantity::slope);
     const Elements<Scalar> elements = patch_elements(mesh, scheme);

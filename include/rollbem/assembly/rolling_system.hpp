@@ -89,7 +89,25 @@ public:
         return fingerprint.value();
     }
 
+    template <class S>
+    friend RollingSystem<S> both_directions(const RollingSystem<S>& longitudinal, const RollingSystem<S>& lateral);
+
 protected:
+    /// The same equations with spin as a second input, `moments` the moment per unknown. Throws std::invalid_argument
+    /// if the points are unknown.
+    RollingSystem with_spin_by(const char* who, const VectorX<Scalar>& moments) const {
+        detail::require(points_.has_value(), who, "number of places", 0,
+                        "equal the number of equations: spin needs them");
+        MatrixX<Scalar> inputs(size(), 2), outputs(size(), 2);
+        inputs << inputs_, points_->matrix();
+        outputs << outputs_, moments;
+        RollingSystem system(G_, G_prime_, std::move(inputs), std::move(outputs));
+        system.unknowns_are_tractions_ = unknowns_are_tractions_;
+        system.aspect_ = aspect_;
+        system.points_ = points_;
+        return system;
+    }
+
     bool unknowns_are_tractions_ = false;
     std::optional<Scalar> aspect_, log_strength_;
     std::optional<ArrayX<Scalar>> points_;
@@ -129,6 +147,13 @@ public:
 
     /// The places of the unknown elements and of their equations.
     const Elements<Scalar>& elements() const { return elements_; }
+
+    /// For the lateral direction: inputs lateral creepage and spin times a, whose rigid slip is x at the points of the
+    /// equations; outputs F_y over a G and the moment M_z over a^2 G, both per width, of tractions at the centres.
+    /// Throws std::invalid_argument where places are not known.
+    RollingSystem<Scalar> with_spin() const {
+        return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
+    }
 
     template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
     friend ElementSystem<S> rolling_system(const Mesh<S>& mesh, const Scheme& scheme, const Kernel& kernel);
@@ -236,6 +261,27 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
     if (detail::holds_at_points(scheme, mesh)) {
         system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
     }
+    return system;
+}
+
+/// Two systems that do not couple as one: inputs and outputs of the first, then those of the second. With spin in the
+/// lateral one, AdhesionModel<3> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
+template <class Scalar>
+RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
+    const std::optional<Scalar>& aspect = longitudinal.aspect_ ? longitudinal.aspect_ : lateral.aspect_;
+    detail::require(!lateral.aspect_ || *lateral.aspect_ == *aspect, "both_directions", "b/a of the lateral kernel",
+                    lateral.aspect_.value_or(Scalar(0)), "be that of the longitudinal one");
+    const auto diagonal = [](const MatrixX<Scalar>& first, const MatrixX<Scalar>& second) {
+        MatrixX<Scalar> whole = MatrixX<Scalar>::Zero(first.rows() + second.rows(), first.cols() + second.cols());
+        whole.topLeftCorner(first.rows(), first.cols()) = first;
+        whole.bottomRightCorner(second.rows(), second.cols()) = second;
+        return whole;
+    };
+    RollingSystem<Scalar> system(
+        diagonal(longitudinal.G_, lateral.G_), diagonal(longitudinal.G_prime_, lateral.G_prime_),
+        diagonal(longitudinal.inputs_, lateral.inputs_), diagonal(longitudinal.outputs_, lateral.outputs_));
+    system.aspect_ = aspect;
+    system.unknowns_are_tractions_ = longitudinal.unknowns_are_tractions_ && lateral.unknowns_are_tractions_;
     return system;
 }
 

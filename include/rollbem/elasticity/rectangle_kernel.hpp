@@ -49,6 +49,13 @@ concept SlopeKernel = RectangleKernel<Kernel> && requires(const Kernel& kernel, 
     { kernel.line_slope(x, x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
 };
 
+/// A kernel that offers corner_lateral_slope(x, y), the derivative of corner(x, y) by y: xx and yy are odd in x and even
+/// in y, xy is even in x and odd in y. Patches whose half-width varies require it.
+template <class Kernel>
+concept LateralSlopeKernel = RectangleKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
+    { kernel.corner_lateral_slope(x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
+};
+
 /// Two equal half-spaces (Boussinesq, Cerruti): with r = sqrt(x^2 + y^2), pi G F is
 /// xx: (1-nu) x asinh(y/|x|) + y asinh(x/|y|), yy: x asinh(y/|x|) + (1-nu) y asinh(x/|y|), xy: -nu r.
 template <class Scalar_>
@@ -72,6 +79,14 @@ public:
         const Scalar across = std::copysign(y, x * y) * area_sine(width, height, r);
         constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
         return {over_pi * ((1 - nu_) * along + across), -over_pi * nu_ * r, over_pi * (along + (1 - nu_) * across)};
+    }
+
+    Influence<Scalar> corner_lateral_slope(Scalar x, Scalar y) const {
+        const Scalar r = std::max(std::sqrt(x * x + y * y), least);
+        const Scalar width = std::max(std::abs(x), least), height = std::max(std::abs(y), least);
+        const Scalar angle = std::copysign(area_sine(width, height, r), x), shear = nu_ * x / r;
+        constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
+        return {over_pi * (angle - shear), -over_pi * nu_ * y / r, over_pi * ((1 - nu_) * angle + shear)};
     }
 
     Influence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {

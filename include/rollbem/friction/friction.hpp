@@ -8,6 +8,7 @@
 #include "../normal/hertz_load.hpp"
 #include "../normal/load.hpp"
 #include "../normal/patch_pressure.hpp"
+#include "../normal/pressure_grid.hpp"
 #include "../normal/pressure_table.hpp"
 #include "law.hpp"
 #include "steady.hpp"

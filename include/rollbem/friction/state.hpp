@@ -48,9 +48,10 @@ struct FrictionState {
     /// p on body 1 of each unknown element [Pa], trailing to leading: a vector, or with two directions a row each.
     ElementVectors<Scalar, directions> traction;
     std::vector<Zone> zones;  ///< stick or slip of each element, at the end of the step
-    /// The present load: p_n [Pa] of each unknown element and the half-length a [m]. A step without a load keeps it.
+    /// The present load: p_n [Pa] of each unknown element, the half-length a and the half-width b of the contact [m]; on
+    /// a line b does not vary and is not read. A step without a load keeps them.
     ArrayX<Scalar> normal_pressure;
-    Scalar half_length = 0;
+    Scalar half_length = 0, half_width = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
     /// mu [-] of each unknown element, finite and not negative; empty if mu is constant. Without memory it is mu_s(v),
     /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
@@ -110,14 +111,16 @@ struct FrictionStep {
     /// derivative on 40 elements.
     Tangent tangent_per_width = detail::nothing<Tangent>();
     Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
-    /// Derivatives by the load at the end of a step, at constant half-length, and by that half-length; if it depends on
-    /// the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load. NaN for steps without a
-    /// load of their own; by the load also if NormalLoad has no pressure_rate, by the half-length also if the system
-    /// cannot breathe and for a rigid shift.
+    /// Derivatives by the load at the end of a step, at constant half-length and half-width, and by these; if they
+    /// depend on the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load +
+    /// tangent_by_half_width db/d load. NaN for steps without a load of their own; by the load also if NormalLoad has no
+    /// pressure_rate, by the others also if the system cannot breathe and for a rigid shift. A patch of constant a/b has
+    /// a tangent by the half-length at that a/b, and none by the half-width: 0. On a line that by the half-width is NaN.
     Force tangent_by_load_per_width = detail::nothing<Force>();         ///< [N/m per unit of the load]
     Force tangent_by_load = detail::nothing<Force>();                   ///< 2b times it
     Force tangent_by_half_length_per_width = detail::nothing<Force>();  ///< [N/m^2]
     Force tangent_by_half_length = detail::nothing<Force>();            ///< 2b times it [N/m]
+    Force tangent_by_half_width = detail::nothing<Force>();             ///< of a patch [N/m]
     /// Frictional heat: per unit width [J/m] for a step or a shift; per unit width and unit distance rolled [J/m^2] for
     /// a steady solution. It is the sum over elements and directions of traction times slip at the centre, of second
     /// order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage ratio

@@ -165,12 +165,12 @@ public:
     Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
                 Workspace& workspace) const noexcept {
         StepStatus possible = core_.check(from, to, workspace);
-        if (possible == StepStatus::ok && from.half_length != core_.half_length()) {
+        if (possible == StepStatus::ok && core_.axes(from) != detail::contact_axes<Scalar>) {
             possible = StepStatus::needs_fixed_mesh;
         }
         if (possible != StepStatus::ok) return Core::failed(possible);
-        const Step step = core_.solve_steady(G_prime_, from, creepage, speed, {from.normal_pressure, from.half_length},
-                                             to, workspace);
+        const Step step =
+            core_.solve_steady(G_prime_, nullptr, from, creepage, speed, Core::load_of(from), to, workspace);
         return converges_ ? step : Core::without_forces(step);
     }
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept

@@ -123,6 +123,7 @@ public:
             detail::require(!system_.aspect() && system_.elements().places_are_known(), name,
                             "number of places of a patch's elements", system_.elements().x.size(),
                             "be theirs: a patch has the system of a PatchMesh");
+            detail::require_same_shape(name, contact, system_);
         }
         detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
                         "be implicit_euler or sdirk2");
@@ -161,18 +162,18 @@ public:
     /// load of `from`, e.g. as an initial state: as SteadyFrictionModel::steady.
     Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
                 Workspace& workspace) const noexcept {
-        return settle(from, creepage, speed, {from.normal_pressure, from.half_length}, to, workspace);
+        return settle(from, creepage, speed, Core::load_of(from), to, workspace);
     }
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
         requires(!Core::slip_dependent) {
         return steady(from, creepage, 1, to, workspace);
     }
-    /// Steady rolling under another load. If its half-length is not the contact's, the system must be able to breathe.
+    /// Steady rolling under another load. If its semi-axes are not the contact's, the system must be able to breathe.
     Step steady(const State& from, const Value& creepage, Scalar speed, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept {
-        const StepStatus possible = load.check(system_.element_count());
+        const StepStatus possible = check(from, load);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return settle(from, creepage, speed, {load.normal_pressure, load.half_length}, to, workspace);
+        return settle(from, creepage, speed, core_.load_after(from, load), to, workspace);
     }
     Step steady(const State& from, const Value& creepage, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept requires(!Core::slip_dependent) {
@@ -188,7 +189,7 @@ public:
     /// `from`, the travel and the motion alone, to the last bit. Does not allocate; a new dq costs a factorisation.
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
-        return roll(from, travel, motion, {from.normal_pressure, from.half_length}, to, workspace);
+        return roll(from, travel, motion, Core::load_of(from), to, workspace);
     }
 
     /// The same under a load that varies linearly from that of `from` to this one at the end of the step. If the system
@@ -200,9 +201,9 @@ public:
     /// collocation point.
     Step advance(const State& from, const Travel& travel, const Motion& motion, const NormalLoad<Scalar>& load,
                  State& to, Workspace& workspace) const noexcept {
-        const StepStatus possible = load.check(system_.element_count());
+        const StepStatus possible = check(from, load);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return roll(from, travel, motion, {load.normal_pressure, load.half_length, &load.pressure_rate}, to, workspace);
+        return roll(from, travel, motion, core_.load_after(from, load), to, workspace);
     }
 
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling, in `duration` [s], which a
@@ -220,13 +221,19 @@ private:
 
     static constexpr const char* name = "FrictionModel";
 
+    StepStatus check(const State& from, const NormalLoad<Scalar>& load) const noexcept {
+        const StepStatus possible = load.check(system_.element_count());
+        return possible == StepStatus::ok ? core_.check_width(from, load) : possible;
+    }
+
     Step settle(const State& from, const Value& creepage, Scalar speed, const Load& load, State& to,
                 Workspace& workspace) const noexcept {
         StepStatus possible = core_.check(from, to, workspace);
-        const Scalar a = load.half_length / core_.half_length();
-        if (possible == StepStatus::ok) possible = detail::check_growth(system_, Scalar(0), a, a);
+        const auto axes = core_.axes(load);
+        if (possible == StepStatus::ok) possible = detail::check_growth(system_, Scalar(0), axes, axes);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return core_.solve_steady(detail::gradient(system_), from, creepage, speed, load, to, workspace);
+        const System* const shapes = detail::changes_shape(system_) ? &system_ : nullptr;
+        return core_.solve_steady(detail::gradient(system_), shapes, from, creepage, speed, load, to, workspace);
     }
 
     Step roll(const State& from, const rollbem::Travel<Scalar>& travel, const Motion& motion, const Load& load,
@@ -237,8 +244,7 @@ private:
         StepStatus possible = motion.check(travel.dq / unit);
         if (possible == StepStatus::ok) possible = belongs;
         if (possible == StepStatus::ok) {
-            possible =
-                detail::check_growth(system_, travel.dq / unit, from.half_length / unit, load.half_length / unit);
+            possible = detail::check_growth(system_, travel.dq / unit, core_.axes(from), core_.axes(load));
         }
         if (possible != StepStatus::ok) return Core::failed(possible);
         return core_.roll(system_, integrator_, from, travel, motion, load, to, workspace);

@@ -118,34 +118,56 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     return integrals;
 }
 
+/// The share of a Hertzian load that an element carries, and the load times its derivative by the load.
+template <class Scalar>
+std::array<Scalar, 2> hertz_share(Scalar a, Scalar b, const Rectangle<Scalar>& element) {
+    const auto [height, inverse] =
+        integrate_hemisphere<Scalar>({element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b});
+    // in units of the load: volumes of the unit hemisphere, whose total is 2 pi/3; p = p0 sqrt(1 - r^2), where 1/r and
+    // p0 grow as the cube root of the load: N dp/dN = p0/(3 sqrt(1 - r^2))
+    constexpr Scalar per_volume = 3 * std::numbers::inv_pi_v<Scalar> / 2;
+    return {per_volume * height, per_volume / 3 * inverse};
+}
+
+/// Sets mean pressures of elements under a load on semi-axes a, b, scaled so that the elements carry it exactly, and
+/// their derivatives by the load; returns the share of the load that they cover. Pressures are sized already.
+template <class Scalar>
+Scalar set_ellipse_pressures(Scalar a, Scalar b, Scalar load, const std::vector<Rectangle<Scalar>>& elements,
+                             ArrayX<Scalar>& mean, ArrayX<Scalar>& rate) {
+    Scalar carried = 0, growing = 0;
+    for (Eigen::Index i = 0; i < mean.size(); ++i) {
+        const Rectangle<Scalar>& element = elements[static_cast<std::size_t>(i)];
+        const Scalar area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+        const auto [share, growth] = hertz_share(a, b, element);
+        carried += share;
+        growing += growth;
+        mean[i] = share / area;
+        rate[i] = growth / area;
+    }
+    // N s_i/sum s, and its derivative by N where ds_i/dN = (growth_i - s_i)/N
+    rate = rate / carried + mean * (1 - growing / carried) / carried;
+    mean *= load / carried;
+    return carried;
+}
+
+// Elements that cover less of the load do not cover the contact.
+template <class Scalar>
+inline constexpr Scalar least_share = Scalar(9) / 10;
+
 /// HertzEllipse::pressures for semi-axes a, b and a load.
 template <class Scalar>
 ElementPressures<Scalar> ellipse_pressures(Scalar a, Scalar b, Scalar load,
                                            const std::vector<Rectangle<Scalar>>& elements) {
-    const Eigen::Index count = static_cast<Eigen::Index>(elements.size());
-    ElementPressures<Scalar> result{ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
-    // in units of the load: volumes of the unit hemisphere, whose total is 2 pi/3, and their derivatives
-    Scalar carried = 0, rate = 0;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Rectangle<Scalar>& element = elements[static_cast<std::size_t>(i)];
+    for (const Rectangle<Scalar>& element : elements) {
         const Scalar area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
         require(is_finite(area) && element.x_1 < element.x_2 && element.y_1 < element.y_2, "HertzEllipse",
                 "area of an element", area, "be positive and finite");
-        const auto [height, inverse] =
-            integrate_hemisphere<Scalar>({element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b});
-        // p = p0 sqrt(1 - r^2), where 1/r and p0 grow as the cube root of the load: N dp/dN = p0/(3 sqrt(1 - r^2))
-        const Scalar share = 3 / (2 * std::numbers::pi_v<Scalar>)*height,
-                     growth = inverse / (2 * std::numbers::pi_v<Scalar>);
-        carried += share;
-        rate += growth;
-        result.mean[i] = share / area;
-        result.rate[i] = growth / area;
     }
-    require(carried >= Scalar(0.9), "HertzEllipse", "share of the load on the elements", carried,
+    const Eigen::Index count = static_cast<Eigen::Index>(elements.size());
+    ElementPressures<Scalar> result{ArrayX<Scalar>(count), ArrayX<Scalar>(count)};
+    const Scalar carried = set_ellipse_pressures(a, b, load, elements, result.mean, result.rate);
+    require(carried >= least_share<Scalar>, "HertzEllipse", "share of the load on the elements", carried,
             "be at least 0.9: they must cover the contact");
-    // N s_i/sum s, and its derivative by N where ds_i/dN = (growth_i - s_i)/N
-    result.rate = result.rate / carried + result.mean * (1 - rate / carried) / carried;
-    result.mean *= load / carried;
     return result;
 }
 

@@ -35,13 +35,17 @@ struct NormalLoad {
     /// d p_n / d load of each element at constant half-length, for the tangent with respect to the load, in any unit of
     /// load. May be empty if that tangent is not needed.
     ArrayX<Scalar> pressure_rate;
+    /// b [m] of an elliptic patch, positive and finite. 0 stands for that of the state: only where it cannot have
+    /// changed, which is on a line contact, and on a patch if its half-length is that of the state.
+    Scalar half_width = 0;
 
     /// Whether it can be the load of a mesh of `element_count` elements: ok or invalid_load.
     StepStatus check(Eigen::Index element_count) const noexcept {
         const bool sized = normal_pressure.size() == element_count &&
                            (pressure_rate.size() == 0 || pressure_rate.size() == element_count);
         const bool valid = sized && detail::is_finite(half_length) && half_length > 0 &&
-                           detail::all_pressures(normal_pressure) && detail::all_finite(pressure_rate);
+                           detail::is_finite(half_width) && half_width >= 0 && detail::all_pressures(normal_pressure) &&
+                           detail::all_finite(pressure_rate);
         return valid ? StepStatus::ok : StepStatus::invalid_load;
     }
 };

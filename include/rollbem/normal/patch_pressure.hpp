@@ -31,18 +31,23 @@ std::vector<Rectangle<Scalar>> rectangles(const PatchMesh<Scalar>& mesh, std::ty
     return elements;
 }
 
-/// Mean pressures [Pa] of the elements of an elliptic patch under the load N [N], which they carry exactly:
-/// p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for an outline, unless the load is
-/// positive and finite, and as HertzEllipse::pressures.
+/// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load N
+/// [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for an
+/// outline, unless the load is positive and finite, and as HertzEllipse::pressures.
 template <class Scalar>
-ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
+ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const std::vector<Rectangle<Scalar>>& elements,
                                std::type_identity_t<Scalar> load) {
     detail::require(!contact.outline(), "hertz_pressures", "number of lines of an outline",
                     contact.outline() ? contact.outline()->y().size() : 0, "be 0: Hertz's contact is an ellipse");
     detail::require(detail::is_finite(load) && load > 0, "hertz_pressures", "load", load, "be positive and finite");
-    return detail::ellipse_pressures(contact.half_length(), contact.half_width(), load,
-                                     rectangles(mesh, contact.half_length()))
-        .mean;
+    return detail::ellipse_pressures(contact.half_length(), contact.half_width(), load, elements).mean;
+}
+
+/// The same for the elements of the patch's mesh.
+template <class Scalar>
+ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
+                               std::type_identity_t<Scalar> load) {
+    return hertz_pressures(contact, rectangles(mesh, contact.half_length()), load);
 }
 
 }  // namespace rollbem

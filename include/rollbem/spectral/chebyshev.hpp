@@ -78,6 +78,15 @@ public:
     /// A = G^-1 G' without an inverse: du/dq = A u - e_0 xi, q = V t/a.
     MatrixX<Scalar> rates() const;
 
+    /// For the lateral direction: inputs lateral creepage and spin times a, whose rigid slip is x at the Chebyshev
+    /// points; outputs F_y over a G and the moment M_z = (pi/2) a_1 over a^2 G, both per width. Throws
+    /// std::invalid_argument unless there are at least 2 states: spin acts on u_1.
+    RollingSystem<Scalar> with_spin() const {
+        detail::require(this->size() >= 2, "ChebyshevSystem", "number of states", this->size(),
+                        "be at least 2: spin acts on the second");
+        return this->with_spin_by("ChebyshevSystem", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
+    }
+
     template <SmoothSplitKernel Kernel>
     friend ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel);
 

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "../../assembly/rolling_system.hpp"
+#include "../../scene/semi_axes.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {
@@ -16,9 +17,10 @@ namespace rollbem::detail {
 /// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
 template <class Scalar>
 struct RollingStage {
-    Scalar distance;         ///< rolled in the stage
-    Scalar half_length = 1;  ///< a at its end
-    Scalar growth = 0;       ///< change of the half-length that belongs to the stage, |growth| < distance
+    Scalar distance;                      ///< rolled in the stage
+    Scalar half_length = 1;               ///< a at its end
+    Scalar growth = 0;                    ///< change of the half-length that belongs to the stage, |growth| < distance
+    Scalar half_width = 1, widening = 0;  ///< the same of the half-width of a patch, in that of the contact
 
     /// A stage that takes `part` of a step and ends within it; the step rolls by `dq` while the half-length varies
     /// linearly.
@@ -28,6 +30,16 @@ struct RollingStage {
     /// A stage that ends with the step.
     static RollingStage last(Scalar part, Scalar dq, Scalar from, Scalar to) {
         return {part * dq, to, part * (to - from)};
+    }
+
+    /// Of a patch: a stage that ends when `progress` of the step is done.
+    static RollingStage of_patch(Scalar part, Scalar progress, Scalar dq, const SemiAxes<Scalar>& from,
+                                 const SemiAxes<Scalar>& to) {
+        const auto at = [&](Scalar start, Scalar end) {
+            return progress == 1 ? end : start + progress * (end - start);
+        };
+        return {part * dq, at(from.half_length, to.half_length), part * (to.half_length - from.half_length),
+                at(from.half_width, to.half_width), part * (to.half_width - from.half_width)};
     }
 
     bool varies() const { return half_length != 1 || growth != 0; }
@@ -41,7 +53,7 @@ template <class Scalar>
 struct LengthScale {
     Scalar linear, logarithmic;
 
-    static LengthScale at(Scalar a) { return {a, a * std::log(a)}; }
+    static LengthScale at(Scalar a) { return {a, a == 1 ? Scalar(0) : a * std::log(a)}; }
     /// dM/da
     static LengthScale rate(Scalar a) { return {1, std::log(a) + 1}; }
     /// M(to) - M(from), without cancellation.
@@ -85,6 +97,7 @@ struct Influence {
     /// The same from G p in `U`.
     template <class Traction, class Displacement>
     void rescale(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
+        if (scale.linear == 1 && scale.logarithmic == 0) return;
         const Scalar common =
             scale.logarithmic == 0 ? Scalar(0) : scale.logarithmic * log_strength * weights.matrix().dot(p);
         U.array() = scale.linear * U.array() - common;

@@ -41,19 +41,19 @@ public:
     explicit StepMap(Eigen::Index n)
         : Y_(MatrixX<Scalar>::Zero(n, n + k)), map_(MatrixX<Scalar>::Zero(n, n + 2 * k)), product_(map_) {}
 
-    /// Whether the map is that of a model's steps of dq.
+    /// Whether the map is that of a model's steps of dq [m].
     bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
 
-    /// Computes the map of steps of dq, in units of a_0. O(n^3). Powers of
-    /// Y = gamma h (G - gamma h G')^-1 G' give the change of y for h, dq divided `doublings` times by two; applied to
-    /// the adjacent columns, that due to the creepages. `outputs` turn y into forces.
+    /// Computes the map of steps of dq [m], a_0 = `unit` [m]. O(n^3). Powers of Y = gamma h (G - gamma h G')^-1 G' give
+    /// the change of y for h, dq/a_0 divided `doublings` times by two; applied to the adjacent columns, that due to the
+    /// creepages. `outputs` turn y into forces.
     void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RationalExponential<Scalar>& integrator,
-                 const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs, Scalar dq, int doublings,
+                 const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs, Scalar dq, Scalar unit, int doublings,
                  StageFactors<Scalar>& factors) {
         model_ = model;
         dq_ = dq;
         const Eigen::Index n = Y_.rows();
-        const Scalar part = integrator.gamma * std::ldexp(dq, -doublings);
+        const Scalar part = integrator.gamma * std::ldexp(dq / unit, -doublings);
         Y_.leftCols(n) = part * influence.G_prime;
         Y_.rightCols(k) = integrator.gamma * inputs;
         factors.prepare(model, influence, {.distance = part});

@@ -17,6 +17,7 @@ template <class Scalar>
 struct ContactUnits {
     Scalar length;         ///< a [m]
     Scalar width;          ///< 2b [m]; of a patch a
+    Scalar half_width;     ///< b [m]
     Scalar shear_modulus;  ///< G [Pa]
     std::uint64_t fingerprint;
     bool line;  ///< forces per width exist
@@ -29,10 +30,14 @@ struct ContactUnits {
 private:
     template <class AnyContact>
     ContactUnits(const AnyContact& contact, Scalar unit_width, bool is_line)
-        : length(contact.half_length()), width(unit_width), shear_modulus(contact.shear_modulus()), line(is_line) {
+        : length(contact.half_length()),
+          width(unit_width),
+          half_width(contact.half_width()),
+          shear_modulus(contact.shear_modulus()),
+          line(is_line) {
         Fingerprint all;
         all.add(length);
-        all.add(contact.half_width());
+        all.add(half_width);
         all.add(shear_modulus);
         fingerprint = all.value();
     }

@@ -16,6 +16,7 @@
 #include "../../discretisation/scheme.hpp"
 #include "../../elasticity/rectangle_kernel.hpp"
 #include "../../types.hpp"
+#include "shape_set.hpp"
 
 namespace rollbem::detail {
 
@@ -62,19 +63,6 @@ StripRows<Scalar> strip_rows(const Mesh<Scalar>& along, const Scheme& scheme, Qu
     return rows;
 }
 
-template <class Scalar>
-struct InfluenceRows {
-    MatrixX<Scalar> xx, xy, yy;
-
-    InfluenceRows(Eigen::Index rows, Eigen::Index columns) : xx(rows, columns), xy(rows, columns), yy(rows, columns) {}
-
-    void set(Eigen::Index row, Eigen::Index column, const Influence<Scalar>& value) {
-        xx(row, column) = value.xx;
-        xy(row, column) = value.xy;
-        yy(row, column) = value.yy;
-    }
-};
-
 /// Gauss's rule of five points for the distance between a point of an interval of length d and one of length h,
 /// measured from that of their middles: exact for the mean of polynomials of degree 9. The points are 0, +-near and
 /// +-far.
@@ -107,7 +95,7 @@ public:
     /// Mean of du/dx over an interval by unit traction on an element of length h, whose ends lie y0 and y1 below, and
     /// whose middle lies x behind that of the interval.
     template <class Kernel>
-    Influence<Scalar> slope(const Kernel& kernel, Scalar x, Scalar y0, Scalar y1, Scalar h) const {
+    rollbem::Influence<Scalar> slope(const Kernel& kernel, Scalar x, Scalar y0, Scalar y1, Scalar h) const {
         const auto pair = [&](Scalar distance) {
             return kernel.line_slope(x - distance, y0, y1) + kernel.line_slope(x + distance, y0, y1);
         };
@@ -128,13 +116,13 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
     const Mesh<Scalar>& along = mesh.along();
     InfluenceRows<Scalar> result(strips * n, m * n);
     // u of a strip that ends at each edge, at each place: neighbouring elements and rows share it
-    std::vector<Influence<Scalar>> table(height * static_cast<std::size_t>(n + 1));
+    std::vector<rollbem::Influence<Scalar>> table(height * static_cast<std::size_t>(n + 1));
     for (Eigen::Index j = 0; j < strips; ++j) {
         for (Eigen::Index k = 0; k < m; ++k) {
             const Scalar row_scale = mesh.half_lengths()[j], scale = mesh.half_lengths()[k];
             const Scalar offset = mesh.middles_x()[j] - mesh.middles_x()[k];
             const Scalar y0 = mesh.middles_y()[j] - mesh.edges()[k], y1 = mesh.middles_y()[j] - mesh.edges()[k + 1];
-            Influence<Scalar>* entry = table.data();
+            rollbem::Influence<Scalar>* entry = table.data();
             // distances from the nearer end of the strip, where elements are smallest
             const Scalar trailing_ends = offset - (row_scale - scale), leading_ends = offset + (row_scale - scale);
             for (Eigen::Index c = 0; c <= n; ++c) {
@@ -149,8 +137,8 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
             }
             const Scalar beside = j == k ? Scalar(0) : std::min(std::abs(y0), std::abs(y1));
             for (Eigen::Index c = 0; c < n; ++c) {
-                const Influence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
-                const Influence<Scalar>* const leading = trailing + height;
+                const rollbem::Influence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
+                const rollbem::Influence<Scalar>* const leading = trailing + height;
                 const Scalar h = scale * along.widths()[c];
                 for (Eigen::Index r = 0; r < n; ++r) {
                     const Eigen::Index row = j * n + r, column = k * n + c;
@@ -177,5 +165,29 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
     }
     return result;
 }
+
+/// The same at the points of the rows of G', for du/dy by patch_rows of a displacement.
+template <class Scalar>
+StripRows<Scalar> at_points(const StripRows<Scalar>& slope) {
+    StripRows<Scalar> rows{{}, {}, slope.points, slope.lengths};
+    for (const std::size_t behind : slope.behind) {
+        const auto &back = slope.places[behind], &ahead = slope.places[behind + 1];
+        rows.behind.push_back(rows.places.size());
+        rows.places.push_back(
+            {(back.from_trailing + ahead.from_trailing) / 2, (back.from_leading + ahead.from_leading) / 2});
+    }
+    return rows;
+}
+
+/// A kernel whose displacement is du/dy of another.
+template <LateralSlopeKernel Kernel>
+struct LateralSlope {
+    using Scalar = typename Kernel::Scalar;
+
+    const Kernel& kernel;
+
+    rollbem::Influence<Scalar> corner(Scalar x, Scalar y) const { return kernel.corner_lateral_slope(x, y); }
+    bool couples() const { return kernel.couples(); }
+};
 
 }  // namespace rollbem::detail

@@ -52,12 +52,13 @@ public:
     using Motion = RigidMotion<Value>;
     static constexpr bool slip_dependent = !is_constant<Law>;
 
-    /// The load at the end of a step: pressures [Pa] of at least size() elements, half-length [m].
+    /// The load at the end of a step: pressures [Pa] of at least size() elements, half-length and half-width [m].
     struct Load {
         const ArrayX<Scalar>& pressure;
-        Scalar half_length;
+        Scalar half_length, half_width;
         const ArrayX<Scalar>* pressure_rate = nullptr;  // of a step under a load of its own, else null
     };
+    using Axes = SemiAxes<Scalar>;
 
     /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors by
     /// that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name of
@@ -69,6 +70,29 @@ public:
     Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
     Scalar width() const { return width_; }
+    /// The semi-axes of a state or load in those of the contact; on a line the half-width is 1.
+    template <class Loaded>
+    Axes axes(const Loaded& loaded) const {
+        if (loaded.half_length == half_length_ && (line_ || loaded.half_width == half_width_)) {
+            return contact_axes<Scalar>;
+        }
+        return {loaded.half_length / half_length_, line_ ? Scalar(1) : loaded.half_width / half_width_};
+    }
+    static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }
+    /// A given load, which has been checked, at the end of a step from `from`: its half-width is that of the state where
+    /// it is not given.
+    Load load_after(const State& from, const NormalLoad<Scalar>& load) const {
+        const Scalar b = load.half_width == 0 ? from.half_width : load.half_width;
+        return {load.normal_pressure, load.half_length, b, &load.pressure_rate};
+    }
+    /// Whether the half-width of a load is known after `from`, and on a line the contact's: ok, invalid_load or
+    /// needs_fixed_mesh.
+    StepStatus check_width(const State& from, const NormalLoad<Scalar>& load) const noexcept {
+        if (load.half_width == 0) {
+            return line_ || load.half_length == from.half_length ? StepStatus::ok : StepStatus::invalid_load;
+        }
+        return line_ && load.half_width != half_width_ ? StepStatus::needs_fixed_mesh : StepStatus::ok;
+    }
     bool is_line() const { return line_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
@@ -78,6 +102,7 @@ public:
                     std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
                     friction_.normal_pressure,
                     half_length_,
+                    half_width_,
                     fingerprint_,
                     {},
                     {}};
@@ -89,7 +114,8 @@ public:
     }
 
     Force force(const State& state) const {
-        return total(state.traction, width_ * state.half_length, state.half_length);
+        const Axes present = axes(state);
+        return total(state.traction, width_ * state.half_length * present.half_width, arms(state.half_length, present));
     }
 
     /// Per width() [J/m]; NaN if the system cannot represent the half-length.
@@ -124,9 +150,10 @@ public:
         return step;
     }
 
-    /// Steady rolling, s/V = creepage - G' p, sought from `from`, whose load and the given one have been checked.
-    Step solve_steady(const Gradient& G_prime, const State& from, const Value& creepage, Scalar speed, const Load& load,
-                      State& to, Workspace& workspace) const noexcept;
+    /// Steady rolling, s/V = creepage - G' p, sought from `from`, whose load and the given one have been checked. With
+    /// `shapes`, a system of many a/b, G' is that of the load's semi-axes.
+    Step solve_steady(const Gradient& G_prime, const System* shapes, const State& from, const Value& creepage,
+                      Scalar speed, const Load& load, State& to, Workspace& workspace) const noexcept;
 
     /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
     /// for the duration.
@@ -138,6 +165,7 @@ private:
     using Vectors = ElementVectors<Scalar, directions>;
     using Stage = RollingStage<Scalar>;
     using Place = StagePlace<Scalar>;
+    using Shape = ShapeInfluence<Scalar>;
     using Slip = typename Directions<directions, Scalar>::Slip;
     using Bounds = std::conditional_t<slip_dependent, FallingBounds<Law, Slip>, ConstantBounds<directions, Scalar>>;
     using By = TangentBy<directions>;
@@ -157,7 +185,7 @@ private:
     };
     /// Derivatives in addition to those by the creepages.
     struct Asked {
-        bool by_load = false, by_half_length = false;
+        bool by_load = false, by_half_length = false, by_half_width = false;
     };
 
     static bool turns(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements) {
@@ -188,7 +216,6 @@ private:
     void begin(const State& from, Scratch& scratch) const {
         scratch.slip.setZero();
         scratch.work.setZero();
-        scratch.displacement.setZero();
         scratch.start = from.traction / shear_modulus_;
         if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
     }
@@ -208,9 +235,14 @@ private:
             }
         }
     }
-    static void fill_steady(const Gradient& G_prime, Scratch& scratch) {
+    static void fill_steady(const Gradient& G_prime, [[maybe_unused]] const System* shapes, Scratch& scratch) {
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
+        } else if (shapes != nullptr) {
+            const Shape shape = shape_of(*shapes, scratch.stage);
+            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                shape.fill_slope(-1, d, e, scratch.solver.new_matrix(d, e));
+            });
         } else {
             for_blocks(scratch,
                        [&](std::size_t d, std::size_t e) { scratch.solver.new_matrix(d, e) = -G_prime[d][e]; });
@@ -220,6 +252,11 @@ private:
         if (needs_matrix(stage, scratch)) {
             if constexpr (directions == 1) {
                 influence(system).fill_stage_matrix(stage, scratch.solver.new_matrix());
+            } else if (system.shapes()) {
+                const Shape shape = shape_of(system, stage);
+                for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                    shape.fill_stage_matrix(stage, d, e, scratch.solver.new_matrix(d, e));
+                });
             } else {
                 for_blocks(scratch, [&](std::size_t d, std::size_t e) {
                     influence(system, d, e).fill_stage_matrix(stage, scratch.solver.new_matrix(d, e));
@@ -248,19 +285,23 @@ private:
         }
     }
 
-    // One stage, c = factor motion - displacement, at a half-length in a_0; its slip is weighted by `weight`. The next
+    // One stage, c = factor motion - displacement, at these semi-axes; its slip is weighted by `weight`. The next
     // stage is sought from its tractions.
     void solve_stage(Bounds& bounds, const Value& motion, Scalar factor, const std::vector<Zone>& zones, Scalar weight,
-                     Scalar half_length, Scratch& scratch, Progress& progress) const {
+                     const Axes& axes, Scratch& scratch, Progress& progress) const {
         auto& solver = scratch.solver;
         auto& constant = solver.constant();
-        constant = -scratch.displacement;
         if constexpr (directions == 1) {
-            constant.array() += factor * motion;
+            constant.array() = factor * motion - scratch.displacement.array();
         } else {
+            constant = -scratch.displacement;
             constant.col(0).array() += factor * motion.longitudinal;
             constant.col(1).array() += factor * motion.lateral;
-            if (motion.spin != 0) constant += factor * spin_of(motion) * half_length * spin_;
+            if (motion.spin != 0) {
+                const Scalar angle = factor * spin_of(motion);
+                constant.col(0) += angle * axes.half_width * spin_.col(0);
+                constant.col(1) += angle * axes.half_length * spin_.col(1);
+            }
         }
         const auto outcome = bounds.solve(solver, scratch.bound, {scratch.start, zones});
         progress.residual = std::max(progress.residual, outcome.residual);
@@ -279,7 +320,8 @@ private:
         scratch.slip += scratch.stage_slip;
         scratch.start = solver.traction();
         for (Eigen::Index d = 0; d < directions; ++d) {
-            slip_work_.add(scratch.start.col(d), scratch.stage_slip.col(d), scratch.work, half_length);
+            slip_work_.add(scratch.start.col(d), scratch.stage_slip.col(d), scratch.work,
+                           axes.half_length * axes.half_width);
         }
     }
 
@@ -290,7 +332,9 @@ private:
         slip_work_.end(scratch.work, half_length_ * shear_modulus_ * slip_unit);
         scratch.slip *= slip_unit;
         to.system = fingerprint_;
-        const Force force = total(scratch.start, load.half_length * shear_modulus_, load.half_length);
+        const Axes present = axes(load);
+        const Force force = total(scratch.start, load.half_length * present.half_width * shear_modulus_,
+                                  arms(load.half_length, present));
         const Scalar work = scratch.work.sum();
         if (!line_) scratch.work *= width_;
         progress.finite = progress.finite && is_finite(force) && is_finite(work);
@@ -305,6 +349,7 @@ private:
         to.zones = scratch.solver.zones();
         to.normal_pressure = load.pressure.head(size());
         to.half_length = load.half_length;
+        to.half_width = load.half_width;
         bounds.finish(to);
         if constexpr (directions == 1) {
             const bool rolls = scratch.stage.distance != steadily;
@@ -325,25 +370,24 @@ private:
     // After the last stage; with constant friction only a shift has jumps.
     void add_jump_work(const System& system, const State& from, bool two_stages, bool rolls, const Load& load,
                        Scratch& scratch, Step& step) const {
-        const Scalar a = load.half_length / half_length_;
+        const Axes present = axes(load);
         const auto start = 1 / shear_modulus_ * from.traction;
         Scalar work = 0;
         if (!rolls) {
             scratch.change = 1 / half_length_ * scratch.slip;
-            work = scratch.jump_work.shifted(slip_work_, a, start, scratch.start, scratch.change);
+            work = scratch.jump_work.shifted(slip_work_, present, start, scratch.start, scratch.change);
         } else if constexpr (slip_dependent) {
-            work = scratch.jump_work.rolled(system, slip_work_, a, two_stages, start, scratch.start);
+            work = scratch.jump_work.rolled(system, slip_work_, present, two_stages, start, scratch.start);
         }
         step.jump_work_per_width = shear_modulus_ * half_length_ * half_length_ * work;
     }
 
-    // By a creepage or spin of the given number, which changes the motion imposed on the stage by `imposed`, at a
-    // half-length in a_0.
-    void find_tangent(Tangent& tangent, std::size_t creepage, Scalar imposed, Scalar half_length) const {
+    // By a creepage or spin of the given number, which changes the motion imposed on the stage by `imposed`.
+    void find_tangent(Tangent& tangent, std::size_t creepage, Scalar imposed, const Axes& axes) const {
         if (creepage < directions) {
             tangent.by_creepage(imposed);
         } else {
-            tangent.by_spin(imposed * half_length_ * half_length, spin_);
+            tangent.by_spin(imposed * half_length_, axes, spin_);
         }
     }
     std::size_t creepage_count() const { return directions == 2 && spin_.rows() == 0 ? 2 : By::creepages; }
@@ -362,7 +406,7 @@ private:
         } else {
             for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
                 Tangent tangent(bounds, scratch, creepage, false);
-                find_tangent(tangent, creepage, imposed, scratch.stage.half_length);
+                find_tangent(tangent, creepage, imposed, axes_of(scratch.stage));
                 tangent.carry(system, ratio, gamma);
             }
         }
@@ -376,13 +420,22 @@ private:
             tangent.by_half_length(system, {gamma, gamma}, gamma * spin, spin_);
             tangent.carry(system, ratio, gamma);
         }
+        if constexpr (directions == 2) {
+            if (asked.by_half_width) {
+                Tangent tangent(bounds, scratch, By::half_width, false);
+                tangent.by_half_width(system, {gamma, gamma}, gamma * spin, spin_);
+                tangent.carry(system, ratio, gamma);
+            }
+        }
     }
 
     // By the creepages at the end of the last or only stage; `imposed` and `carried` are the derivatives of the motion
     // imposed on this stage and on an earlier one by the creepage, 0 without an earlier one.
     void add_creepage_tangents(Bounds& bounds, Scalar imposed, Scalar carried, const Load& load, Scratch& scratch,
                                Step& step) const {
-        const Scalar arm = load.half_length, unit = arm * shear_modulus_;
+        const Axes present = axes(load);
+        const Scalar unit = load.half_length * present.half_width * shear_modulus_;
+        const Arms arm = arms(load.half_length, present);
         if constexpr (keeps_tangents) {
             if (scratch.tangent_revision != scratch.solver.revision()) {
                 scratch.solver.respond(ones_, scratch.response);
@@ -402,7 +455,7 @@ private:
             Force* const forces[] = {&tangents.by_longitudinal, &tangents.by_lateral, &tangents.by_spin};
             for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
                 Tangent tangent(bounds, scratch, creepage, carried != 0);
-                find_tangent(tangent, creepage, imposed, arm / half_length_);
+                find_tangent(tangent, creepage, imposed, present);
                 *forces[creepage] = total(scratch.response, unit, arm);
             }
         }
@@ -411,27 +464,44 @@ private:
     // `spin` is the angle imposed on the stage.
     void add_load_tangents(Bounds& bounds, const System& system, Scalar part, Scalar spin, bool carried,
                            const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
-        const Scalar arm = load.half_length;
+        const Axes present = axes(load);
+        const Scalar a = load.half_length, b = present.half_width;
+        const Arms arm = arms(a, present);
         if (asked.by_load) {
             Tangent(bounds, scratch, By::load, carried).by_load(1);
-            step.tangent_by_load_per_width = total(scratch.response, arm * shear_modulus_, arm);
+            step.tangent_by_load_per_width = total(scratch.response, a * b * shear_modulus_, arm);
         }
         if (asked.by_half_length) {
             Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1}, spin, spin_);
-            step.tangent_by_half_length_per_width = total(scratch.start, shear_modulus_, 2 * arm) +
-                                                    total(scratch.response, arm / half_length_ * shear_modulus_, arm);
+            const Force caused = total(scratch.response, present.half_length * b * shear_modulus_, arm);
+            const bool follows = keeps_shape(system);  // the half-width follows
+            const Scalar power = follows ? 2 : 1, share = follows ? Scalar(1.5) : Scalar(1);
+            step.tangent_by_half_length_per_width =
+                total(scratch.start, power * b * shear_modulus_, {(follows ? share : 2) * arm.x, share * arm.y}) +
+                caused;
+            if constexpr (directions == 2) {
+                if (follows) step.tangent_by_half_width = {0, 0, 0};
+            }
+        }
+        if constexpr (directions == 2) {
+            if (asked.by_half_width) {
+                Tangent(bounds, scratch, By::half_width, carried).by_half_width(system, {part, 1}, spin, spin_);
+                const Scalar per_width = width_ / half_width_;
+                step.tangent_by_half_width = per_width * (total(scratch.start, a * shear_modulus_, {arm.x, 2 * arm.y}) +
+                                                          total(scratch.response, a * b * shear_modulus_, arm));
+            }
         }
     }
 
     // From numbers per unit width, of a patch per `width_`, which only there are not for the user.
-    Step with_totals(Step step) const {
+    void add_totals(Step& step) const {
         step.force = width_ * step.force_per_width;
         step.tangent = width_ * step.tangent_per_width;
         step.tangent_by_load = width_ * step.tangent_by_load_per_width;
         step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
         step.slip_work = width_ * step.slip_work_per_width;
         step.jump_work = width_ * step.jump_work_per_width;
-        if (line_) return step;
+        if (line_) return;
         const Step none;
         step.force_per_width = none.force_per_width;
         step.tangent_per_width = none.tangent_per_width;
@@ -439,21 +509,45 @@ private:
         step.tangent_by_half_length_per_width = none.tangent_by_half_length_per_width;
         step.slip_work_per_width = none.slip_work_per_width;
         step.jump_work_per_width = none.jump_work_per_width;
-        return step;
+    }
+
+    // Of moments [m]: a, and on a patch by the tractions p_x the half-width over that of the contact, times a_0.
+    struct Arms {
+        Scalar x, y;
+    };
+    Arms arms(Scalar half_length, const Axes& present) const {
+        return {half_length, line_ ? half_length : present.half_width * half_length_};
+    }
+    static Axes axes_of(const Stage& stage) { return {stage.half_length, stage.half_width}; }
+    template <class Shaped>
+    static Shape shape_of(const Shaped& system, const Stage& stage) {
+        return Shape(*system.shapes(), system.a_over_b(), stage);
+    }
+    // A stage that takes `part` of a step and ends when `progress` of it is done.
+    static Stage stage_of(Scalar part, Scalar progress, Scalar dq, const Axes& from, const Axes& to) {
+        if constexpr (directions == 2) return Stage::of_patch(part, progress, dq, from, to);
+        return progress < 1 ? Stage::within(part, dq, from.half_length, to.half_length)
+                            : Stage::last(part, dq, from.half_length, to.half_length);
     }
 
     // `factor` times the sum of area times vector; the moment also times `arm`.
-    Force total(const Vectors& vectors, Scalar factor, Scalar arm) const {
+    Force total(const Vectors& vectors, Scalar factor, const Arms& arm) const {
         if constexpr (directions == 1) {
             return factor * areas_.dot(vectors);
         } else {
             Force force{factor * areas_.dot(vectors.col(0)), factor * areas_.dot(vectors.col(1))};
-            if (moments_.rows() > 0) force.moment = factor * arm * moments_.cwiseProduct(vectors).sum();
+            if (moments_.rows() == 0) return force;
+            if (line_) {
+                force.moment = factor * arm.x * moments_.cwiseProduct(vectors).sum();
+            } else {
+                force.moment = factor * (arm.y * moments_.col(0).dot(vectors.col(0)) +
+                                         arm.x * moments_.col(1).dot(vectors.col(1)));
+            }
             return force;
         }
     }
 
-    Scalar half_length_, width_, shear_modulus_;  // a_0 [m], 2b [m] (of a patch a_0), G [Pa]
+    Scalar half_length_, half_width_, width_, shear_modulus_;  // a_0, b_0, 2b_0 (of a patch a_0) [m], G [Pa]
     bool line_;
     VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
@@ -474,6 +568,7 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
                                                     const Friction<Law, Scalar>& friction, const Gradient& G_prime,
                                                     std::optional<std::uint64_t> system)
     : half_length_(units.length),
+      half_width_(units.half_width),
       width_(units.width),
       shear_modulus_(units.shear_modulus),
       line_(units.line),
@@ -507,11 +602,12 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
 
 template <class Law, int directions, class Scalar>
 auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, const System& system) const -> Scalar {
-    const Scalar a = state.half_length / half_length_;
-    if (check_growth(system, Scalar(0), a, a) != StepStatus::ok) return unknown<Scalar>;
+    const Axes present = axes(state);
+    if (check_growth(system, Scalar(0), present, present) != StepStatus::ok) return unknown<Scalar>;
     ElementVectors<Scalar, directions> displacement = state.traction;
-    find_displacements(system, a, state.traction, displacement);
-    return half_length_ * state.half_length * slip_work_.product(state.traction, displacement) / (2 * shear_modulus_);
+    find_displacements(system, present, state.traction, displacement);
+    return half_length_ * state.half_length * present.half_width * slip_work_.product(state.traction, displacement) /
+           (2 * shear_modulus_);
 }
 
 template <class Law, int directions, class Scalar>
@@ -529,20 +625,28 @@ auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State
         !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
         return StepStatus::wrong_state;
     }
-    const bool valid = is_finite(from.half_length) && from.half_length > 0 && all_pressures(from.normal_pressure);
+    const bool valid = is_finite(from.half_length) && from.half_length > 0 &&
+                       (line_ || (is_finite(from.half_width) && from.half_width > 0)) &&
+                       all_pressures(from.normal_pressure);
     return valid ? StepStatus::ok : StepStatus::invalid_load;
 }
 
 template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime, const State& from,
-                                                         const Value& creepage, Scalar speed, const Load& load,
-                                                         State& to, Workspace& workspace) const noexcept -> Step {
+auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime, const System* shapes,
+                                                         const State& from, const Value& creepage, Scalar speed,
+                                                         const Load& load, State& to,
+                                                         Workspace& workspace) const noexcept -> Step {
     if (!is_finite(creepage)) return failed(StepStatus::not_finite);
     if (!can_impose(creepage)) return failed(StepStatus::needs_places);
     if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
     Scratch& scratch = workspace.scratch();
-    const Stage stage{.distance = steadily};
-    if (needs_matrix(stage, scratch)) fill_steady(G_prime, scratch);
+    const Axes present = axes(load);
+    Stage stage{.distance = steadily};
+    if (shapes != nullptr) {
+        stage.half_length = present.half_length;
+        stage.half_width = present.half_width;
+    }
+    if (needs_matrix(stage, scratch)) fill_steady(G_prime, shapes, scratch);
     Bounds bounds = [&] {
         if constexpr (slip_dependent) {
             return Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling);
@@ -551,13 +655,15 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
         }
     }();
     begin(from, scratch);
+    scratch.displacement.setZero();
     if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
     set_bounds(load.pressure, scratch);
     Progress progress;
-    solve_stage(bounds, creepage, 1, from.zones, 1, load.half_length / half_length_, scratch, progress);
+    solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
     if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
-    return with_totals(step);
+    add_totals(step);
+    return step;
 }
 
 template <class Law, int directions, class Scalar>
@@ -568,14 +674,15 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
     if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
     Scratch& scratch = workspace.scratch();
-    const Scalar dq = travel.dq / half_length_, a = from.half_length / half_length_,
-                 a_end = load.half_length / half_length_;
+    const Scalar dq = travel.dq / half_length_;
+    const Axes start = axes(from), end = axes(load);
     // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
     const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
     const Scalar part = two_stages ? gamma : Scalar(1);
     const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
     const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
-                      .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system)};
+                      .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system),
+                      .by_half_width = load.pressure_rate != nullptr && dq > 0 && changes_shape(system)};
     if (asked.by_load) {
         scratch.bound_rate = bound_per_pressure() * load.pressure_rate->head(size()).matrix();
     }
@@ -588,38 +695,41 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     }();
     begin(from, scratch);
     if constexpr (directions == 1) {
-        scratch.solver.begin(a != a_end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
+        scratch.solver.begin(start != end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
     }
-    find_displacements(system, a, scratch.start, scratch.displacement);
+    find_displacements(system, start, scratch.start, scratch.displacement);
     Progress progress;
     Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
     if (two_stages) {
-        enter(system, {part, part}, Stage::within(part, dq, a, a_end), bounds, scratch);
+        enter(system, {part, part}, stage_of(part, part, dq, start, end), bounds, scratch);
         if (load.pressure_rate != nullptr) {
             set_bounds(from.normal_pressure, load.pressure, part, scratch);
         } else {
             set_bounds(load.pressure, scratch);  // for both stages
         }
-        solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, scratch.stage.half_length, scratch,
+        solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, axes_of(scratch.stage), scratch,
                     progress);
         carried = motion.is_linear() ? gamma * imposed : imposed;
         if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
         if (progress.tangent_exists) {
             carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
         }
-        find_displacements(system, scratch.stage.half_length, scratch.start, scratch.change);
+        find_displacements(system, axes_of(scratch.stage), scratch.start, scratch.change);
         scratch.displacement += ratio * (scratch.change - scratch.displacement);
     }
-    enter(system, {part, 1}, Stage::last(part, dq, a, a_end), bounds, scratch);
+    enter(system, {part, 1}, stage_of(part, 1, dq, start, end), bounds, scratch);
     if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
     solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
-                scratch.stage.half_length, scratch, progress);
+                axes_of(scratch.stage), scratch, progress);
     Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
     if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-    if (!progress.tangent_exists) return with_totals(step);
-    add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
-    add_load_tangents(bounds, system, part, imposed * spin_of(motion.end()), two_stages, asked, load, scratch, step);
-    return with_totals(step);
+    if (progress.tangent_exists) {
+        add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
+        const Scalar spin = imposed * spin_of(motion.end());
+        add_load_tangents(bounds, system, part, spin, two_stages, asked, load, scratch, step);
+    }
+    add_totals(step);
+    return step;
 }
 
 }  // namespace rollbem::detail

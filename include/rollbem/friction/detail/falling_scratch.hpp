@@ -17,7 +17,8 @@ namespace rollbem::detail {
 template <int directions>
 struct TangentBy {
     static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
-    static constexpr std::size_t load = creepages, half_length = creepages + 1, count = creepages + 2;
+    static constexpr std::size_t load = creepages, half_length = creepages + 1, half_width = creepages + 2;
+    static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
 };
 
 /// For one direction or two, depending on `Slip`. All memory is allocated by the constructor.

@@ -3,6 +3,8 @@
 
 #include "../../detail/language.hpp"
 
+#include <limits>
+
 #include <Eigen/Core>
 
 #include "../../types.hpp"
@@ -39,28 +41,31 @@ public:
     /// The tractions after the first of two stages.
     void keep_first(const Vectors& traction) { first_ = traction; }
 
-    /// J of a step that rolls, per unit of G a_0^2, with a = `half_length` at its end; `two_stages` after keep_first().
+    /// J of a step that rolls, per unit of G a_0^2, with the semi-axes `axes` at its end; `two_stages` after keep_first().
     template <class System, class Start>
-    Scalar rolled(const System& system, const SlipWork<Scalar>& work, Scalar half_length, bool two_stages,
+    Scalar rolled(const System& system, const SlipWork<Scalar>& work, const SemiAxes<Scalar>& axes, bool two_stages,
                   const Eigen::MatrixBase<Start>& start, const Vectors& end) {
         change_ = end - start;
-        find_displacements(system, half_length, change_, displacement_);
+        if (two_stages) part_ = first_ - start;
+        // settled: J is below the rounding of the energies
+        const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
+        if (change_.squaredNorm() <= least && (!two_stages || part_.squaredNorm() <= least)) return 0;
+        find_displacements(system, axes, change_, displacement_);
         Scalar sum = work.product(change_, displacement_) / 2;
         if (two_stages) {
             change_ = end - first_;
-            part_ = first_ - start;
-            find_displacements(system, half_length, change_, displacement_);
+            find_displacements(system, axes, change_, displacement_);
             sum -= sdirk2_ratio<Scalar> * work.product(part_, displacement_);
         }
-        return half_length * sum;
+        return axes.half_length * axes.half_width * sum;
     }
 
     /// J of a rigid shift with this slip.
     template <class Start>
-    Scalar shifted(const SlipWork<Scalar>& work, Scalar half_length, const Eigen::MatrixBase<Start>& start,
+    Scalar shifted(const SlipWork<Scalar>& work, const SemiAxes<Scalar>& axes, const Eigen::MatrixBase<Start>& start,
                    const Vectors& end, const Vectors& slip) {
         change_ = end - start;
-        return half_length * work.product(change_, slip) / 2;
+        return axes.half_length * axes.half_width * work.product(change_, slip) / 2;
     }
 
 private:

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <type_traits>
 
 #include <Eigen/Core>
 
 #include "../../adhesion/detail/rolling_stage.hpp"
+#include "../../adhesion/detail/shape_influence.hpp"
 #include "../../assembly/element_blocks.hpp"
 #include "../../assembly/rolling_system.hpp"
+#include "../../scene/semi_axes.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 
@@ -50,23 +53,53 @@ bool can_breathe(const ElementSystem<Scalar>& system) {
 }
 template <class Scalar>
 bool can_breathe(const ElementSystem<Scalar, 2>& system) {
-    return system.log_strength(0) && system.log_strength(1) && !system.coupled();
+    return system.shapes() || (system.log_strength(0) && system.log_strength(1) && !system.coupled());
 }
 
-/// Whether the half-length of a contact can change from `from` to `to` while it rolls by `distance`, all in a_0: ok or
-/// needs_fixed_mesh. For |to - from| >= distance an edge overtakes the particles, and the equations of elements that
-/// move with the edge are no longer upwind.
+/// The semi-axes of a contact in its own.
+template <class Scalar>
+inline constexpr SemiAxes<Scalar> contact_axes{1, 1};
+
+/// Whether the a/b of a patch may change, or may not although its size may.
+template <class System>
+bool changes_shape([[maybe_unused]] const System& system) {
+    if constexpr (requires { system.shapes(); }) return system.shapes() && !system.shapes()->is_single();
+    return false;
+}
+template <class System>
+bool keeps_shape([[maybe_unused]] const System& system) {
+    if constexpr (requires { system.shapes(); }) return system.shapes() && system.shapes()->is_single();
+    return false;
+}
+
+/// Whether the semi-axes of a contact can change from `from` to `to`, in its own, while it rolls by `distance` in a_0: ok
+/// or needs_fixed_mesh. Where the half-length changes by `distance` or more an edge overtakes the particles, and the
+/// equations of elements that move with the edge are no longer upwind. On a line the half-width is 1.
 template <class System, class Scalar>
-StepStatus check_growth(const System& system, Scalar distance, Scalar from, Scalar to) {
-    const bool breathes = from != 1 || to != 1;
-    if (breathes && !can_breathe(system)) return StepStatus::needs_fixed_mesh;
-    const bool possible = from == to || std::abs(to - from) < distance;
+StepStatus check_growth(const System& system, Scalar distance, const SemiAxes<Scalar>& from,
+                        const SemiAxes<Scalar>& to) {
+    if (from == contact_axes<Scalar> && to == contact_axes<Scalar>) return StepStatus::ok;
+    if (!can_breathe(system)) return StepStatus::needs_fixed_mesh;
+    if constexpr (std::is_same_v<System, ElementSystem<Scalar, 2>>) {
+        const auto covers = [&](const SemiAxes<Scalar>& axes) {
+            return system.shapes()->covers(system.a_over_b() * axes.half_length / axes.half_width);
+        };
+        if (system.shapes() && !(covers(from) && covers(to))) return StepStatus::needs_fixed_mesh;
+    }
+    const bool possible = from == to || std::abs(to.half_length - from.half_length) < distance;
     return possible ? StepStatus::ok : StepStatus::needs_fixed_mesh;
 }
 
 /// Displacements in all directions, for coupled blocks the sum of what both cause.
 template <class System, class Scalar, class Vectors>
-void find_displacements(const System& system, Scalar a, const Vectors& p, Vectors& U) {
+void find_displacements(const System& system, const SemiAxes<Scalar>& axes, const Vectors& p, Vectors& U) {
+    if constexpr (Vectors::ColsAtCompileTime == 2) {
+        if (system.shapes()) {
+            ShapeInfluence<Scalar>(*system.shapes(), system.a_over_b(), axes).find_displacements(p, U);
+            return;
+        }
+    }
+    const Scalar a = axes.half_length;
     for (Eigen::Index d = 0; d < p.cols(); ++d) {
         const auto direction = static_cast<std::size_t>(d);
         influence(system, direction, direction).find_displacement(LengthScale<Scalar>::at(a), p.col(d), U.col(d));
@@ -76,7 +109,7 @@ void find_displacements(const System& system, Scalar a, const Vectors& p, Vector
     }
 }
 
-/// Adds `factor` times dU/da at constant tractions to `sum`; U is scratch. For systems that can breathe.
+/// Adds `factor` times dU/da at constant tractions to `sum`; U is scratch. For lines that can breathe.
 template <class System, class Scalar, class Vectors>
 void add_displacement_rates(const System& system, Scalar a, Scalar factor, const Vectors& p, Vectors& U, Vectors& sum) {
     for (Eigen::Index d = 0; d < p.cols(); ++d) {

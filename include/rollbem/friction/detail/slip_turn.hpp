@@ -74,6 +74,15 @@ public:
         return turns_;
     }
 
+    /// Halves all angles.
+    void halve() {
+        for (Index i = 0; i < rotation_.rows(); ++i) {
+            const Scalar cosine = std::sqrt((1 + rotation_(i, 0)) / 2);  // at least cos 30 degrees
+            rotation_(i, 0) = cosine;
+            rotation_(i, 1) /= 2 * cosine;
+        }
+    }
+
     /// Turns the vectors of all elements, if slip turns.
     void apply(Vectors& vectors) const {
         for (Index i = 0; turns_ && i < vectors.rows(); ++i) {

@@ -95,7 +95,16 @@ public:
         for (Index d = 0; d < traction.cols(); ++d) {
             const auto p = traction.col(d);
             const auto u = displacement.col(d);
-            for (Index i = 0; i < size(); ++i) sum += widths_[i] * p[i] * at_centre(i, u);
+            const auto one_by_one = [&](Index begin, Index end) {
+                for (Index i = begin; i < end; ++i) sum += widths_[i] * p[i] * at_centre(i, u);
+            };
+            one_by_one(0, begin_);
+            const auto behind = u.segment(begin_ + behind_, count_).array();
+            const auto ahead = u.segment(begin_ + ahead_, count_).array();
+            sum += (widths_.segment(begin_, count_) * p.segment(begin_, count_).array() *
+                    (behind + shares_.segment(begin_, count_) * (ahead - behind)))
+                       .sum();
+            one_by_one(begin_ + count_, size());
         }
         return sum;
     }

@@ -20,6 +20,14 @@ namespace rollbem::detail {
 /// its zone. Each leaves dp in scratch.response.
 template <int directions, class Scalar, class Bounds>
 class StageTangent {
+    // Columns of an angle of turn; empty where places are not known, and then the angle is 0.
+    template <class Columns, class Vectors>
+    static void add_turned(Scalar first, Scalar second, const Columns& columns, Vectors& sum) {
+        if (columns.rows() == 0) return;
+        sum.col(0) += first * columns.col(0);
+        sum.col(1) += second * columns.col(1);
+    }
+
 public:
     using Scratch = FrictionScratch<directions, Scalar>;
     using System = typename Directions<directions, Scalar>::System;
@@ -40,10 +48,10 @@ public:
         bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
     }
 
-    /// By spin, whose rigid slip changes by `imposed` times `columns`.
+    /// By spin, whose rigid slip changes by `imposed` times `columns`, stretched to these semi-axes.
     template <class Columns>
-    void by_spin(Scalar imposed, const Columns& columns) {
-        scratch_.right += imposed * columns;
+    void by_spin(Scalar imposed, const SemiAxes<Scalar>& axes, const Columns& columns) {
+        add_turned(imposed * axes.half_width, imposed * axes.half_length, columns, scratch_.right);
         bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
     }
 
@@ -56,6 +64,14 @@ public:
     /// spin follows the points: it changes by `rate` times `columns`.
     template <class Columns>
     void by_half_length(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
+        if constexpr (directions == 2) {
+            if (system.shapes()) {
+                const bool single = system.shapes()->is_single();
+                by_axis(system, Shape::Axis::half_length, stage, single ? rate : Scalar(0), rate, columns);
+                bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+                return;
+            }
+        }
         if (rate != 0) scratch_.right += rate * columns;
         const auto& p = scratch_.solver.traction();
         add_displacement_rates(system, scratch_.stage.half_length, stage.progress, p, scratch_.change, scratch_.right);
@@ -68,12 +84,28 @@ public:
         bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
     }
 
+    /// By the half-width of a patch at the end of the step, in that of the contact.
+    template <class Columns>
+    void by_half_width(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
+        by_axis(system, Shape::Axis::half_width, stage, rate, Scalar(0), columns);
+        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+    }
+
     /// For the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, with
     /// the direct effect of the half-length by `progress` if that is the parameter.
     void carry(const System& system, Scalar ratio, Scalar progress) {
         auto& carried = scratch_.carried[parameter_];
-        find_displacements(system, scratch_.stage.half_length, scratch_.response, carried);
-        if (parameter_ == TangentBy<directions>::half_length) {
+        find_displacements(system, axes(), scratch_.response, carried);
+        const bool by_length = parameter_ == TangentBy<directions>::half_length;
+        bool is_patch = false;
+        if constexpr (directions == 2) {
+            is_patch = system.shapes() != nullptr;
+            if (is_patch && (by_length || parameter_ == TangentBy<directions>::half_width)) {
+                shape(system).add_displacement_rates(by_length ? Shape::Axis::half_length : Shape::Axis::half_width,
+                                                     progress, scratch_.solver.traction(), carried);
+            }
+        }
+        if (by_length && !is_patch) {
             add_displacement_rates(system, scratch_.stage.half_length, progress, scratch_.solver.traction(),
                                    scratch_.change, carried);
         }
@@ -82,6 +114,20 @@ public:
     }
 
 private:
+    using Shape = ShapeInfluence<Scalar>;
+
+    SemiAxes<Scalar> axes() const { return {scratch_.stage.half_length, scratch_.stage.half_width}; }
+    Shape shape(const System& system) const { return Shape(*system.shapes(), system.a_over_b(), scratch_.stage); }
+
+    // The rigid slip of spin changes by both rates times its `columns`.
+    template <class Columns>
+    void by_axis(const System& system, typename Shape::Axis axis, const StagePlace<Scalar>& stage, Scalar first_rate,
+                 Scalar second_rate, const Columns& columns) {
+        add_turned(first_rate, second_rate, columns, scratch_.right);
+        shape(system).add_rates(scratch_.stage, axis, stage.part, stage.progress, scratch_.solver.traction(),
+                                scratch_.change, scratch_.right);
+    }
+
     Bounds& bounds_;
     Scratch& scratch_;
     std::size_t parameter_;

@@ -1,0 +1,93 @@
+#include "pressure.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rollbem/normal/patch_pressure.hpp>
+
+#include "support/columns_file.hpp"
+#include "support/csv.hpp"
+#include "support/errors.hpp"
+
+namespace patch {
+
+namespace {
+
+/// Rows in any order.
+rollbem::PressureGrid<double> read_grid(const study::Options& options) {
+    std::map<std::pair<double, double>, double> points;
+    const std::vector<study::Numbers> columns =
+        study::read_columns(options, "pressure", "x,y,pressure", "", [&](const auto& read, const std::string& where) {
+            if (read[2].back() < 0) throw study::BadInput(where + ": pressure must not be negative");
+            if (!points.emplace(std::pair(read[0].back(), read[1].back()), read[2].back()).second) {
+                throw study::BadInput(where + " must not be the second row at this place");
+            }
+        });
+    const auto different = [](study::Numbers numbers) {
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+        return Eigen::ArrayXd(Eigen::Map<Eigen::ArrayXd>(numbers.data(), Eigen::Index(numbers.size())));
+    };
+    const Eigen::ArrayXd x = different(columns[0]), y = different(columns[1]);
+    Eigen::MatrixXd pressures(x.size(), y.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        for (Eigen::Index j = 0; j < y.size(); ++j) {
+            const auto point = points.find({x[i], y[j]});
+            if (point == points.end()) {
+                throw study::BadInput(options.said("pressure") +
+                                      " must have a row at x = " + study::Cell(x[i]).text(6) +
+                                      ", y = " + study::Cell(y[j]).text(6) + ": its points must make a grid");
+            }
+            pressures(i, j) = point->second;
+        }
+    }
+    // the unit does not matter, however small or large it makes the numbers
+    if (pressures.size() > 0 && pressures.maxCoeff() > 0) pressures /= pressures.maxCoeff();
+    try {
+        return {x, y, std::move(pressures)};
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(options.said("pressure") + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+Pressure::Pressure(const study::Options& options) : said_(options.said("pressure")) {
+    if (options.given("pressure")) {
+        grid_ = read_grid(options);
+    } else if (options.given("outline")) {
+        throw study::BadInput(options.said("outline") +
+                              " must go with --pressure for friction: Hertz's contact is an ellipse");
+    }
+}
+
+Eigen::ArrayXd Pressure::on(const Patch& patch) const {
+    const double a = patch.contact.half_length(), b = patch.contact.half_width();
+    if (!grid_) return rollbem::hertz_pressures(patch.contact, patch.mesh, a * b);
+    // the table measures an ellipse in a and b, an outline in its own unit
+    const bool outline = patch.contact.outline().has_value();
+    std::vector<rollbem::Rectangle<double>> elements = rollbem::rectangles(patch.mesh, a);
+    for (rollbem::Rectangle<double>& element : elements) {
+        if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
+    }
+    const Eigen::ArrayXd means = (*grid_)(elements);
+    double load = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const rollbem::Rectangle<double>& element = elements[i];
+        load += means[Eigen::Index(i)] * (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+    }
+    const double share = load / grid_->integral();
+    if (!(share >= 0.5)) {
+        throw study::BadInput(said_ + ": the share of its load on the patch = " + study::Cell(share).text(3) +
+                              " must be at least 0.5; x and y are " +
+                              (outline ? "in the unit of the outline" : "in a and b, from -1 to 1"));
+    }
+    return means * (outline ? a * b : 1) / load;
+}
+
+}  // namespace patch

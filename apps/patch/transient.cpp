@@ -1,0 +1,273 @@
+#include "transient.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/friction/transient.hpp>
+#include <rollbem/normal/patch_pressure.hpp>
+
+#include "friction.hpp"
+#include "load.hpp"
+#include "plots.hpp"
+#include "pressure.hpp"
+#include "support/errors.hpp"
+#include "support/non_steady.hpp"
+#include "support/progress.hpp"
+#include "support/runs.hpp"
+#include "support/table.hpp"
+
+namespace patch {
+
+namespace {
+
+using Contact = rollbem::PatchContact<double>;
+using Model = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
+using rollbem::Integrator;
+using rollbem::StepStatus;
+
+const std::vector<std::string> transient_columns = study::joined(
+    columns(), {"q_over_a", "load_ratio", "a_ratio", "b_ratio", "longitudinal_force", "lateral_force", "spin_moment",
+                "stick_count", "slip_work", "creep_work", "status", "longitudinal", "lateral", "spin", "elastic_energy",
+                "rounds", "complementarity_residual", "integrator", "nodes"});
+
+/// A patch on the mesh of a whole run. Units as elsewhere: G = 1, mu N_0 = G a_0 b_0.
+class Rolling {
+public:
+    /// Throws BadInput if modes of the patch grow.
+    Rolling(const Patch& patch, const Pressure& pressure, const std::optional<Load>& load, Integrator integrator)
+        : patch_(patch),
+          load_(load),
+          covered_(covered(patch, load)),
+          mesh_(rollbem::patch_mesh(covered_, patch.mesh.along(), patch.across)),
+          elements_(rollbem::rectangles(mesh_, covered_.half_length())),
+          pressures_(load ? rollbem::hertz_pressures(covered_, mesh_, mu_N()) : pressure.on(patch)) {
+        const rollbem::HalfSpace<double> kernel(patch.contact.poisson_ratio());
+        const auto make = [&](rollbem::ElementSystem<double, 2> system, const rollbem::StabilityVerdict& verdict) {
+            model_.emplace(covered_, std::move(system), verdict, rollbem::Friction<>{1, pressures_}, integrator);
+        };
+        try {
+            const auto [least, largest] = load ? load->shapes() : std::pair(1.0, 1.0);
+            if (breathes() && largest > least * (1 + 1e-9)) {
+                const double a_over_b = patch.contact.a_over_b(), margin = 1 + 1e-6;
+                const rollbem::PatchShapes<double> shapes(
+                    mesh_.along(), patch.across, patch.scheme, kernel,
+                    {.least = a_over_b * least / margin, .largest = a_over_b * largest * margin});
+                make(shapes.system(a_over_b), rollbem::judge_stability(shapes));
+                return;
+            }
+            make(breathes() ? rollbem::breathing_system(covered_, mesh_, patch.scheme, kernel)
+                            : rollbem::rolling_system(mesh_, patch.scheme, kernel),
+                 rollbem::judge_stability(rollbem::patch_parts(mesh_, patch.scheme, kernel)));
+        } catch (const std::invalid_argument& error) {
+            throw study::BadInput(patch.label() + " cannot be stepped: " + error.what());
+        }
+    }
+
+    const Patch& patch() const { return patch_; }
+    const Model& model() const { return *model_; }
+    double mu_N() const { return patch_.contact.half_length() * patch_.contact.half_width(); }
+    /// Of works and energies.
+    double work_unit() const { return mu_N() * mu_N() / patch_.contact.c(); }
+
+    /// The normal load after a distance [a_0].
+    rollbem::NormalLoad<double> load_at(double q) const {
+        rollbem::NormalLoad<double> normal{pressures_, covered_.half_length(), {}, covered_.half_width()};
+        if (!load_) return normal;
+        const double ratio = load_->at(q);
+        const AxisRatios axes = load_->axes(q);
+        if (breathes()) {
+            normal.normal_pressure *= ratio / (axes.a * axes.b);
+            normal.half_length *= axes.a;
+            normal.half_width *= axes.b;
+        } else if (ratio > 0) {
+            normal.normal_pressure =
+                rollbem::hertz_pressures(stretched(patch_.contact, axes), elements_, ratio * mu_N());
+        } else {
+            normal.normal_pressure.setZero();
+        }
+        return normal;
+    }
+
+private:
+    static Contact stretched(const Contact& contact, const AxisRatios& axes) {
+        return Contact({.half_length = axes.a * contact.half_length(),
+                        .half_width = axes.b * contact.half_width(),
+                        .shear_modulus = contact.shear_modulus(),
+                        .poisson_ratio = contact.poisson_ratio()});
+    }
+    bool breathes() const { return load_ && load_->breathing; }
+    static Contact covered(const Patch& patch, const std::optional<Load>& load) {
+        return load && !load->breathing ? stretched(patch.contact, load->largest_axes()) : patch.contact;
+    }
+
+    const Patch& patch_;
+    const std::optional<Load>& load_;
+    Contact covered_;
+    rollbem::PatchMesh<double> mesh_;
+    std::vector<rollbem::Rectangle<double>> elements_;
+    Eigen::ArrayXd pressures_;
+    std::optional<Model> model_;
+};
+
+/// What all runs share.
+struct Scene {
+    CreepPoint point;
+    std::optional<Load> load;
+    bool from_steady;
+    Integrator integrator;
+    double dq;
+
+    bool resolved() const { return !load || load->resolved(dq); }
+};
+
+/// Emits the rows of `range`, but steps from the start, as the state requires. Returns why the run ended before these
+/// rows did; nothing if it did not.
+std::string rows(const Scene& scene, const Rolling& rolling, study::RowRange range, const study::Emit& emit) {
+    const Model& model = rolling.model();
+    const Contact& contact = rolling.patch().contact;
+    const double a = contact.half_length(), c = contact.c();
+    const rollbem::Creepage<double> creepage{scene.point.longitudinal, scene.point.lateral, scene.point.spin / c};
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    rollbem::FrictionStep<2> last;
+    last.force = {0, 0, 0};
+    last.status = StepStatus::ok;
+    double slip_work = 0, creep_work = 0;
+    int rounds = 0;
+    std::string ended;
+    const rollbem::NormalLoad<double> first = rolling.load_at(0);
+    now.normal_pressure = first.normal_pressure;
+    now.half_length = first.half_length;
+    now.half_width = first.half_width;
+    if (scene.from_steady) {
+        last = model.steady(now, creepage, next, workspace);
+        if (last.status == StepStatus::ok) {
+            std::swap(now, next);
+        } else {
+            ended = study::why_ended(0, last.status);
+        }
+    }
+    const auto power = [&](const rollbem::TangentialForce<double>& force) {
+        return -(force.longitudinal * creepage.longitudinal + force.lateral * creepage.lateral +
+                 force.moment * creepage.spin);
+    };
+    const auto step = [&](double from, double to) {
+        const double before = power(last.force);
+        const rollbem::FrictionStep<2> made =
+            model.advance(now, a * (to - from), creepage, rolling.load_at(to), next, workspace);
+        if (made.status != StepStatus::ok) return last = made, made.status;
+        std::swap(now, next);
+        last = made;
+        rounds += made.rounds;
+        slip_work += made.slip_work;
+        // the mean of both ends; implicit Euler knows the end alone
+        const double after = power(made.force);
+        creep_work += a * (to - from) * (scene.integrator == Integrator::sdirk2 ? (before + after) / 2 : after);
+        return made.status;
+    };
+    for (std::size_t row = 0; row < range.last; ++row) {
+        const double end = double(row + 1) * scene.dq;
+        const bool over = !ended.empty();
+        rounds = 0;
+        for (double from = double(row) * scene.dq; from < end && ended.empty();) {
+            const double to = scene.load ? scene.load->next_stop(from, end) : end;
+            if (const auto failed = study::roll(from, to, step)) ended = study::why_ended(*failed, last.status);
+            from = to;
+        }
+        if (row < range.first) continue;
+        const bool valid = ended.empty() && scene.resolved();
+        const auto if_valid = [&](double value) { return valid ? study::Cell(value) : study::Cell(); };
+        const AxisRatios axes = scene.load ? scene.load->axes(end) : AxisRatios{1, 1};
+        study::Row cells = patch::cells(rolling.patch());
+        cells.insert(cells.end(), {end, scene.load ? scene.load->at(end) : 1, axes.a, axes.b});
+        for (const double force : {last.force.longitudinal, last.force.lateral, last.force.moment / c}) {
+            cells.emplace_back(if_valid(0 - force / rolling.mu_N()));
+        }
+        cells.insert(
+            cells.end(),
+            {valid ? study::Cell(last.stick_count) : study::Cell(), if_valid(slip_work / rolling.work_unit()),
+             if_valid(creep_work / rolling.work_unit()),
+             over               ? study::after_failure
+             : !ended.empty()   ? name(last.status)
+             : scene.resolved() ? study::ok
+                                : study::unresolved,
+             scene.point.longitudinal, scene.point.lateral, scene.point.spin,
+             if_valid(model.elastic_energy(now) / rolling.work_unit()), over ? study::Cell() : study::Cell(rounds),
+             over ? study::Cell() : study::Cell(last.complementarity_residual), study::word(scene.integrator),
+             nodes_name(rolling.patch())});
+        emit(std::move(cells));
+    }
+    return ended;
+}
+
+}  // namespace
+
+void add_transient_options(study::Options& options) {
+    options.add_flag("transient",
+                     "with one value of each creepage: roll in time, one row for each step; lengths over a, N, a and b "
+                     "at load_ratio 1");
+    study::add_steps(options, "with --transient: ");
+    options.add("from", "rest|steady", "with --transient: the state that the run starts from", "rest");
+    options.add("load-sine", "A,LENGTH",
+                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
+                "(dimensionless)");
+    options.add_input("load",
+                      "with --transient: CSV file with the columns q_over_a,load_ratio and, if known, a_ratio,b_ratio: "
+                      "N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its rows, which must "
+                      "cover the run (dimensionless); without them both are the cube root of load_ratio");
+    options.replaces("load-sine", {"load"});
+    options.add_flag("breathing",
+                     "with --load-sine or --load: the mesh follows the ellipse; otherwise it covers the largest one");
+    options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
+}
+
+void refuse_transient_options(const study::Options& options) {
+    for (const char* name : {"dq", "until", "from", "load-sine", "load", "breathing", "integrator"}) {
+        options.ignored(name, "without --transient");
+    }
+}
+
+void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
+    options.ignored("tractions", "with --transient");
+    const Pressure pressure(options);
+    const study::Steps steps = study::read_steps(options);
+    const std::vector<CreepPoint> points = read_points(options);
+    if (points.size() != 1) {
+        throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
+    }
+    const Scene scene{points.front(), read_load(options, double(steps.count) * steps.dq),
+                      options.choice("from", {"rest", "steady"}) == "steady",
+                      study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler}), steps.dq};
+    std::vector<std::unique_ptr<Rolling>> runs;
+    study::Progress checking(options.program(), patches.size(), study::shows_progress(options), "patches checked");
+    for (const Patch& patch : patches) {
+        checking.doing(patch.label());
+        runs.push_back(std::make_unique<Rolling>(patch, pressure, scene.load, scene.integrator));
+        checking.update(runs.size());
+    }
+    checking.clear();
+    std::vector<std::string> ended(patches.size());
+    study::Table table;
+    table.columns = transient_columns;
+    table.rows_of_task.assign(patches.size(), steps.count);
+    table.label = [&](std::size_t task) { return patches[task].label(); };
+    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        ended[task] = rows(scene, *runs[task], range, emit);
+    };
+    table.plot = [&](const std::vector<study::Row>& drawn) {
+        return draw_in_time(transient_columns, drawn, scene.load.has_value());
+    };
+    study::write_runs(options, table, ended);
+}
+
+}  // namespace patch

@@ -1,0 +1,70 @@
+// Full sliding of an elliptic contact under Hertz's pressure: the limit of steady rolling for large creepages and spin.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rollbem {
+
+/// -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c) with c = sqrt(a b): dimensionless forces and moment of a contact.
+template <class Scalar>
+struct ForceRatios {
+    Scalar longitudinal = 0, lateral = 0, moment = 0;
+};
+
+/// Forces of an ellipse that slips everywhere, by its rigid slip (longitudinal - spin y, lateral + spin x): creepages
+/// in any common unit, spin times c in the same. Zero without creepage and spin. a_over_b must be positive and finite.
+///
+/// Along a line through the pole, where the rigid slip vanishes, the direction of slip is constant, and moments of the
+/// pressure over the whole chord have a closed form. There remains an integral over the direction of the line of a
+/// smooth function, to 1e-6 for a/b = 0.1 ... 10. Spin alone on a circle: 3 pi/16.
+template <class Scalar>
+ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar lateral, Scalar spin) {
+    using std::abs, std::cos, std::sin, std::sqrt;
+    const Scalar pi = std::numbers::pi_v<Scalar>;
+    const Scalar a = sqrt(a_over_b), b = 1 / a;  // c = 1
+    const Scalar sign = spin < 0 ? -1 : 1, rate = abs(spin);
+    // the pole times the spin, where the ellipse is the unit circle
+    const Scalar pole_x = -sign * lateral / a, pole_y = sign * longitudinal / b, far = std::hypot(pole_x, pole_y);
+    ForceRatios<Scalar> sum;
+    if (far == 0 && rate == 0) return sum;
+    const int count = 48 + static_cast<int>(6 * std::clamp(std::max(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));
+    // a chord in the direction e at the distance `offset` from the middle; `lever`: its middle seen from the pole
+    const auto add = [&](Scalar e_x, Scalar e_y, Scalar offset, Scalar force, Scalar moment) {
+        const Scalar length = std::hypot(a * e_x, b * e_y);
+        sum.longitudinal -= sign * force * b * e_y / length;
+        sum.lateral += sign * force * a * e_x / length;
+        sum.moment += sign * (force * offset * e_x * e_y * (b * b - a * a) / length + moment * length / 4);
+    };
+    if (far < rate) {  // the pole lies inside
+        const Scalar x = pole_x / rate, y = pole_y / rate;
+        for (int i = 0; i < count; ++i) {
+            const Scalar angle = pi * static_cast<Scalar>(i) / static_cast<Scalar>(count);
+            const Scalar e_x = cos(angle), e_y = sin(angle);
+            const Scalar offset = e_x * y - e_y * x, square = (1 - offset) * (1 + offset);
+            const Scalar weight = 3 * pi / (4 * static_cast<Scalar>(count)) * square;
+            add(e_x, e_y, offset, -weight * (x * e_x + y * e_y), weight * square);
+        }
+    } else {  // outside, or at infinity without spin
+        Scalar total = 0;
+        for (int i = 0; i < count; ++i) {
+            const Scalar angle =
+                pi * ((static_cast<Scalar>(i) + Scalar(0.5)) / static_cast<Scalar>(count) - Scalar(0.5));
+            const Scalar offset = sin(angle), chord = cos(angle), square = chord * chord;
+            const Scalar sine = offset * (rate / far), cosine = sqrt((1 - sine) * (1 + sine));
+            const Scalar weight = 3 * pi / (4 * static_cast<Scalar>(count)) * square * chord;
+            add((sine * pole_y - cosine * pole_x) / far, -(cosine * pole_y + sine * pole_x) / far, offset, weight,
+                weight * square * (rate / far) / cosine);
+            total += weight;
+        }
+        sum.longitudinal /= total;  // 1 but for the error of the sum: without spin the force is mu N exactly
+        sum.lateral /= total;
+        sum.moment /= total;
+    }
+    return sum;
+}
+
+}  // namespace rollbem

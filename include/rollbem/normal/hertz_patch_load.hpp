@@ -1,0 +1,141 @@
+// Hertz's elliptic contact under a load and radii that may vary: semi-axes and pressures of the elements, on a mesh that
+// follows the ellipse, or on a fixed mesh on which the ellipse grows and shrinks.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../discretisation/patch_mesh.hpp"
+#include "../scene/patch_contact.hpp"
+#include "../scene/semi_axes.hpp"
+#include "../status.hpp"
+#include "../types.hpp"
+#include "hertz_ellipse.hpp"
+#include "load.hpp"
+#include "patch_pressure.hpp"
+
+namespace rollbem {
+
+/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y.
+///
+///     const HertzPatchLoad<double> hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
+///     NormalLoad<double> load = hertz.at(ellipse.load());
+///     hertz.set(N, load);                                       // no allocation
+///     const auto step = model.advance(now, dq, motion, load, next, workspace);
+///     const auto by_load = step.tangent_by_load + hertz.half_length_rate(N) * step.tangent_by_half_length +
+///                          hertz.half_width_rate(N) * step.tangent_by_half_width;
+///     hertz.set(HertzEllipse<double>(radii_of_the_moment), load);  // other radii
+template <class Scalar_ = double>
+class HertzPatchLoad {
+public:
+    using Scalar = Scalar_;
+
+    /// The mesh, made for `contact`, follows the ellipse: semi-axes a(N) and b(N), the shape of the pressures constant.
+    /// Throws std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
+    static HertzPatchLoad breathing(const HertzEllipse<Scalar>& ellipse, const PatchContact<Scalar>& contact,
+                                    const PatchMesh<Scalar>& mesh) {
+        return HertzPatchLoad(ellipse, contact, mesh, false);
+    }
+
+    /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws as breathing().
+    static HertzPatchLoad fixed(const HertzEllipse<Scalar>& ellipse, const PatchContact<Scalar>& contact,
+                                const PatchMesh<Scalar>& mesh) {
+        return HertzPatchLoad(ellipse, contact, mesh, true);
+    }
+
+    bool breathes() const { return !fixed_; }
+
+    /// a and b [m] of the ellipse under N [N] >= 0.
+    SemiAxes<Scalar> semi_axes(Scalar load) const {
+        const Scalar scale = std::cbrt(load / ellipse_.load());
+        return {scale * ellipse_.half_length(), scale * ellipse_.half_width()};
+    }
+
+    /// Derivatives of the semi-axes of the mesh by N [m/N]: 0 if it is fixed.
+    Scalar half_length_rate(Scalar load) const { return fixed_ ? 0 : semi_axes(load).half_length / (3 * load); }
+    Scalar half_width_rate(Scalar load) const { return fixed_ ? 0 : semi_axes(load).half_width / (3 * load); }
+
+    /// Sets pressures, which carry N exactly, their derivatives by N, and the semi-axes of the mesh. A fixed mesh
+    /// without load, N = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also
+    /// returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse, or if N = 0 on a mesh that
+    /// follows it: it would have no size. The work on a fixed mesh is an integral for each element.
+    StepStatus set(Scalar load, NormalLoad<Scalar>& result) const noexcept {
+        return set(load, semi_axes(load), result);
+    }
+
+    /// The same for other bodies, radii or load; also invalid_load if their axes do not lie along x and y.
+    StepStatus set(const HertzEllipse<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
+        const Scalar load = ellipse.turn() == 0 ? ellipse.load() : std::numeric_limits<Scalar>::quiet_NaN();
+        return set(load, {ellipse.half_length(), ellipse.half_width()}, result);
+    }
+
+    /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is not ok.
+    NormalLoad<Scalar> at(Scalar load) const {
+        NormalLoad<Scalar> result{ArrayX<Scalar>::Zero(size()), 0, ArrayX<Scalar>::Zero(size())};
+        const StepStatus status = set(load, result);
+        detail::require(
+            status == StepStatus::ok, "HertzPatchLoad", "load", load,
+            breathes() ? "be positive and finite" : "be finite, not negative, and have a contact that the mesh covers");
+        return result;
+    }
+
+private:
+    HertzPatchLoad(const HertzEllipse<Scalar>& ellipse, const PatchContact<Scalar>& contact,
+                   const PatchMesh<Scalar>& mesh, bool fixed)
+        : ellipse_(ellipse),
+          axes_{contact.half_length(), contact.half_width()},
+          elements_(rectangles(mesh, contact.half_length())),
+          shape_(hertz_pressures(contact, mesh, 1) * (contact.half_length() * contact.half_width())),
+          fixed_(fixed) {
+        detail::require(ellipse.turn() == 0, "HertzPatchLoad", "turn of the ellipse", ellipse.turn(),
+                        "be 0: strips lie along x");
+    }
+
+    Eigen::Index size() const { return shape_.size(); }
+
+    StepStatus set(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
+        const bool sized = result.normal_pressure.size() == size() && result.pressure_rate.size() == size();
+        const bool possible = sized && detail::is_finite(load) &&
+                              (fixed_ ? load >= 0 && is_covered(ellipse) : load > 0 && detail::are_positive(ellipse));
+        const SemiAxes<Scalar>& axes = fixed_ ? axes_ : ellipse;
+        result.half_length = possible ? axes.half_length : std::numeric_limits<Scalar>::quiet_NaN();
+        result.half_width = axes.half_width;
+        if (!possible) return StepStatus::invalid_load;
+        if (fixed_) return cover(load, ellipse, result);
+        const Scalar mean = load / axes.half_length / axes.half_width;
+        result.normal_pressure = mean * shape_;
+        result.pressure_rate = mean / (3 * load) * shape_;
+        return StepStatus::ok;
+    }
+
+    bool is_covered(const SemiAxes<Scalar>& ellipse) const {
+        constexpr Scalar rounding = 1 + 4 * std::numeric_limits<Scalar>::epsilon();
+        return ellipse.half_length <= axes_.half_length * rounding && ellipse.half_width <= axes_.half_width * rounding;
+    }
+
+    StepStatus cover(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
+        // without load, a contact far smaller than any element: it begins in the middle
+        const Scalar beginning = std::numeric_limits<Scalar>::epsilon();
+        const Scalar a = std::max(ellipse.half_length, beginning * axes_.half_length),
+                     b = std::max(ellipse.half_width, beginning * axes_.half_width);
+        const Scalar share =
+            detail::set_ellipse_pressures(a, b, load, elements_, result.normal_pressure, result.pressure_rate);
+        if (share >= detail::least_share<Scalar>) return StepStatus::ok;
+        result.half_length = std::numeric_limits<Scalar>::quiet_NaN();
+        return StepStatus::invalid_load;
+    }
+
+    HertzEllipse<Scalar> ellipse_;
+    SemiAxes<Scalar> axes_;  // for which the mesh was made
+    std::vector<Rectangle<Scalar>> elements_;
+    ArrayX<Scalar> shape_;  // pressures for N = a b = 1
+    bool fixed_;
+};
+
+}  // namespace rollbem

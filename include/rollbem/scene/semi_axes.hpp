@@ -1,0 +1,30 @@
+// Semi-axes of an ellipse of contact, where they vary.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include "../detail/finite.hpp"
+
+namespace rollbem {
+
+/// In metres, or in those of a contact.
+template <class Scalar_ = double>
+struct SemiAxes {
+    using Scalar = Scalar_;
+
+    Scalar half_length;  ///< a, in the rolling direction
+    Scalar half_width;   ///< b, across it
+
+    friend bool operator==(const SemiAxes&, const SemiAxes&) = default;
+};
+
+namespace detail {
+
+template <class Scalar>
+bool are_positive(const SemiAxes<Scalar>& axes) noexcept {
+    return is_finite(axes.half_length) && axes.half_length > 0 && is_finite(axes.half_width) && axes.half_width > 0;
+}
+
+}  // namespace detail
+
+}  // namespace rollbem

@@ -1,0 +1,118 @@
+// The grid of a table of steady creep forces: at which ellipses, creepages and spins forces must be known.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../closed_form/full_sliding.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../scene/creep_coefficients.hpp"
+#include "../scene/creepage.hpp"
+
+namespace rollbem {
+
+/// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. With
+/// X = (xi s_x, eta s_y, phi c s_phi) G a b/(mu N), where the scales s make |X| = 1 the beginning of saturation, nodes
+/// lie on a cubic lattice of u = X/(1 + |X|/2). So they are denser where forces are nearly linear, and follow
+/// saturation: |u| < 2, where 2 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and
+/// F_x change sign alone, and so do eta, phi, F_y and M_z together.
+///
+/// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64; c11, c22, c23, -c32, c33 > 0.
+class CreepForceGrid {
+public:
+    /// `coefficients` of the ellipses a_over_b_of(i, ...), whose number is that of shapes; `levels` nodes lie between
+    /// no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
+    CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
+                   std::vector<CreepCoefficients<double>> coefficients)
+        : nu_(poisson_ratio),
+          smallest_(smallest_a_over_b),
+          largest_(largest_a_over_b),
+          levels_(levels),
+          coefficients_(std::move(coefficients)) {
+        detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= 0.5, name, "poisson_ratio", nu_,
+                        "lie in [0, 0.5]");
+        detail::require(detail::is_finite(smallest_) && smallest_ > 0, name, "smallest_a_over_b", smallest_,
+                        "be positive and finite");
+        detail::require(detail::is_finite(largest_) && largest_ > smallest_, name, "largest_a_over_b", largest_,
+                        "be finite and above the smallest");
+        detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
+        detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
+        scales_.resize(3, shapes());
+        for (Eigen::Index i = 0; i < shapes(); ++i) {
+            const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];
+            for (const double one : {c.c11, c.c22, c.c23, -c.c32, c.c33}) {
+                detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
+                                "be positive and finite");
+            }
+            // spin saturates by its lateral force (long ellipses) or by its moment (wide ones)
+            scales_.col(i) << c.c11, c.c22, std::hypot(c.c23, c.c33 / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment);
+        }
+        for (int i = 0; i < levels_; ++i) {
+            for (int j = -levels_ + 1; j < levels_; ++j) {
+                for (int k = j < 0 ? 1 : 0; k < levels_; ++k) {
+                    const int square = i * i + j * j + k * k;
+                    if (square > 0 && square < levels_ * levels_) nodes_.push_back({i, j, k});
+                }
+            }
+        }
+    }
+
+    double poisson_ratio() const { return nu_; }
+    double smallest_a_over_b() const { return smallest_; }
+    double largest_a_over_b() const { return largest_; }
+    int levels() const { return levels_; }
+    Eigen::Index shapes() const { return static_cast<Eigen::Index>(coefficients_.size()); }  ///< number of ellipses
+    Eigen::Index nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }  ///< number of nodes of an ellipse
+    const std::vector<CreepCoefficients<double>>& coefficients() const { return coefficients_; }
+    const Eigen::Array3Xd& scales() const { return scales_; }  ///< s_x, s_y, s_phi in a column for each ellipse
+
+    /// a/b of ellipse i; the last is the largest.
+    double a_over_b(Eigen::Index i) const { return a_over_b_of(i, shapes(), smallest_, largest_); }
+    static double a_over_b_of(Eigen::Index i, Eigen::Index shapes, double smallest, double largest) {
+        if (i == shapes - 1) return largest;
+        return smallest * std::pow(largest / smallest, static_cast<double>(i) / static_cast<double>(shapes - 1));
+    }
+
+    /// Creepages times G a b/(mu N) and spin times G a b c/(mu N) of a node of ellipse i. Nodes stand in lines along
+    /// which the spin grows.
+    Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
+        const Place& place = nodes_[static_cast<std::size_t>(node)];
+        const double n = levels_;
+        const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
+        const double factor = limit / (n - size);  // X/lattice coordinates: u = X/(1 + |X|/limit) = limit place/n
+        return {factor * place.x / scales_(0, i), factor * place.y / scales_(1, i),
+                factor * place.spin / scales_(2, i)};
+    }
+    /// Whether a node begins a line of growing spin.
+    bool begins_line(Eigen::Index node) const {
+        if (node == 0) return true;
+        const Place &place = nodes_[static_cast<std::size_t>(node)], &last = nodes_[static_cast<std::size_t>(node - 1)];
+        return place.x != last.x || place.y != last.y;
+    }
+
+    /// Of coordinates on the lattice.
+    struct Place {
+        int x, y, spin;
+    };
+    const Place& place(Eigen::Index node) const { return nodes_[static_cast<std::size_t>(node)]; }
+
+    static constexpr double limit = 2;  ///< |u| in full sliding
+
+private:
+    static constexpr const char* name = "CreepForceGrid";
+
+    double nu_, smallest_, largest_;
+    int levels_;
+    std::vector<CreepCoefficients<double>> coefficients_;
+    Eigen::Array3Xd scales_;
+    std::vector<Place> nodes_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,553 @@
+// CreepForceTable: steady forces of elliptic contacts with friction and spin by look-up, for programs that ask for them
+// at every step. Made once from any source of forces, or read from a file that creep_table wrote.
+#pragma once
+
+#include "../detail/language.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../closed_form/full_sliding.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/force.hpp"
+#include "../scene/patch_contact.hpp"
+#include "../status.hpp"
+#include "creep_force_grid.hpp"
+#include "detail/cubic_spline.hpp"
+
+namespace rollbem {
+
+/// What a look-up returns, in the units of the contact.
+struct TabulatedForce {
+    TangentialForce<double> force;    ///< on body 1 [N], moment about the middle of the contact [N m]; NaN unless ok
+    CreepageTangent<double> tangent;  ///< d force/d creepage, of the interpolation itself
+    /// a/b lies on the table. If not, forces are those of its nearest ellipse with the same area: they go on without a
+    /// step, but the error is unknown.
+    bool a_over_b_on_table = false;
+    /// not_finite, invalid_load (mu or N is negative or not finite), or wrong_table
+    StepStatus status = StepStatus::not_finite;
+};
+
+/// Steady creep forces of ellipses under Hertz's pressure by interpolation in log(a/b), xi, eta and phi (see
+/// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
+/// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
+/// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
+/// exceed mu N by its error. Immutable: threads may share it.
+///
+///     std::ifstream file("table.csv.bin", std::ios::binary);
+///     const CreepForceTable table = CreepForceTable::read(file);
+///     const PatchContact<double> contact({a, b, G, nu});
+///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
+///     if (now.status != StepStatus::ok) ...
+class CreepForceTable {
+public:
+    /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the grid,
+    /// then of the next one. Throws std::invalid_argument if their number differs or one of them is not finite or
+    /// above 100.
+    CreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
+
+    /// From what write() wrote. The stream must be binary; it is read to the end of the table. Throws
+    /// std::invalid_argument if the stream ends too early or holds something else, another version, or numbers that do
+    /// not agree with their checksum.
+    static CreepForceTable read(std::istream& stream);
+
+    /// Little-endian, version 1: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
+    /// Poisson's ratio, smallest and largest a/b, scales (64 bits each), coefficients of the splines (32 bits each), and
+    /// the checksum FNV-1a of all bytes before (64 bits).
+    void write(std::ostream& stream) const;
+
+    const CreepForceGrid& grid() const { return grid_; }
+
+    /// The forces of an ellipse under the load N [N] with the coefficient of friction mu, in SI units. status is
+    /// wrong_table if Poisson's ratio differs from the table's by more than 0.01, or for an outline. Without friction
+    /// or load there is no force. Does not allocate.
+    TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
+                           const Creepage<double>& creepage) const noexcept;
+
+private:
+    static constexpr const char* name = "CreepForceTable";
+    static constexpr const char* magic = "rollbem creep forces";
+    static constexpr std::uint32_t version = 1;
+    static constexpr double most = 100;
+
+    /// Bytes with their checksum.
+    class Writer;
+    class Reader;
+
+    explicit CreepForceTable(CreepForceGrid grid) : grid_(std::move(grid)), n_(grid_.levels()) {
+        const Eigen::Index count = per_shape() * (grid_.shapes() + 2);
+        detail::require(count <= 10'000'000, name, "number of coefficients", count, "be at most 10000000");
+        scales_ = with_ends(grid_.scales());
+        coefficients_.resize(static_cast<std::size_t>((grid_.shapes() + 2) * per_shape()) * width);
+    }
+
+    // Coefficients belong to nodes -1 ... n+1 for xi and phi, -n-1 ... n+1 for eta, -1 ... shapes for log(a/b): the cell
+    // of any point has all its neighbours. Of four numbers in a row the last is 0.
+    static constexpr std::size_t width = 4;
+    Eigen::Index side() const { return n_ + 3; }
+    Eigen::Index line() const { return 2 * n_ + 3; }
+    Eigen::Index per_shape() const { return side() * line() * side(); }
+    std::size_t at(Eigen::Index shape, Eigen::Index x, Eigen::Index y, Eigen::Index spin) const {
+        return static_cast<std::size_t>((((shape + 1) * side() + x + 1) * line() + y + n_ + 1) * side() + spin + 1) *
+               width;
+    }
+
+    /// Coefficients of splines through the columns, with one more beyond either end.
+    static Eigen::ArrayXXd with_ends(Eigen::ArrayXXd columns);
+
+    /// Forces over mu N and their derivatives by the coordinates of the lattice, xi and phi not negative.
+    struct Sample {
+        Eigen::Array3d value, by_x, by_y, by_spin;
+    };
+    Sample sample(double shape, double x, double y, double spin) const noexcept;
+
+    /// Fills linear_ from the coefficients of the splines.
+    void meet_linear_law();
+
+    CreepForceGrid grid_;
+    Eigen::Index n_;
+    Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b), as linear_
+    /// What the derivatives of the spline where creepage vanishes lack: of F_x by u_x, F_y by u_y and u_phi, M_z by u_y
+    /// and u_phi.
+    Eigen::ArrayXXd linear_;
+    std::vector<float> coefficients_;
+};
+
+namespace detail {
+
+/// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, as it is made.
+class CreepForceCube {
+public:
+    using Value = Eigen::Array3d;
+
+    explicit CreepForceCube(int levels)
+        : n_(levels), m_(levels + 2), w_(2 * m_ + 1), values_(static_cast<std::size_t>(w_ * w_ * w_), Value::Zero()) {}
+
+    Value& at(int x, int y, int spin) { return values_[place(x, y, spin)]; }
+
+    /// A node and its mirror images. What must vanish by symmetry does.
+    void set(int x, int y, int spin, Value force) {
+        if (x == 0) force[0] = 0;
+        if (y == 0 && spin == 0) force[1] = force[2] = 0;
+        for (const int s : {1, -1}) {
+            for (const int t : {1, -1}) at(s * x, t * y, t * spin) = {s * force[0], t * force[1], t * force[2]};
+        }
+    }
+
+    /// Spline coefficients of given nodes inside and of what follows outside: there 1/|X| goes on with the opposite
+    /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative by 1/|X| is continuous in full sliding. What lies
+    /// inside depends on the spline, hence the iteration; each pass leaves less than a tenth of the error.
+    void complete(double a_over_b, const Eigen::Array3d& scale) {
+        struct Outer {
+            int x, y, spin;
+            double size;
+            Value sliding;
+        };
+        std::vector<Outer> outer;
+        for (int x = 0; x <= m_; ++x) {
+            for (int y = -m_; y <= m_; ++y) {
+                for (int spin = 0; spin <= m_; ++spin) {
+                    const double size = std::sqrt(double(x * x + y * y + spin * spin));
+                    if (size < n_ || size > n_ + 3 || (spin == 0 && y < 0)) continue;
+                    const auto full = full_sliding(a_over_b, x / scale[0], y / scale[1], spin / scale[2]);
+                    outer.push_back({x, y, spin, size, {full.longitudinal, full.lateral, full.moment}});
+                }
+            }
+        }
+        for (const Outer& node : outer) set(node.x, node.y, node.spin, node.sliding);
+        fill_corners();
+        const std::vector<Value> given = values_;
+        std::vector<Value> mirrored(outer.size());
+        for (int pass = 0; pass < 4; ++pass) {
+            to_coefficients();
+            for (std::size_t i = 0; i < outer.size(); ++i) {
+                const Outer& node = outer[i];
+                const double factor = (2 * n_ - node.size) / node.size;
+                mirrored[i] = 2 * node.sliding - interpolate(factor * node.x, factor * node.y, factor * node.spin);
+            }
+            values_ = given;
+            for (std::size_t i = 0; i < outer.size(); ++i) set(outer[i].x, outer[i].y, outer[i].spin, mirrored[i]);
+            fill_corners();
+        }
+        to_coefficients();
+    }
+
+private:
+    std::size_t place(int x, int y, int spin) const {
+        return static_cast<std::size_t>(((x + m_) * w_ + y + m_) * w_ + spin + m_);
+    }
+
+    /// Nodes that only nodes outside need: as the nearest of those.
+    void fill_corners() {
+        for (int x = -m_; x <= m_; ++x) {
+            for (int y = -m_; y <= m_; ++y) {
+                for (int spin = -m_; spin <= m_; ++spin) {
+                    const double size = std::sqrt(double(x * x + y * y + spin * spin));
+                    if (size <= n_ + 3) continue;
+                    const double factor = (n_ + 2) / size;
+                    const auto nearest = [&](int k) { return static_cast<int>(std::lround(factor * k)); };
+                    at(x, y, spin) = at(nearest(x), nearest(y), nearest(spin));
+                }
+            }
+        }
+    }
+
+    void to_coefficients() {
+        std::vector<double> factors;
+        for (int i = 0; i < w_; ++i) {
+            for (int j = 0; j < w_; ++j) {
+                to_spline_coefficients(&values_[static_cast<std::size_t>((i * w_ + j) * w_)], w_, 1, factors);
+            }
+        }
+        for (int i = 0; i < w_; ++i) {
+            for (int j = 0; j < w_; ++j) {
+                to_spline_coefficients(&values_[static_cast<std::size_t>(i * w_ * w_ + j)], w_, w_, factors);
+            }
+        }
+        for (int i = 0; i < w_ * w_; ++i) {
+            to_spline_coefficients(&values_[static_cast<std::size_t>(i)], w_, w_ * w_, factors);
+        }
+    }
+
+    Value interpolate(double x, double y, double spin) const {
+        const auto cell = [&](double u) { return std::clamp(static_cast<int>(std::floor(u)), 1 - m_, m_ - 2); };
+        const int i = cell(x), j = cell(y), k = cell(spin);
+        const SplineWeights by_x(x - i), by_y(y - j), by_spin(spin - k);
+        Value sum = Value::Zero();
+        for (int p = 0; p < 4; ++p) {
+            for (int q = 0; q < 4; ++q) {
+                for (int r = 0; r < 4; ++r) {
+                    const double weight = by_x.value[static_cast<std::size_t>(p)] *
+                                          by_y.value[static_cast<std::size_t>(q)] *
+                                          by_spin.value[static_cast<std::size_t>(r)];
+                    sum += weight * values_[place(i - 1 + p, j - 1 + q, k - 1 + r)];
+                }
+            }
+        }
+        return sum;
+    }
+
+    int n_, m_, w_;
+    std::vector<Value> values_;
+};
+
+}  // namespace detail
+
+inline Eigen::ArrayXXd CreepForceTable::with_ends(Eigen::ArrayXXd columns) {
+    const Eigen::Index count = columns.cols();
+    Eigen::ArrayXXd all(columns.rows(), count + 2);
+    const auto curvature = [&](Eigen::Index i, Eigen::Index step) -> Eigen::ArrayXd {
+        return 2 * columns.col(i) - 5 * columns.col(i + step) + 4 * columns.col(i + 2 * step) -
+               columns.col(i + 3 * step);
+    };
+    const Eigen::ArrayXd first = curvature(0, 1), last = curvature(count - 1, -1);
+    std::vector<double> factors;
+    for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+        detail::to_spline_coefficients(columns.data() + i, count, columns.rows(), factors);
+    }
+    all.middleCols(1, count) = columns;
+    all.col(0) = 2 * columns.col(0) - columns.col(1) + first;
+    all.col(count + 1) = 2 * columns.col(count - 1) - columns.col(count - 2) + last;
+    return all;
+}
+
+inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces)
+    : CreepForceTable(std::move(grid)) {
+    const Eigen::Index nodes = grid_.nodes(), shapes = grid_.shapes();
+    detail::require(forces.cols() == nodes * shapes, name, "number of forces", forces.cols(),
+                    "be the number of nodes times that of ellipses");
+    for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            detail::require(detail::is_finite(forces(k, i)) && std::abs(forces(k, i)) <= most, name, "force over mu N",
+                            forces(k, i), "be finite and at most 100");
+        }
+    }
+    Eigen::ArrayXXd columns(3 * per_shape(), shapes);
+    for (Eigen::Index shape = 0; shape < shapes; ++shape) {
+        detail::CreepForceCube cube(grid_.levels());
+        for (Eigen::Index node = 0; node < nodes; ++node) {
+            const CreepForceGrid::Place& place = grid_.place(node);
+            cube.set(place.x, place.y, place.spin, forces.col(shape * nodes + node));
+        }
+        cube.complete(grid_.a_over_b(shape), grid_.scales().col(shape));
+        Eigen::Index row = 0;
+        for (int x = -1; x <= n_ + 1; ++x) {
+            for (int y = -static_cast<int>(n_) - 1; y <= n_ + 1; ++y) {
+                for (int spin = -1; spin <= n_ + 1; ++spin, row += 3) {
+                    columns.block<3, 1>(row, shape) = cube.at(x, y, spin);
+                }
+            }
+        }
+    }
+    const Eigen::ArrayXXd all = with_ends(std::move(columns));
+    for (Eigen::Index shape = 0; shape < shapes + 2; ++shape) {
+        for (Eigen::Index i = 0; i < per_shape(); ++i) {
+            for (Eigen::Index k = 0; k < 3; ++k) {
+                coefficients_[static_cast<std::size_t>(shape * per_shape() + i) * width + static_cast<std::size_t>(k)] =
+                    static_cast<float>(all(3 * i + k, shape));
+            }
+        }
+    }
+    meet_linear_law();
+}
+
+inline void CreepForceTable::meet_linear_law() {
+    const double step = CreepForceGrid::limit / static_cast<double>(n_);
+    Eigen::ArrayXXd lacking(5, grid_.shapes());
+    for (Eigen::Index i = 0; i < grid_.shapes(); ++i) {
+        const CreepCoefficients<double>& c = grid_.coefficients()[static_cast<std::size_t>(i)];
+        const Eigen::Array3d scale = step / grid_.scales().col(i);
+        const Sample at = sample(static_cast<double>(i), 0, 0, 0);
+        lacking.col(i) << c.c11 * scale[0] - at.by_x[0], c.c22 * scale[1] - at.by_y[1],
+            c.c23 * scale[2] - at.by_spin[1], c.c32 * scale[1] - at.by_y[2], c.c33 * scale[2] - at.by_spin[2];
+    }
+    linear_ = with_ends(std::move(lacking));
+}
+
+inline CreepForceTable::Sample CreepForceTable::sample(double shape, double x, double y, double spin) const noexcept {
+    const auto cell = [](double u, Eigen::Index low, Eigen::Index high) {
+        return std::clamp(static_cast<Eigen::Index>(std::floor(u)), low, high);
+    };
+    const Eigen::Index s = cell(shape, 0, grid_.shapes() - 2), i = cell(x, 0, n_ - 1), j = cell(y, -n_, n_ - 1),
+                       k = cell(spin, 0, n_ - 1);
+    const detail::SplineWeights by_shape(shape - static_cast<double>(s)), by_x(x - static_cast<double>(i)),
+        by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
+    // Rows of four neighbours in phi, each of four numbers, of which the last is not used. Ellipses are mixed in single
+    // precision: that changes no derivative by creepage.
+    using Number = Eigen::Array4d;
+    Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
+    std::array<float, 4> share;
+    for (std::size_t r = 0; r < 4; ++r) share[r] = static_cast<float>(by_shape.value[r]);
+    const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
+    for (std::size_t p = 0; p < 4; ++p) {
+        Number row = Number::Zero(), row_y = row, row_spin = row;
+        for (std::size_t q = 0; q < 4; ++q) {
+            const float* from = coefficients_.data() + at(s - 1, i - 1 + static_cast<Eigen::Index>(p),
+                                                          j - 1 + static_cast<Eigen::Index>(q), k - 1);
+            Number here = Number::Zero(), here_spin = here;
+            for (std::size_t t = 0; t < 4; ++t, from += width) {
+                using Four = Eigen::Map<const Eigen::Array4f>;
+                const Eigen::Array4f mixed = share[0] * Four(from) + share[1] * Four(from + next_shape) +
+                                             share[2] * Four(from + 2 * next_shape) +
+                                             share[3] * Four(from + 3 * next_shape);
+                const Number node = mixed.cast<double>();
+                here += by_spin.value[t] * node;
+                here_spin += by_spin.slope[t] * node;
+            }
+            row += by_y.value[q] * here;
+            row_y += by_y.slope[q] * here;
+            row_spin += by_y.value[q] * here_spin;
+        }
+        value += by_x.value[p] * row;
+        along_x += by_x.slope[p] * row;
+        along_y += by_x.value[p] * row_y;
+        along_spin += by_x.value[p] * row_spin;
+    }
+    return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>()};
+}
+
+inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& contact, double friction_coefficient,
+                                               double load, const Creepage<double>& creepage) const noexcept {
+    TabulatedForce result;
+    const auto fails = [&](StepStatus status) {
+        result.status = status;
+        return result;
+    };
+    if (contact.outline() || !(std::abs(contact.poisson_ratio() - grid_.poisson_ratio()) <= 0.01 + 1e-12)) {
+        return fails(StepStatus::wrong_table);
+    }
+    for (const double given : {friction_coefficient, load}) {
+        if (!detail::is_finite(given) || !(given >= 0)) return fails(StepStatus::invalid_load);
+    }
+    if (!detail::is_finite(creepage)) return fails(StepStatus::not_finite);
+
+    const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
+    const double first = std::log(grid_.smallest_a_over_b()), last = std::log(grid_.largest_a_over_b());
+    const double position = (std::log(contact.a_over_b()) - first) / (last - first);
+    result.a_over_b_on_table = position >= -1e-12 && position <= 1 + 1e-12;
+    const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
+    const auto cell = std::min(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
+    const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
+    Eigen::Array3d unit = Eigen::Array3d::Zero();  // of creepages in coordinates X mu N/(G a b)
+    for (Eigen::Index k = 0; k < 4; ++k) {
+        unit += by_shape.value[static_cast<std::size_t>(k)] * scales_.col(cell + k).head<3>();
+    }
+    unit[2] *= c;
+    const Eigen::Array3d w = unit * Eigen::Array3d(creepage.longitudinal, creepage.lateral, creepage.spin);
+    const double size = w.matrix().stableNorm();
+    if (bound == 0) {
+        result.force = {0, 0, 0};
+        result.tangent = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+        return fails(StepStatus::ok);
+    }
+    // u = X/(1 + |X|/2) in lattice coordinates, written so that no bound is too small
+    const double denominator = bound / stiffness + size / CreepForceGrid::limit;
+    const Eigen::Array3d u = w / denominator * (static_cast<double>(n_) / CreepForceGrid::limit);
+    const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
+    const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
+    const double turn = sign_of_pair < 0 ? -1 : 1;
+    Sample at = sample(shape, std::abs(u[0]), turn * u[1], turn * u[2]);
+    // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline misses
+    // the linear law by some percent there. What it lacks, over the first step only.
+    const double distance = u.matrix().norm();
+    if (distance < 1) {
+        Eigen::Array<double, 5, 1> lack = Eigen::Array<double, 5, 1>::Zero();
+        for (Eigen::Index k = 0; k < 4; ++k) {
+            lack += by_shape.value[static_cast<std::size_t>(k)] * linear_.col(cell + k).head<5>();
+        }
+        Eigen::Matrix3d matrix;
+        matrix << lack[0], 0, 0, 0, lack[1], lack[2], 0, lack[3], lack[4];
+        const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
+        const Eigen::Vector3d all = matrix * place;
+        const double share = (1 - distance) * (1 - distance) * (1 + distance);
+        const double slope = distance > 0 ? (distance - 1) * (1 + 3 * distance) / distance : 0;  // d share, over |u|
+        at.value += share * all.array();
+        at.by_x += share * matrix.col(0).array() + slope * place[0] * all.array();
+        at.by_y += share * matrix.col(1).array() + slope * place[1] * all.array();
+        at.by_spin += share * matrix.col(2).array() + slope * place[2] * all.array();
+    }
+
+    // The signs of the quadrant; between the two groups of symmetry derivatives change sign with both.
+    const Eigen::Array3d force = at.value * Eigen::Array3d(x_sign, sign_of_pair, sign_of_pair);
+    const double both = x_sign * sign_of_pair;
+    Eigen::Matrix3d by_u;
+    by_u.col(0) = at.by_x * Eigen::Array3d(1, both, both);
+    by_u.col(1) = at.by_y * Eigen::Array3d(both, 1, 1);
+    by_u.col(2) = at.by_spin * Eigen::Array3d(both, 1, 1);
+    const double scale = -bound / denominator * (static_cast<double>(n_) / CreepForceGrid::limit);
+    Eigen::Matrix3d slope = scale * by_u;
+    if (size > 0) {
+        const Eigen::Vector3d direction = w / size;
+        const Eigen::Vector3d radial = slope * direction;
+        slope -= radial * direction.transpose() * (size / CreepForceGrid::limit / denominator);
+    }
+    slope.array().rowwise() *= unit.transpose();
+    slope.row(2) *= c;
+    const auto column = [&](Eigen::Index k) { return TangentialForce<double>{slope(0, k), slope(1, k), slope(2, k)}; };
+    result.force = {0 - bound * force[0], 0 - bound * force[1], 0 - bound * c * force[2]};
+    result.tangent = {column(0), column(1), column(2)};
+    const double sum = force.sum() + slope.sum() + bound;
+    return detail::is_finite(sum) ? fails(StepStatus::ok) : TabulatedForce{};
+}
+
+class CreepForceTable::Writer {
+public:
+    explicit Writer(std::ostream& stream) : stream_(stream) {}
+
+    void bytes(const char* data, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            checksum_ = (checksum_ ^ static_cast<unsigned char>(data[i])) * 0x100000001b3U;
+        }
+        stream_.write(data, static_cast<std::streamsize>(count));
+    }
+    template <class Integer>
+    void integer(Integer value) {
+        std::array<char, sizeof value> data;
+        for (std::size_t i = 0; i < sizeof value; ++i) data[i] = static_cast<char>(value >> 8 * i & 0xff);
+        bytes(data.data(), data.size());
+    }
+    void number(double value) { integer(std::bit_cast<std::uint64_t>(value)); }
+    void number(float value) { integer(std::bit_cast<std::uint32_t>(value)); }
+    std::uint64_t checksum() const { return checksum_; }
+
+private:
+    std::ostream& stream_;
+    std::uint64_t checksum_ = 0xcbf29ce484222325U;
+};
+
+class CreepForceTable::Reader {
+public:
+    explicit Reader(std::istream& stream) : stream_(stream) {}
+
+    void bytes(char* data, std::size_t count) {
+        if (!stream_.read(data, static_cast<std::streamsize>(count))) {
+            throw std::invalid_argument("CreepForceTable: the stream must not end within the table");
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            checksum_ = (checksum_ ^ static_cast<unsigned char>(data[i])) * 0x100000001b3U;
+        }
+    }
+    template <class Integer>
+    Integer integer() {
+        std::array<char, sizeof(Integer)> data;
+        bytes(data.data(), data.size());
+        Integer value = 0;
+        for (std::size_t i = 0; i < data.size(); ++i) {
+            value |= static_cast<Integer>(static_cast<unsigned char>(data[i])) << 8 * i;
+        }
+        return value;
+    }
+    double number() { return std::bit_cast<double>(integer<std::uint64_t>()); }
+    float single() { return std::bit_cast<float>(integer<std::uint32_t>()); }
+    std::uint64_t checksum() const { return checksum_; }
+
+private:
+    std::istream& stream_;
+    std::uint64_t checksum_ = 0xcbf29ce484222325U;
+};
+
+inline void CreepForceTable::write(std::ostream& stream) const {
+    Writer writer(stream);
+    writer.bytes(magic, std::char_traits<char>::length(magic));
+    writer.integer(version);
+    writer.integer(static_cast<std::uint32_t>(n_));
+    writer.integer(static_cast<std::uint32_t>(grid_.shapes()));
+    for (const double value : {grid_.poisson_ratio(), grid_.smallest_a_over_b(), grid_.largest_a_over_b()}) {
+        writer.number(value);
+    }
+    for (const CreepCoefficients<double>& c : grid_.coefficients()) {
+        for (const double value : {c.c11, c.c22, c.c23, c.c32, c.c33}) writer.number(value);
+    }
+    for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+        if (i % width < 3) writer.number(coefficients_[i]);
+    }
+    writer.integer(writer.checksum());
+}
+
+inline CreepForceTable CreepForceTable::read(std::istream& stream) {
+    Reader reader(stream);
+    std::string text(std::char_traits<char>::length(magic), ' ');
+    reader.bytes(text.data(), text.size());
+    if (text != magic)
+        throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
+    const auto found = reader.integer<std::uint32_t>();
+    detail::require(found == version, name, "version", found, "be 1");
+    const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
+    detail::require(levels <= 64, name, "levels", levels, "be at most 64");
+    detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
+    const double nu = reader.number(), smallest = reader.number(), largest = reader.number();
+    std::vector<CreepCoefficients<double>> coefficients(shapes);
+    for (CreepCoefficients<double>& c : coefficients) {
+        for (double* value : {&c.c11, &c.c22, &c.c23, &c.c32, &c.c33}) *value = reader.number();
+    }
+    CreepForceTable table(CreepForceGrid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
+    for (std::size_t i = 0; i < table.coefficients_.size(); ++i) {
+        if (i % width == 3) continue;
+        const float value = reader.single();
+        detail::require(detail::is_finite(value) && std::abs(value) <= 1e3F, name, "coefficient", value,
+                        "be finite and at most 1000");
+        table.coefficients_[i] = value;
+    }
+    table.meet_linear_law();
+    const std::uint64_t checksum = reader.checksum();
+    if (reader.integer<std::uint64_t>() != checksum) {
+        throw std::invalid_argument("CreepForceTable: the numbers must agree with their checksum");
+    }
+    return table;
+}
+
+}  // namespace rollbem

@@ -1,0 +1,419 @@
+"""rollbem_patch.fmu: test_patch.py FMU REFERENCE, the program that takes the same steps with the library."""
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from fmpy.validation import validate_fmu
+
+from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
+
+file, reference = sys.argv[1:3]
+fmu = Fmu(file)
+
+# start values of the FMU and of the program
+G, nu, mu, V, N = 8e10, 0.28, 0.3, 20.0, 1e5
+follows_load, fixed, by_table = {"mesh_size": 1}, {"mesh_size": 2}, {"mode": 2}
+inputs = ("longitudinal_slip_velocity", "lateral_slip_velocity", "spin_rate", "rolling_speed", "normal_load")
+forces = ("longitudinal_force", "lateral_force", "spin_moment")
+circle = {"wheel_rolling_radius": 0.5, "wheel_lateral_radius": 0.5}
+radius = (3 * N * 0.5 * (1 - nu) / (4 * G)) ** (1 / 3)  # of its contact with a flat rail, rail_lateral_radius = 1e9
+a = 6e-3  # about that of the start values
+limit = mu * N / (G * a * a)  # creepage at which much of the contact slips
+
+
+def outcome(instance):
+    return tuple(instance.get(name) for name in (*forces, "slip_work", "sticking_elements"))
+
+
+def force(instance):
+    return np.array([instance.get(name) for name in forces])
+
+
+def set_inputs(instance, values):
+    instance.set(**dict(zip(inputs, values)))
+
+
+def make_run(lift_off):
+    """Steps under slip and spin that turn from one direction to the other: durations and inputs."""
+    rows = []
+    for i in range(150):
+        phase = 2 * math.pi * i / 75
+        duration = 0.1 * a / V * (1 if i % 7 else 1.5)
+        load = N * max(0, 1 + 1.2 * math.sin(phase)) if lift_off else N * (1 + 0.5 * math.sin(phase))
+        rows.append((duration, 0.3 * limit * V * math.cos(phase / 3), 0.2 * limit * V * math.sin(phase / 2),
+                     0.4 * limit / a * V * math.sin(phase / 5), V * (1 + 0.1 * math.sin(phase)), min(load, 2e5)))
+    if lift_off:
+        rows[100:100] = [(1e-4, 1e-3, -1e-3, 0.3, 0.0, N * (1 + 0.01 * i)) for i in range(10)]  # no rolling
+    return rows
+
+
+def by_library(mesh_size, rows):
+    """The library's result of each step."""
+    text = "".join(" ".join(value.hex() for value in row) + "\n" for row in rows)
+    lines = subprocess.run([reference, "patch", mesh_size], input=text, capture_output=True, text=True,
+                           check=True).stdout
+    result = []
+    for line in lines.splitlines():
+        *numbers, sticking = line.split()
+        result.append((*map(float.fromhex, numbers), int(sticking)))
+    assert len(result) == len(rows)
+    return result
+
+
+def test_validation():
+    assert validate_fmu(file) == []
+
+
+def test_equals_the_library_over_rejected_steps():
+    for name, parameters in (("follows", follows_load), ("fixed", fixed)):
+        rows = make_run(name == "fixed")
+        expected = by_library(name, rows)
+        instance = Instance(fmu).start(**parameters)
+        time, sticking = 0.0, set()
+        for i, (row, exact) in enumerate(zip(rows, expected)):
+            if i % 5 == 0:  # a step that is rejected, and another in its place
+                state = instance.calls.getFMUstate()
+                set_inputs(instance, (0.05, -0.02, 3.0, 1.3 * V, row[5]))
+                assert instance.step(time, 2 * row[0]) == ok, instance.messages
+                instance.calls.setFMUstate(state)
+                instance.calls.freeFMUstate(state)
+            set_inputs(instance, row[1:])
+            assert instance.step(time, row[0]) == ok, instance.messages
+            assert outcome(instance) == exact, f"{name}, step {i}: {outcome(instance)} and {exact}"
+            time += row[0]
+            sticking.add(exact[4])
+        print(f"    {name}: {len(rows)} steps, {len(sticking)} numbers of sticking elements")
+        assert len(sticking) > 10
+        instance.close()
+
+
+def test_steady_rolling_is_a_fixed_point_whose_work_becomes_heat():
+    for slip, tolerance in (((0.3, 0.2, 0.2), 2e-3), ((0.1, -0.3, 0.6), 1.5e-2), ((1.5, 0.5, 0.0), 1e-3)):
+        values = [limit * V * slip[0], limit * V * slip[1], limit / a * V * slip[2]]
+        for parameters in (follows_load, fixed):
+            instance = Instance(fmu).start(**parameters, initial_state=2, **dict(zip(inputs, values)))
+            before = force(instance)
+            for i in range(20):
+                assert instance.step(i * 0.3 * a / V, 0.3 * a / V) == ok
+            scale = np.array([mu * N, mu * N, mu * N * a])
+            drift = np.abs((force(instance) - before) / scale).max()
+            print(f"    slip {slip}: {-before / scale}, drift {drift:.1e}")
+            assert drift < 7e-3  # steady but for the angles by which slip turns
+            work = -np.dot(before, values) * 20 * 0.3 * a / V
+            close_to(instance.get("slip_work"), work, tolerance, "slip work")
+            instance.close()
+
+
+def test_full_sliding():
+    # F = mu N against the slip, and no moment, in the limit of large slip; under spin alone the moment of Hertz's
+    # pressure over a circle
+    expected, errors = mu * N * np.array([-0.6, 0.8, 0.0]), []
+    for factor in (1, 10):
+        instance = Instance(fmu).start(initial_state=2, longitudinal_slip_velocity=3 * factor * limit * V,
+                                       lateral_slip_velocity=-4 * factor * limit * V)
+        assert mu * N * (1 - 1e-3) < np.hypot(*force(instance)[:2]) < mu * N * (1 + 1e-10)
+        errors.append(np.abs((force(instance) - expected) / [mu * N, mu * N, mu * N * a]).max())
+        instance.close()
+    print(f"    errors at slip and ten times the slip: {errors}")
+    assert errors[0] < 1.5e-3 and 5 < errors[0] / errors[1] < 20
+    moments = []
+    for count in (8, 16):
+        instance = Instance(fmu).start(**circle, rail_lateral_radius=1e9, initial_state=2, elements=count, strips=count,
+                                       spin_rate=300 * limit / a * V)
+        moments.append(-force(instance)[2] / (mu * N * radius * 3 * math.pi / 16))
+        instance.close()
+    print(f"    moment of a circle over the exact one: {moments}")
+    assert abs(moments[1] - 1) < 5e-3 and abs(moments[0] - 1) > 2 * abs(moments[1] - 1)
+
+
+def test_size_follows_hertz():
+    for parameters in (follows_load, fixed):
+        instance = Instance(fmu).start(**parameters, **circle, rail_lateral_radius=1e9)
+        close_to(instance.get("contact_half_length"), radius, 1e-8, "circle, half-length")
+        close_to(instance.get("contact_half_width"), radius, 1e-8, "half-width")
+        instance.set(normal_load=1.331 * N)
+        assert instance.step(0.0, a / V) == ok
+        close_to(instance.get("contact_half_length"), 1.1 * radius, 1e-8, "half-length under 1.331 of the load")
+        instance.close()
+    long, wide = Instance(fmu).start(wheel_rolling_radius=0.8), Instance(fmu).start(
+        wheel_rolling_radius=1e9, wheel_lateral_radius=0.8, rail_rolling_radius=0.3, rail_lateral_radius=1e9)
+    assert long.get("contact_half_length") > 1.5 * long.get("contact_half_width")
+    close_to(wide.get("contact_half_width"), long.get("contact_half_length"), 1e-14, "axes exchanged")
+    long.close()
+    wide.close()
+
+
+def test_mirror_image():
+    # lateral slip and spin reversed: so are lateral force and moment
+    one, other = Instance(fmu).start(), Instance(fmu).start()
+    for i, (duration, along, across, spin, speed, load) in enumerate(make_run(False)[:40]):
+        set_inputs(one, (along, across, spin, speed, load))
+        set_inputs(other, (along, -across, -spin, speed, load))
+        assert one.step(0.0, duration) == other.step(0.0, duration) == ok
+        scale = np.abs(force(one)).max()
+        assert np.abs(force(one) - force(other) * [1, -1, -1]).max() < 1e-8 * scale
+    one.close()
+    other.close()
+
+
+def test_shift_of_a_contact_at_rest():
+    # Mindlin's stiffness of a circle in full stick, 8 G r/(2 - nu), either way, by steps without rolling
+    for count, tolerance in ((8, 2e-2), (16, 6e-3)):
+        instance = Instance(fmu).start(**circle, rail_lateral_radius=1e9, friction_coefficient=1e6, elements=count,
+                                       strips=count, rolling_speed=0.0, longitudinal_slip_velocity=1e-6,
+                                       lateral_slip_velocity=-1e-6)
+        assert instance.step(0.0, 1e-3) == ok
+        stiffness = 4 * G * radius / (2 - nu)  # of two bodies in series
+        close_to(-instance.get("longitudinal_force") / 1e-9, stiffness, tolerance, "stiffness along")
+        close_to(instance.get("lateral_force") / 1e-9, stiffness, tolerance, "stiffness across")
+        assert instance.get("slip_work") == 0 and instance.get("sticking_elements") == count * count
+        instance.close()
+
+
+def test_what_a_step_refuses():
+    duration = 0.1 * a / V
+    for parameters, values, status in (
+            (follows_load, {"normal_load": 2 * N}, "needs_fixed_mesh"),
+            (follows_load, {"rolling_speed": 0.0, "normal_load": 1.01 * N}, "needs_fixed_mesh"),
+            (follows_load, {"normal_load": 0.0}, "invalid_load"),
+            (fixed, {"normal_load": 2.1e5}, "invalid_load"),
+            (fixed, {"normal_load": -1.0}, "invalid_load"),
+            (fixed, {"rolling_speed": -1.0}, "invalid_step")):
+        instance = Instance(fmu).start(**parameters, spin_rate=0.5)
+        for i in range(3):
+            assert instance.step(i * duration, duration) == ok
+        before, kept = outcome(instance), {name: instance.get(name) for name in values}
+        instance.set(**values)
+        assert instance.step(3 * duration, duration) == discard, values
+        assert status in instance.messages[-1] and all(f"{name} = " in instance.messages[-1] for name in inputs)
+        assert instance.get("status") == instance.get("status_code") != 1 and outcome(instance) == before
+        instance.set(**kept)
+        assert instance.step(3 * duration, duration) == ok
+        instance.close()
+    for name in inputs:
+        instance = Instance(fmu).start()
+        instance.set(**{name: math.nan})
+        assert instance.step(0.0, 1e-5) == error and "needs finite numbers" in instance.messages[-1]
+        instance.close()
+
+
+def test_derivatives():
+    duration = 0.2 * a / V
+    for parameters in (follows_load, fixed):
+        base = {"longitudinal_slip_velocity": 0.2 * limit * V, "lateral_slip_velocity": 0.15 * limit * V,
+                "spin_rate": 0.2 * limit / a * V, "rolling_speed": V, "normal_load": 1.03 * N}
+
+        def after(changes, derivative=None):
+            instance = Instance(fmu).start(**parameters, **{**base, "normal_load": N})
+            for i in range(6):
+                assert instance.step(i * duration, duration) == ok
+            instance.set(**{**base, **changes})
+            assert instance.step(6 * duration, duration) == ok, instance.messages
+            result = [instance.derivative(name, derivative) for name in forces] if derivative else outcome(instance)[:3]
+            instance.close()
+            return np.array(result) / [1, 1, a]
+
+        for known in inputs:
+            change = 1e-6 * base[known]
+            difference = (after({known: base[known] + change}) - after({known: base[known] - change})) / (2 * change)
+            exact = after({}, known)
+            distance = np.abs(exact - difference).max() / np.abs(difference).max()
+            print(f"    by {known}: {exact}, differences {difference}, error {distance:.1e}")
+            # by creepage and load it leaves out how the angles by which slip turns follow
+            assert distance < (1e-5 if known == "rolling_speed" else 4e-2)
+
+
+def test_saved_in_one_instance_and_restored_in_another():
+    rows = make_run(False)
+    for parameters in (follows_load, fixed):
+        instance = Instance(fmu).start(**parameters, friction_coefficient=0.4, elements=6)
+        for row in rows[:20]:
+            set_inputs(instance, row[1:])
+            assert instance.step(0.0, row[0]) == ok
+        state = instance.calls.getFMUstate()
+        other = Instance(fmu)
+        copy = other.calls.deSerializeFMUstate(instance.calls.serializeFMUstate(state))
+        other.calls.setFMUstate(copy)
+        assert outcome(other) == outcome(instance)
+        for row in rows[20:40]:
+            for one in (instance, other):
+                set_inputs(one, row[1:])
+                assert one.step(0.0, row[0]) == ok
+            assert outcome(other) == outcome(instance)
+        for one, which in ((instance, state), (other, copy)):
+            one.calls.freeFMUstate(which)
+            one.close()
+
+
+def patch_forces(values, **parameters):
+    """Steady forces of the patch itself, [N] and the moment [N m]."""
+    instance = Instance(fmu).start(initial_state=2, **parameters, **dict(zip(inputs, values)))
+    result = force(instance)
+    instance.close()
+    return result
+
+
+def test_table_is_as_near_as_its_elements():
+    # forces of the patch by 8 x 8 elements, of which the table was made, and by 16 x 16
+    random, scale = np.random.default_rng(1), mu * N * np.array([1, 1, a])
+    table, errors = Instance(fmu).start(**by_table), []
+    for i in range(60):
+        direction = random.normal(size=3)
+        level = 0.02 * 1000 ** random.random()
+        values = [*(direction / np.linalg.norm(direction) * level * limit * V / np.array([4.5, 4, 3 * a])), V, N]
+        set_inputs(table, values)
+        assert table.step(float(i), 1.0) == ok
+        errors.append([np.abs((force(table) - patch_forces(values, elements=n, strips=n)) / scale).max()
+                       for n in ((8, 16) if i < 20 else (8,))])
+    table.close()
+    eight, sixteen = [row[0] for row in errors], [row[1] for row in errors[:20]]
+    print(f"    mean and largest difference over mu N: 8 x 8 {np.mean(eight):.1e}, {max(eight):.1e}, "
+          f"16 x 16 {np.mean(sixteen):.1e}, {max(sixteen):.1e}")
+    assert np.mean(eight) < 1e-2 and max(eight) < 6e-2
+
+
+def test_table_at_its_limits():
+    table = Instance(fmu).start(**by_table)
+    assert (force(table) == 0).all() and table.get("sticking_elements") == 0
+    # full sliding, by rolling and at standstill; no load, no force
+    for speed in (V, 0.0):
+        set_inputs(table, (0.3 * 1e3, 0.4 * 1e3, 0.0, speed, N))
+        assert table.step(0.0, 1e-3) == ok
+        assert np.abs(force(table) / (mu * N) - [-0.6, -0.8, 0]).max() < 1e-4, force(table)
+    set_inputs(table, (1e-3, 1e-3, 1.0, V, 0.0))
+    assert table.step(0.0, 1e-3) == ok and (force(table) == 0).all() and table.get("contact_half_length") == 0
+    # small creepages: forces proportional to them
+    small = []
+    for factor in (1e-7, 2e-7):
+        set_inputs(table, (factor * limit * V, 0.0, factor * limit / a * V, V, N))
+        assert table.step(0.0, 1e-3) == ok
+        small.append(force(table))
+    assert np.abs(small[1] / small[0] - 2).max() < 1e-6, small
+    # and what a step refuses, without a trace
+    for name, value, status in (("normal_load", -1.0, discard), ("rolling_speed", -1.0, discard),
+                                ("spin_rate", math.inf, error)):
+        instance = Instance(fmu).start(**by_table, lateral_slip_velocity=0.1)
+        before = outcome(instance)
+        instance.set(**{name: value})
+        assert instance.step(0.0, 1e-3) == status and outcome(instance) == before
+        instance.close()
+    table.close()
+
+
+def test_table_does_not_know_the_past():
+    # its forces are those of the inputs at the end of the step, and its work the mean power over the step
+    values, other = (0.02, -0.03, 1.0, V, N), (-0.01, 0.02, 0.5, 1.1 * V, 1.2 * N)
+    here, there = Instance(fmu).start(**by_table), Instance(fmu).start(**by_table)
+    first = Instance(fmu).start(**by_table, **dict(zip(inputs, values)))
+    duration = 1e-3
+    set_inputs(here, other)
+    set_inputs(there, values)
+    assert here.step(0.0, duration) == there.step(0.0, duration) == ok
+    powers = [-np.dot(force(here), other[:3]), -np.dot(force(there), values[:3])]
+    close_to(here.get("slip_work"), powers[0] * duration, 1e-12, "work")
+    set_inputs(here, values)
+    for name, value, end in zip(inputs, values, other):
+        there.rate(name, (end - value) / duration)
+    assert here.step(duration, duration) == there.step(duration, duration) == ok
+    assert np.abs(force(here) - force(first)).max() < 1e-9
+    again = Instance(fmu).start(**by_table, **dict(zip(inputs, other)))
+    assert np.abs(force(there) - force(again)).max() < 1e-6
+    close_to(there.get("slip_work"), (powers[1] + (powers[0] + powers[1]) / 2) * duration, 1e-9, "work by rates")
+    for instance in (here, there, first, again):
+        instance.close()
+
+
+def test_derivatives_by_table():
+    instance = Instance(fmu).start(**by_table)
+    for values in ((0.04, 0.03, 1.0, V, N), (0.0, -0.01, 0.3, 10.0, 5e4), (0.5, 0.2, -30.0, V, N)):
+        def after(name=None, change=0.0):
+            set_inputs(instance, values)
+            if name:
+                instance.set(**{name: instance.get(name) + change})
+            assert instance.step(0.0, 1e-3) == ok
+            return force(instance)
+
+        for known, scale in zip(inputs, (1e-2, 1e-2, 1.0, V, N)):
+            change = 1e-5 * scale
+            difference = (after(known, change) - after(known, -change)) / (2 * change)
+            after()
+            exact = np.array([instance.derivative(name, known) for name in forces])
+            close = np.abs((exact - difference) / [1, 1, a]).max() / np.abs(difference / [1, 1, a]).max()
+            print(f"    by {known}: {exact}, error {close:.1e}")
+            assert close < 1e-5
+    instance.close()
+
+
+def test_table_of_another_file():
+    # a path with spaces; the packed table is found in one as well
+    with tempfile.TemporaryDirectory(prefix="a table ") as folder:
+        copy = os.path.join(folder, "of forces.bin")
+        shutil.copy(os.path.join(fmu.folder, "resources", "creep_forces.bin"), copy)
+        values = dict(zip(inputs, (0.02, -0.03, 1.0, V, N)))
+        here, there = Instance(fmu).start(**by_table, **values), Instance(fmu).start(**by_table, **values, table_file=copy)
+        assert outcome(here) == outcome(there) and there.get("table_file") == copy
+        state = there.calls.getFMUstate()
+        other = Instance(fmu)
+        restored = other.calls.deSerializeFMUstate(there.calls.serializeFMUstate(state))
+        other.calls.setFMUstate(restored)
+        for one in (there, other):
+            one.set(spin_rate=2.0)
+            assert one.step(0.0, 1e-3) == ok
+        assert outcome(there) == outcome(other) != outcome(here) and other.get("table_file") == copy
+        there.calls.freeFMUstate(state)
+        other.calls.freeFMUstate(restored)
+        for one in (here, there, other):
+            one.close()
+        moved = Fmu(file, os.path.join(folder, "spaced % folder"))
+        instance = Instance(moved).start(**by_table, **values)
+        instance.close()
+        with open(copy, "r+b") as damaged:
+            damaged.seek(1000)
+            damaged.write(b"x")
+        for name, message in ((copy, "checksum"), (file, "must begin with"), (folder + "/none", "can be read")):
+            instance = Instance(fmu)
+            instance.set(**by_table, table_file=name)
+            instance.calls.enterInitializationMode()
+            assert status_of(instance.calls.exitInitializationMode) == error
+            assert f"table_file = {name}" in instance.messages[-1] and message in instance.messages[-1], instance.messages
+            instance.close()
+
+
+def test_wrong_parameters():
+    for parameters, message in [
+        ({"friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
+        ({"poisson_ratio": 0.7}, "poisson_ratio = 0.7 must lie in [0, 0.5]"),
+        ({"shear_modulus": 0.0}, "shear_modulus = 0 must be positive and finite"),
+        ({"elements": 0}, "elements = 0 must lie in [1, 32]"),
+        ({"strips": 33}, "strips = 33 must lie in [1, 32]"),
+        ({"mesh_size": 0}, "mesh_size = 0 must lie in [1, 2]"),
+        ({"mesh_size_code": 3}, "mesh_size_code = 3 must lie in [0, 2]"),
+        ({"wheel_rolling_radius": 0.0}, "wheel_rolling_radius = 0 must be a number other than 0"),
+        ({"rail_lateral_radius": -0.3}, "smaller principal curvature of the gap"),
+        ({"normal_load": 0.0}, "normal_load = 0 must be positive where mesh_size is follows_load"),
+        ({**fixed, "normal_load": 3e5}, "normal_load = 300000 must be at most largest_load"),
+        ({**fixed, "largest_load": math.nan}, "largest_load = nan must be positive and finite"),
+        ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive"),
+        ({**by_table, "poisson_ratio": 0.3}, "poisson_ratio = 0.3 must be within 0.01 of 0.28"),
+        ({**by_table, "rail_lateral_radius": 0.002}, "must lie in [0.1"),
+        ({**by_table, "normal_load": -1.0}, "normal_load = -1 must not be negative"),
+        ({**by_table, "friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
+        ({**by_table, "rolling_speed": -1.0}, "rolling_speed = -1 must not be negative"),
+    ]:
+        instance = Instance(fmu)
+        instance.calls.setupExperiment()
+        instance.set(**parameters)
+        instance.calls.enterInitializationMode()
+        assert status_of(instance.calls.exitInitializationMode) == error, parameters
+        assert message in instance.messages[-1], instance.messages
+        instance.close()
+
+
+try:
+    run(globals())
+finally:
+    fmu.close()

@@ -1,0 +1,50 @@
+// Creep forces in closed form, with the symmetries, the linear law and the limit of those of a patch: a source of tables
+// for tests.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <rollbem/vehicle/creep_force_table.hpp>
+
+namespace creep_forces {
+
+using namespace rollbem;
+
+inline CreepCoefficients<double> coefficients(double a_over_b) {
+    const double r = std::sqrt(a_over_b);
+    return {3 + r, 2.5 + 1.2 * r, 0.3 + 1.2 * r, -0.3 - 1.2 * r, 0.5 + 0.7 / r};
+}
+
+/// At creepages times G a b/(mu N) and spin times G a b c/(mu N).
+inline Eigen::Array3d forces(double a_over_b, const Creepage<double>& v) {
+    const CreepCoefficients<double> c = coefficients(a_over_b);
+    const double x = c.c11 * v.longitudinal, y = c.c22 * v.lateral, spin = (c.c23 + c.c33) * v.spin;
+    const double size = std::sqrt(x * x + y * y + spin * spin), rest = 1 / ((1 + size) * (1 + size));
+    const auto full = full_sliding(a_over_b, v.longitudinal, v.lateral, v.spin);
+    const Eigen::Array3d linear(x, y + c.c23 * v.spin, c.c32 * v.lateral + c.c33 * v.spin);
+    return size * size * rest * Eigen::Array3d(full.longitudinal, full.lateral, full.moment) + rest * linear;
+}
+
+inline CreepForceGrid grid(int levels, int shapes, double smallest = 0.5, double largest = 2) {
+    std::vector<CreepCoefficients<double>> all;
+    for (int i = 0; i < shapes; ++i) {
+        all.push_back(coefficients(CreepForceGrid::a_over_b_of(i, shapes, smallest, largest)));
+    }
+    return {0.28, smallest, largest, levels, std::move(all)};
+}
+
+inline CreepForceTable table(int levels, int shapes) {
+    const CreepForceGrid nodes = grid(levels, shapes);
+    Eigen::Array3Xd values(3, nodes.nodes() * nodes.shapes());
+    for (Eigen::Index i = 0; i < nodes.shapes(); ++i) {
+        for (Eigen::Index k = 0; k < nodes.nodes(); ++k) {
+            values.col(i * nodes.nodes() + k) = forces(nodes.a_over_b(i), nodes.creepage(i, k));
+        }
+    }
+    return {nodes, values};
+}
+
+}  // namespace creep_forces

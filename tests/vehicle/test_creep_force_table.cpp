@@ -1,0 +1,306 @@
+// rollbem/vehicle/creep_force_table.hpp, creep_force_grid.hpp, closed_form/full_sliding.hpp: symmetries, limits, the
+// order of interpolation, tangents, and what a file must hold.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+#include "support/refusal.hpp"
+#include "vehicle/creep_force_scene.hpp"
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using support::observed_order;
+
+namespace {
+
+constexpr double mu = 0.3, load = 8e4, modulus = 8e10;
+
+PatchContact<double> contact(double a_over_b, double nu = 0.28) {
+    return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, nu});
+}
+
+Eigen::Array3d array(const TangentialForce<double>& force) { return {force.longitudinal, force.lateral, force.moment}; }
+
+/// Creepages of a level near that of saturation: in units of mu N/(G a b), the spin over c besides.
+Creepage<double> creepage(const PatchContact<double>& patch, double x, double y, double spin) {
+    const double unit = mu * load / (modulus * patch.c() * patch.c());
+    return {unit * x, unit * y, unit * spin / patch.c()};
+}
+
+/// -F_x, -F_y over mu N, -M_z over mu N c.
+Eigen::Array3d ratios(const PatchContact<double>& patch, const TabulatedForce& at) {
+    return -array(at.force) / (mu * load) / Eigen::Array3d(1, 1, patch.c());
+}
+
+const CreepForceTable& small_table() {
+    static const CreepForceTable table = creep_forces::table(6, 5);
+    return table;
+}
+
+std::string bytes(const CreepForceTable& table) {
+    std::ostringstream stream;
+    table.write(stream);
+    return stream.str();
+}
+
+std::string refused(const std::string& text) {
+    return refusal([&] {
+        std::istringstream stream(text);
+        CreepForceTable::read(stream);
+    });
+}
+
+}  // namespace
+
+TEST_CASE("creep_force_table: full sliding against the sum over a fine mesh, and what is known of it") {
+    CHECK_THAT(full_sliding(1.0, 0.0, 0.0, 2.0).moment, WithinRel(3 * std::numbers::pi / 16, 1e-12));
+    const auto straight = full_sliding(3.0, 3.0, -4.0, 0.0);
+    CHECK_THAT(straight.longitudinal, WithinRel(0.6, 1e-14));
+    CHECK_THAT(straight.lateral, WithinRel(-0.8, 1e-14));
+    CHECK_THAT(straight.moment, WithinAbs(0, 1e-14));
+    CHECK(full_sliding(2.0, 0.0, 0.0, 0.0).moment == 0);
+    for (const double a_over_b : {0.2, 1.0, 4.0}) {
+        const double a = std::sqrt(a_over_b), b = 1 / a;
+        // the pole of the spin inside, near the edge, outside; the last with the spin reversed
+        for (const double place : {0.0, 0.6, 0.99, 1.01, 3.0, -0.7}) {
+            const double xi = place * b * 0.6, eta = -place * a * 0.8, phi = place < 0 ? -1 : 1;
+            Eigen::Array3d sum = Eigen::Array3d::Zero();
+            double all = 0;
+            const int n = 300;
+            for (int i = 0; i < n; ++i) {
+                const double angle = (i + 0.5) * std::numbers::pi / n, y = -b * std::cos(angle);
+                for (int k = 0; k < n; ++k) {
+                    const double turn = (k + 0.5) * std::numbers::pi / n, x = -a * std::sin(angle) * std::cos(turn);
+                    const double weight = std::pow(std::sin(angle), 3) * std::pow(std::sin(turn), 2);
+                    const double s_x = xi - phi * y, s_y = eta + phi * x, size = std::hypot(s_x, s_y);
+                    sum += weight / size * Eigen::Array3d(s_x, s_y, x * s_y - y * s_x);
+                    all += weight;
+                }
+            }
+            const auto full = full_sliding(a_over_b, xi, eta, phi);
+            INFO("a/b = " << a_over_b << ", place of the pole " << place);
+            CHECK_THAT(full.longitudinal, WithinAbs(sum[0] / all, 1e-4));
+            CHECK_THAT(full.lateral, WithinAbs(sum[1] / all, 1e-4));
+            CHECK_THAT(full.moment, WithinAbs(sum[2] / all, 1e-4));
+        }
+    }
+}
+
+TEST_CASE("creep_force_table: no creepage, no force; small creepages by the linear law") {
+    const CreepForceTable& table = small_table();
+    for (const double a_over_b : {0.5, std::sqrt(0.5), 1.0, 2.0}) {  // ellipses of the table
+        const PatchContact<double> patch = contact(a_over_b);
+        const TabulatedForce rest = table.look_up(patch, mu, load, {});
+        REQUIRE(rest.status == StepStatus::ok);
+        CHECK((array(rest.force) == 0).all());
+        const auto c = creep_forces::coefficients(a_over_b);
+        const double stiffness = -modulus * patch.c() * patch.c(), length = patch.c();
+        const auto close = [](double value, double expected) { CHECK_THAT(value, WithinRel(expected, 1e-6)); };
+        close(rest.tangent.by_longitudinal.longitudinal, stiffness * c.c11);
+        close(rest.tangent.by_lateral.lateral, stiffness * c.c22);
+        close(rest.tangent.by_spin.lateral, stiffness * length * c.c23);
+        close(rest.tangent.by_lateral.moment, stiffness * length * c.c32);
+        close(rest.tangent.by_spin.moment, stiffness * length * length * c.c33);
+        CHECK(rest.tangent.by_longitudinal.lateral == 0);
+        CHECK(rest.tangent.by_spin.longitudinal == 0);
+        const TabulatedForce small = table.look_up(patch, mu, load, creepage(patch, 1e-6, -2e-6, 3e-6));
+        const Eigen::Array3d linear(c.c11, -2 * c.c22 + 3 * c.c23, -2 * c.c32 + 3 * c.c33);
+        CHECK(((ratios(patch, small) * 1e6 - linear).abs() < 1e-4 * linear.abs().maxCoeff()).all());
+    }
+}
+
+TEST_CASE("creep_force_table: symmetric to the last bit") {
+    const CreepForceTable& table = small_table();
+    const PatchContact<double> patch = contact(1.3);
+    for (const auto& v : {creepage(patch, 0.3, -0.2, 0.4), creepage(patch, 2, 1, -3), creepage(patch, 0, 0.2, 0.1),
+                          creepage(patch, 0.2, 0.3, 0), creepage(patch, 0.1, 0, 0), creepage(patch, 1e3, -1e2, 5e2)}) {
+        const TabulatedForce one = table.look_up(patch, mu, load, v);
+        const TabulatedForce back = table.look_up(patch, mu, load, {-v.longitudinal, v.lateral, v.spin});
+        CHECK((array(back.force) == array(one.force) * Eigen::Array3d(-1, 1, 1)).all());
+        CHECK(back.tangent.by_longitudinal.longitudinal == one.tangent.by_longitudinal.longitudinal);
+        CHECK(back.tangent.by_longitudinal.lateral == -one.tangent.by_longitudinal.lateral);
+        const TabulatedForce mirrored = table.look_up(patch, mu, load, {v.longitudinal, -v.lateral, -v.spin});
+        CHECK((array(mirrored.force) == array(one.force) * Eigen::Array3d(1, -1, -1)).all());
+        CHECK(mirrored.tangent.by_spin.moment == one.tangent.by_spin.moment);
+        CHECK(mirrored.tangent.by_spin.longitudinal == -one.tangent.by_spin.longitudinal);
+        if (v.longitudinal == 0) CHECK(one.force.longitudinal == 0);
+        if (v.lateral == 0 && v.spin == 0) CHECK((one.force.lateral == 0 && one.force.moment == 0));
+    }
+}
+
+TEST_CASE("creep_force_table: the order of the interpolation, and full sliding as its limit") {
+    std::vector<double> counts, errors, outside;
+    for (const int levels : {6, 10, 16}) {
+        const CreepForceTable table = creep_forces::table(levels, levels);
+        std::mt19937 random(3);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> uniform;
+        double sum = 0, beyond = 0;
+        const int count = 300;
+        for (int i = 0; i < count; ++i) {
+            const PatchContact<double> patch = contact(0.5 * std::pow(4.0, uniform(random)));
+            const Eigen::Array3d d = Eigen::Array3d(normal(random), normal(random), normal(random));
+            const double level = std::pow(10.0, 1.5 * uniform(random) - 0.5) / d.matrix().norm();
+            const Creepage<double> v{level * d[0], level * d[1], level * d[2]};
+            const Creepage<double> given = creepage(patch, v.longitudinal, v.lateral, v.spin);
+            const Eigen::Array3d error =
+                ratios(patch, table.look_up(patch, mu, load, given)) - creep_forces::forces(patch.a_over_b(), v);
+            sum += error.square().sum();
+            const auto full = full_sliding(patch.a_over_b(), d[0], d[1], d[2]);
+            const Creepage<double> large = creepage(patch, 1e9 * d[0], 1e9 * d[1], 1e9 * d[2]);
+            const Eigen::Array3d difference = ratios(patch, table.look_up(patch, mu, load, large)) -
+                                              Eigen::Array3d(full.longitudinal, full.lateral, full.moment);
+            beyond += difference.square().sum();
+        }
+        counts.push_back(levels);
+        errors.push_back(std::sqrt(sum / count));
+        outside.push_back(std::sqrt(beyond / count));
+        INFO("levels " << levels << ": " << errors.back() << ", full sliding " << outside.back());
+        CHECK(errors.back() < 0.05);
+    }
+    INFO(errors[0] << ' ' << errors[1] << ' ' << errors[2] << "; " << outside[0] << ' ' << outside[1] << ' '
+                   << outside[2]);
+    CHECK_THAT(observed_order(counts, errors), WithinAbs(2.5, 0.6));
+    // the force of full sliding is not smooth where the pole of the spin crosses the edge
+    CHECK_THAT(observed_order(counts, outside), WithinAbs(1.7, 0.7));
+}
+
+TEST_CASE("creep_force_table: tangents are derivatives, and continuous across cells") {
+    const CreepForceTable& table = small_table();
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 200; ++i) {
+        const PatchContact<double> patch = contact(std::exp(0.3 * normal(random)));
+        const double level = std::exp(1.5 * normal(random));
+        const Creepage<double> v =
+            creepage(patch, level * normal(random), level * normal(random), level * normal(random));
+        const TabulatedForce at = table.look_up(patch, mu, load, v);
+        const Creepage<double> unit = creepage(patch, 1, 1, 1);
+        const auto along = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
+            const double step = 1e-5 * level * (unit.*which);
+            Creepage<double> plus = v, minus = v;
+            plus.*which += step;
+            minus.*which -= step;
+            const TabulatedForce above = table.look_up(patch, mu, load, plus),
+                                 below = table.look_up(patch, mu, load, minus);
+            const Eigen::Array3d difference = (array(above.force) - array(below.force)) / (2 * step);
+            const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu * load / (unit.*which);
+            INFO("level " << level << ", difference " << difference.transpose() << ", tangent "
+                          << array(tangent).transpose());
+            CHECK((((difference - array(tangent)) / scale).abs() < 1e-6).all());
+        };
+        along(&Creepage<double>::longitudinal, at.tangent.by_longitudinal);
+        along(&Creepage<double>::lateral, at.tangent.by_lateral);
+        along(&Creepage<double>::spin, at.tangent.by_spin);
+    }
+    // along a line through many cells, past the point of rest: the tangent changes in proportion to the step
+    const PatchContact<double> patch = contact(1.1);
+    for (const double step : {1e-2, 1e-3}) {
+        double jump = 0, last = std::numeric_limits<double>::quiet_NaN();
+        for (double t = -3; t < 3; t += step) {
+            const TabulatedForce at = table.look_up(patch, mu, load, creepage(patch, t, 0.7 * t, 0.4 * t));
+            const double now = at.tangent.by_lateral.lateral / (modulus * patch.c() * patch.c());
+            if (last == last) jump = std::max(jump, std::abs(now - last));
+            last = now;
+        }
+        CHECK(jump < 60 * step);
+    }
+}
+
+TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it") {
+    const CreepForceTable& table = small_table();
+
+    const PatchContact<double> patch = contact(1);
+    static_assert(noexcept(table.look_up(patch, mu, load, Creepage<double>{})));
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const auto status = [&](const PatchContact<double>& where, double friction, double pressing,
+                            const Creepage<double>& v) { return table.look_up(where, friction, pressing, v).status; };
+    CHECK(status(contact(1, 0.2899), mu, load, {}) == StepStatus::ok);
+    CHECK(status(contact(1, 0.2901), mu, load, {}) == StepStatus::wrong_table);
+    CHECK(status(contact(1, 0.25), mu, load, {}) == StepStatus::wrong_table);
+    CHECK(status(patch, -0.1, load, {}) == StepStatus::invalid_load);
+    CHECK(status(patch, mu, -1, {}) == StepStatus::invalid_load);
+    CHECK(status(patch, nan, load, {}) == StepStatus::invalid_load);
+    CHECK(status(patch, mu, inf, {}) == StepStatus::invalid_load);
+    CHECK(status(patch, mu, load, {nan, 0, 0}) == StepStatus::not_finite);
+    CHECK(status(patch, mu, load, {0, 0, inf}) == StepStatus::not_finite);
+    CHECK(std::isnan(table.look_up(patch, mu, -1, {}).force.lateral));
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(3, -1, 1), trailing = Eigen::ArrayXd::Constant(3, -1);
+    const PatchContact<double> square(Outline<double>(y, trailing, -trailing), modulus, 0.28);
+    CHECK(status(square, mu, load, {}) == StepStatus::wrong_table);
+
+    for (const double none : {0.0, 1.0}) {  // no friction, no load
+        const TabulatedForce nothing = table.look_up(patch, none * mu, (1 - none) * load, {1e-3, 0, 0});
+        CHECK(nothing.status == StepStatus::ok);
+        CHECK((array(nothing.force) == 0).all());
+    }
+    const TabulatedForce tiny =
+        table.look_up(patch, mu, 1e-300, {1e-3, 1e-3, 0});  // full sliding under hardly any load
+    CHECK(tiny.status == StepStatus::ok);
+    CHECK_THAT(tiny.force.lateral, WithinRel(-mu * 1e-300 * std::sqrt(0.5), 0.02));
+    CHECK(table.look_up(patch, mu, load, {1e300, 1e300, 1e300}).status == StepStatus::ok);
+
+    const auto beyond = [&](double a_over_b) { return table.look_up(contact(a_over_b), mu, load, {1e-3, 1e-3, 0.1}); };
+    CHECK(beyond(2).a_over_b_on_table);
+    CHECK_FALSE(beyond(2.1).a_over_b_on_table);
+    CHECK_FALSE(beyond(0.4).a_over_b_on_table);
+    CHECK(((array(beyond(2.001).force) - array(beyond(1.999).force)).abs() < 1e-3 * mu * load).all());
+}
+
+TEST_CASE("creep_force_table: a file gives the same table, and nothing else is taken for one") {
+    const CreepForceTable& table = small_table();
+    const std::string good = bytes(table);
+    std::istringstream stream(good);
+    const CreepForceTable again = CreepForceTable::read(stream);
+    CHECK(bytes(again) == good);
+    const PatchContact<double> patch = contact(0.8);
+    for (const auto& v : {creepage(patch, 0.3, 0.1, -0.2), creepage(patch, 0.01, 0.02, 0), creepage(patch, 9, 5, 7)}) {
+        CHECK((array(table.look_up(patch, mu, load, v).force) == array(again.look_up(patch, mu, load, v).force)).all());
+    }
+    CHECK_THAT(refused(""), ContainsSubstring("must not end"));
+    CHECK_THAT(refused("rollbem"), ContainsSubstring("must not end"));
+    CHECK_THAT(refused("a_over_b,poisson,n,strips,longitudinal"), ContainsSubstring("must begin with"));
+    for (const std::size_t length : {std::size_t(25), good.size() / 2, good.size() - 1}) {
+        CHECK_THAT(refused(good.substr(0, length)), ContainsSubstring("must not end"));
+    }
+    const auto changed = [&](std::size_t place, char by) {
+        std::string text = good;
+        text[place] = static_cast<char>(text[place] ^ by);
+        return refused(text);
+    };
+    CHECK_THAT(changed(20, 2), ContainsSubstring("version = 3 must be 1"));
+    CHECK_THAT(changed(27, 1), ContainsSubstring("levels"));
+    CHECK_THAT(changed(31, 1), ContainsSubstring("number of ellipses"));
+    CHECK_THAT(changed(good.size() / 2, 1), ContainsSubstring("checksum"));
+    CHECK_THAT(changed(good.size() - 1, 1), ContainsSubstring("checksum"));
+
+    const CreepForceGrid grid = creep_forces::grid(6, 5);
+    Eigen::Array3Xd forces = Eigen::Array3Xd::Zero(3, grid.nodes() * grid.shapes());
+    CHECK(refusal([&] { CreepForceTable(grid, forces); }).empty());
+    CHECK_THAT(refusal([&] { CreepForceTable(grid, forces.leftCols(7)); }), ContainsSubstring("number of forces = 7"));
+    forces(1, 3) = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THAT(refusal([&] { CreepForceTable(grid, forces); }), ContainsSubstring("force over mu N = nan"));
+    const auto grid_refused = [](double nu, double low, double high, int levels, int shapes) {
+        return refusal([&] {
+            CreepForceGrid(nu, low, high, levels,
+                           std::vector<CreepCoefficients<double>>(static_cast<std::size_t>(shapes),
+                                                                  creep_forces::coefficients(1)));
+        });
+    };
+    CHECK(grid_refused(0.28, 0.5, 2, 6, 4).empty());
+    CHECK_THAT(grid_refused(0.6, 0.5, 2, 6, 4), ContainsSubstring("poisson_ratio = 0.6"));
+    CHECK_THAT(grid_refused(0.28, 0, 2, 6, 4), ContainsSubstring("smallest_a_over_b = 0"));
+    CHECK_THAT(grid_refused(0.28, 2, 2, 6, 4), ContainsSubstring("largest_a_over_b = 2"));
+    CHECK_THAT(grid_refused(0.28, 0.5, 2, 3, 4), ContainsSubstring("levels = 3"));
+    CHECK_THAT(grid_refused(0.28, 0.5, 2, 6, 3), ContainsSubstring("number of ellipses = 3"));
+}
