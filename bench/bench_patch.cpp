@@ -3,19 +3,24 @@
 // for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
 // over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so along a curve up to
 // full sliding, each point from the one before. Their counter LU is the processor time of one solution over that of one LU
-// decomposition.
+// decomposition. BM_CreepTable looks forces up in a
+// table.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <ctime>
+#include <random>
 #include <utility>
+#include <vector>
 
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace {
 
@@ -118,6 +123,37 @@ void patch_creep_curve(benchmark::State& state) {
     state.SetComplexityN(state.range(0));
 }
 
+/// A look-up in the default table's size, tangent included; forces are those of full sliding, approached linearly.
+void creep_table(benchmark::State& state) {
+    constexpr int shapes = 14, levels = 12;
+    const CreepCoefficients<double> c{4.1, 3.7, 1.5, -1.5, 1.2};
+    const CreepForceGrid grid(0.28, 0.1, 10, levels, std::vector<CreepCoefficients<double>>(shapes, c));
+    Eigen::Array3Xd forces(3, grid.nodes() * shapes);
+    for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+        const Eigen::Index shape = i / grid.nodes();
+        const Creepage<double> v = grid.creepage(shape, i % grid.nodes());
+        const double size = std::hypot(v.longitudinal, v.lateral, v.spin);
+        const auto full = full_sliding(grid.a_over_b(shape), v.longitudinal, v.lateral, v.spin);
+        forces.col(i) = size / (1 + size) * Eigen::Array3d(full.longitudinal, full.lateral, full.moment);
+    }
+    const CreepForceTable table(grid, forces);
+    // ellipses and creepages all over the table, or those of a vehicle's eight contacts
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::vector<PatchContact<double>> contacts;
+    std::vector<Creepage<double>> creepages;
+    for (int i = 0; i < state.range(0); ++i) {
+        const double root = std::pow(10, uniform(random) / 2);
+        contacts.push_back(PatchContact<double>({5e-3 * root, 5e-3 / root, 8e10, 0.28}));
+        creepages.push_back({3e-3 * uniform(random), 3e-3 * uniform(random), uniform(random)});
+    }
+    std::size_t i = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(table.look_up(contacts[i], 0.3, 8e4, creepages[i]));
+        i = i + 1 == contacts.size() ? 0 : i + 1;
+    }
+}
+
 BENCHMARK(patch_lu)->Name("BM_PatchLu")->Arg(8)->Arg(12)->Arg(16)->Arg(24)->Unit(benchmark::kMicrosecond);
 BENCHMARK(patch_system)
     ->Name("BM_PatchSystem")
@@ -150,6 +186,7 @@ BENCHMARK(patch_creep_curve)
     ->Arg(16)
     ->Unit(benchmark::kMicrosecond)
     ->Complexity();
+BENCHMARK(creep_table)->Name("BM_CreepTable")->ArgName("contacts")->Arg(8)->Arg(4096);
 
 }  // namespace
 
