@@ -11,8 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/transient.hpp>
+#include <rollbem/normal/hertz_patch_load.hpp>
 
 #include "support/catch.hpp"
 #include "vehicle/creep_force_scene.hpp"
@@ -254,6 +257,55 @@ TEST_CASE("A step under a varying load does not allocate", "[friction]") {
                 CHECK(ok);
                 CHECK(after == before);
             }
+        }
+    }
+}
+
+TEST_CASE("A step of a patch of varying size and shape does not allocate", "[friction]") {
+    const HertzEllipse<double> ellipse({.load = 1e4,
+                                        .radii_1 = {.rolling = 0.5, .lateral = 0.5},
+                                        .radii_2 = {.rolling = INFINITY, .lateral = INFINITY},
+                                        .body_1 = {2e11, 0.3},
+                                        .body_2 = {2e11, 0.3}});
+    const double a = ellipse.half_length();
+    const PatchContact<double> contact(
+        {.half_length = a, .half_width = a, .shear_modulus = 8e10, .poisson_ratio = 0.3});
+    const PatchMesh<double> mesh = patch_mesh(contact, 5, 5);
+    const NodeDifference scheme{Nodes::chebyshev};
+    const HalfSpace<double> kernel(0.3);
+    const PatchShapes<double> shapes(5, 5, scheme, kernel, {.least = 0.5, .largest = 2, .factor = 1.5});
+    const auto breathing = HertzPatchLoad<double>::breathing(ellipse, contact, mesh),
+               fixed = HertzPatchLoad<double>::fixed(ellipse, contact, mesh);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        for (const bool moves : {true, false}) {
+            const HertzPatchLoad<double>& hertz = moves ? breathing : fixed;
+            NormalLoad<double> load = hertz.at(1e4);
+            const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
+                                      unchecked, {0.3, load.normal_pressure}, integrator);
+            const AdhesionModel<3> adhesion(contact, shapes.system(1), unchecked, integrator);
+            FrictionState<2> now = model.at_rest(), next = now;
+            AdhesionState<> stuck = adhesion.at_rest(), stuck_next = stuck;
+            auto workspace = model.workspace();
+            auto stuck_workspace = adhesion.workspace();
+            bool ok = true;
+            const long before = allocations;
+            for (int k = 0; k < 40; ++k) {
+                ok = hertz.set(1e4 * (0.8 - 0.19 * std::cos(0.3 * k)), load) == StepStatus::ok && ok;
+                if (moves) load.half_width *= 1 + 0.1 * std::sin(0.2 * k);
+                const Creepage<double> creepage{1e-3, (k % 7 - 3) * 1e-3, 0.2};
+                ok = ok && model.advance(now, 0.3 * a, creepage, load, next, workspace).status == StepStatus::ok;
+                ok = ok && model.steady(next, creepage, load, now, workspace).status == StepStatus::ok;
+                std::swap(now, next);
+                const SemiAxes<double> axes{load.half_length, load.half_width};
+                ok = ok && adhesion.advance(stuck, 0.3 * a, creepage, axes, stuck_next, stuck_workspace).status ==
+                               StepStatus::ok;
+                ok = ok && adhesion.steady(stuck_next, creepage, stuck, stuck_workspace).status == StepStatus::ok;
+                std::swap(stuck, stuck_next);
+            }
+            const long after = allocations;
+            CAPTURE(name(integrator), moves);
+            CHECK(ok);
+            CHECK(after == before);
         }
     }
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/rigid_motion.hpp"
+#include "../scene/semi_axes.hpp"
 #include "../scene/travel.hpp"
 #include "../status.hpp"
 #include "detail/rational_exponential.hpp"
@@ -44,8 +46,9 @@ namespace rollbem {
 /// own and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend
 /// on state and arguments alone, to the last bit, and never on what the workspace was used for.
 ///
-/// The half-length of a line contact may change from step to step if can_breathe(): the unknowns then live on
-/// x = a zeta, and the state at one half-length is carried over to the next. b is constant. No status reports that a
+/// The half-length of a line contact, or the semi-axes of a patch, may change from step to step if can_breathe(): the
+/// unknowns then live on x = a zeta, y = b upsilon, and the state at one half-length is carried over to the next. b of a
+/// line is constant. No status reports that a
 /// contact has grown so far that Lambda of the plane kernel, with b over the new half-length, is no longer positive and
 /// a mode grows in time: a is then several times b.
 ///
@@ -106,7 +109,11 @@ public:
         : AdhesionModel(Units(contact), system.whole(), integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
             detail::require_same_aspect(name, contact, system);
+        } else {
+            detail::require_same_shape(name, contact, system);
         }
+        shapes_ = system.shapes();
+        a_over_b_ = system.a_over_b();
         detail::require(system.elements().places_are_known(), name, "number of places of elements",
                         system.elements().x.size(), "equal the number of elements: spin needs them");
     }
@@ -116,26 +123,40 @@ public:
     Integrator integrator() const { return integrator_; }
 
     /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
-    /// of the plane kernel), by implicit_euler and sdirk2.
-    bool can_breathe() const { return inputs == 1 && system_.log_strength() && system_.points() && !is_exponential(); }
+    /// of the plane kernel), and for patches of breathing_system and PatchShapes; by implicit_euler and sdirk2.
+    bool can_breathe() const {
+        return (shapes_ || (inputs == 1 && system_.log_strength() && system_.points())) && !is_exponential();
+    }
 
-    /// No traction anywhere, at the contact's half-length.
-    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length}; }
+    /// No traction anywhere, at the contact's semi-axes.
+    State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length, 0, units_.half_width}; }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// 2b F_bar of a state [N] at its half-length. The state must have size() unknowns.
-    Force force(const State& state) const { return Values::force(forces(state)); }
+    /// 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
+    Force force(const State& state) const { return Values::force(force_of(state.traction, axes(state))); }
 
     /// Steady rolling at a creepage at the half-length of `from`, G' p = inputs v, Eq. (15); the tangent is that of
     /// steady rolling. `from` only gives the half-length and is not changed; for the status see advance().
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept {
-        const StepStatus status = check(from, from.half_length, to, workspace);
+        const SemiAxes<Scalar> semi_axes{from.half_length, from.half_width};
+        const StepStatus status = check(from, semi_axes, to, workspace);
         if (status != StepStatus::ok) return failed(status);
         if (!detail::is_finite(creepage)) return failed(StepStatus::not_finite);
         const Inputs value = Values::vector(creepage);
+        const Axes at = axes(from);
         to.traction.setZero();
+        if constexpr (inputs == 3) {
+            if (shapes_ && at != contact_axes) {
+                auto& stages = workspace.shape_stages();
+                stages.solve_steady(~preparation_, *shapes_, a_over_b_, inputs_in_si_, at, workspace.factors());
+                for (Eigen::Index j = 0; j < inputs; ++j) {
+                    to.traction += units_.length * value[j] * stages.per_end().col(j);
+                }
+                return finish(from, semi_axes, 0, forces_of(stages.per_end(), at) * units_.length, to);
+            }
+        }
         for (Eigen::Index j = 0; j < inputs; ++j) to.traction += value[j] * steady_.col(j);
-        return finish(from, from.half_length, 0, forces_of(steady_), to);
+        return finish(from, semi_axes, 0, forces_of(steady_, at), to);
     }
     /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
     State steady(const Value& creepage) const;
@@ -143,10 +164,10 @@ public:
     /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state with
     /// the same number of unknowns. It is not written if the status is invalid_step, wrong_state, invalid_load or
     /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. The
-    /// half-length remains that of `from`. Does not allocate.
+    /// semi-axes remain those of `from`. Does not allocate.
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
-        return roll(from, travel.dq, motion, from.half_length, false, to, workspace);
+        return roll(from, travel.dq, motion, {from.half_length, from.half_width}, false, to, workspace);
     }
 
     /// The same with the contact's half-length `half_length` [m] at the end of the step, varying linearly from that of
@@ -156,16 +177,25 @@ public:
     /// - needs_fixed_mesh if the length would change by dq or more (with dq = 0, if it changes at all), so that an edge
     ///   would not roll forward; and if the model cannot breathe, unless both half-lengths are the contact's.
     Step advance(const State& from, const Travel& travel, const Motion& motion, Scalar half_length, State& to,
-                 Workspace& workspace) const noexcept {
-        return roll(from, travel.dq, motion, half_length, can_breathe(), to, workspace);
+                 Workspace& workspace) const noexcept requires(inputs == 1) {
+        return roll(from, travel.dq, motion, {half_length, from.half_width}, can_breathe(), to, workspace);
+    }
+
+    /// The same with the semi-axes of a patch [m] at the end of the step, both varying linearly. needs_fixed_mesh also
+    /// if a/b leaves the range of the system's shapes, and on a line unless they are the contact's.
+    Step advance(const State& from, const Travel& travel, const Motion& motion, const SemiAxes<Scalar>& semi_axes,
+                 State& to, Workspace& workspace) const noexcept requires(inputs == 3) {
+        return roll(from, travel.dq, motion, semi_axes, can_breathe(), to, workspace);
     }
 
 private:
     using Values = typename Step::Values;
     using Inputs = detail::InputVector<inputs, Scalar>;
     using Square = typename detail::StepMap<inputs, Scalar>::Square;
+    using Axes = SemiAxes<Scalar>;
 
     static constexpr const char* name = "AdhesionModel";
+    static constexpr Axes contact_axes{1, 1};
 
     using Units = detail::ContactUnits<Scalar>;
 
@@ -186,17 +216,33 @@ private:
 
     static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right);
 
-    StepStatus check(const State& from, Scalar half_length, const State& to,
+    StepStatus check(const State& from, const SemiAxes<Scalar>& semi_axes, const State& to,
                      const Workspace& workspace) const noexcept {
         const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
-                          to.traction.size() == size() && workspace.size() == size() && is_length(from.half_length);
+                          to.traction.size() == size() && workspace.size() == size() &&
+                          are_lengths({from.half_length, from.half_width});
         if (!fits) return StepStatus::wrong_state;
-        if (!is_length(half_length)) return StepStatus::invalid_load;
-        const bool breathes = from.half_length != units_.length || half_length != units_.length;
-        return breathes && !can_breathe() ? StepStatus::needs_fixed_mesh : StepStatus::ok;
+        if (!are_lengths(semi_axes)) return StepStatus::invalid_load;
+        const Axes start = axes(from), end = axes(semi_axes);
+        if (start == contact_axes && end == contact_axes) return StepStatus::ok;
+        const bool follows = can_breathe() && (!shapes_ || (covers(start) && covers(end)));
+        return follows ? StepStatus::ok : StepStatus::needs_fixed_mesh;
+    }
+    bool covers(const Axes& axes) const noexcept {
+        return shapes_->covers(a_over_b_ * axes.half_length / axes.half_width);
     }
 
-    static bool is_length(Scalar a) noexcept { return detail::is_finite(a) && a > 0; }
+    bool are_lengths(const SemiAxes<Scalar>& axes) const noexcept {
+        return detail::are_positive<Scalar>({axes.half_length, units_.line ? Scalar(1) : axes.half_width});
+    }
+    // Semi-axes in those of the contact; on a line the half-width is 1. A division counts in a step of a few states.
+    template <class Placed>
+    Axes axes(const Placed& placed) const {
+        if (placed.half_length == units_.length && (units_.line || placed.half_width == units_.half_width)) {
+            return contact_axes;
+        }
+        return {placed.half_length / units_.length, units_.line ? Scalar(1) : placed.half_width / units_.half_width};
+    }
 
     static Step failed(StepStatus status) noexcept {
         Step result;
@@ -204,56 +250,68 @@ private:
         return result;
     }
 
-    // At the unit of length.
+    // At given semi-axes: areas are stretched by both, the arms of moments by either. `twice` counts one of these arms
+    // twice, for the derivative by its semi-axis.
     template <class Unknowns>
-    Inputs force_of(const Unknowns& unknowns) const {
+    Inputs force_of(const Unknowns& unknowns, const Axes& at, const Axes& twice = contact_axes) const {
         Inputs result;
         for (Eigen::Index i = 0; i < inputs; ++i) result[i] = outputs_in_si_.col(i).dot(unknowns);
-        return result;
+        if constexpr (inputs == 3) {
+            if (shapes_) {
+                const Eigen::Index n = size() / 2;
+                const auto arms = outputs_in_si_.col(2);
+                result[2] = twice.half_width * at.half_width * arms.head(n).dot(unknowns.head(n)) +
+                            twice.half_length * at.half_length * arms.tail(n).dot(unknowns.tail(n));
+            }
+        }
+        return at == contact_axes ? result : Inputs(result * (at.half_length * at.half_width));
     }
-    Square forces_of(const MatrixX<Scalar>& unknowns) const {
+    Square forces_of(const MatrixX<Scalar>& unknowns, const Axes& at) const {
         Square result;
-        for (Eigen::Index j = 0; j < inputs; ++j) result.col(j) = force_of(unknowns.col(j));
+        for (Eigen::Index j = 0; j < inputs; ++j) result.col(j) = force_of(unknowns.col(j), at);
         return result;
     }
-    Inputs forces(const State& state) const { return force_of(state.traction) * (state.half_length / units_.length); }
 
-    // The result of the tractions in `to`; the tangent is at the unit of length.
-    Step finish(const State& from, Scalar half_length, Scalar dq, const Square& tangent, State& to) const noexcept {
-        to.half_length = half_length;
+    // The result of the tractions in `to`.
+    Step finish(const State& from, const SemiAxes<Scalar>& semi_axes, Scalar dq, const Square& tangent,
+                State& to) const noexcept {
+        to.half_length = semi_axes.half_length;
+        to.half_width = semi_axes.half_width;
         to.system = fingerprint_;
         to.distance = dq;
-        Inputs force = force_of(to.traction);
-        Square total = tangent;
-        if (half_length != units_.length) {  // a division counts in a step of a few states
-            force *= half_length / units_.length;
-            total *= half_length / units_.length;
-        }
-        if (!detail::all_finite(force) || !detail::all_finite(total)) {
+        const Inputs force = force_of(to.traction, axes(to));
+        if (!detail::all_finite(force) || !detail::all_finite(tangent)) {
             to.traction = from.traction;
             to.half_length = from.half_length;
+            to.half_width = from.half_width;
             to.distance = from.distance;
             return failed(StepStatus::not_finite);
         }
         Step step;
         step.force = Values::force(force);
         if (units_.line) step.force_per_width = Values::force(Inputs(force / units_.width));
-        step.tangent = Values::tangent(total);
+        step.tangent = Values::tangent(tangent);
         step.status = StepStatus::ok;
         return step;
     }
 
-    Step roll(const State& from, Scalar dq, const Motion& motion, Scalar half_length, bool by_length, State& to,
-              Workspace& workspace) const noexcept;
+    Step roll(const State& from, Scalar dq, const Motion& motion, const SemiAxes<Scalar>& semi_axes, bool by_length,
+              State& to, Workspace& workspace) const noexcept;
+    // The same where semi-axes may vary.
+    Step roll_shape(const State& from, Scalar dq, const detail::ImposedMotion<inputs, Scalar>& imposed,
+                    const SemiAxes<Scalar>& semi_axes, bool by_axes, State& to, Workspace& workspace) const noexcept
+        requires(inputs == 3);
 
     Units units_;
     RollingSystem<Scalar> system_;
     std::uint64_t fingerprint_, preparation_;  // the latter also of the integrator
     Integrator integrator_;
     detail::RationalExponential<Scalar> rational_;
-    MatrixX<Scalar> inputs_in_si_, outputs_in_si_;  // n x k [Pa/m], for spin [Pa]; [m^2], of the moment [m^3]
-    MatrixX<Scalar> steady_;                        // n x k, per creepage [Pa], per spin [Pa m]
-    Scalar rates_norm_ = 0;                         // |G^-1 G'|, for the matrix exponential
+    MatrixX<Scalar> inputs_in_si_, outputs_in_si_;            // n x k [Pa/m], for spin [Pa]; [m^2], of the moment [m^3]
+    MatrixX<Scalar> steady_;                                  // n x k, per creepage [Pa], per spin [Pa m]
+    Scalar rates_norm_ = 0;                                   // |G^-1 G'|, for the matrix exponential
+    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // of a patch that may change its semi-axes
+    Scalar a_over_b_ = 1;
 };
 
 template <class Scalar>
@@ -316,18 +374,25 @@ auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> Sta
 }
 
 template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const Motion& motion, Scalar half_length,
-                                           bool by_length, State& to, Workspace& workspace) const noexcept -> Step {
+auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const Motion& motion,
+                                           const SemiAxes<Scalar>& semi_axes, bool by_length, State& to,
+                                           Workspace& workspace) const noexcept -> Step {
     // what belongs to the model first, then the motion, then the load
-    const StepStatus belongs = check(from, half_length, to, workspace);
+    const StepStatus belongs = check(from, semi_axes, to, workspace);
     if (belongs == StepStatus::wrong_state) return failed(belongs);
     const StepStatus possible = motion.check(dq);
     if (possible != StepStatus::ok) return failed(possible);
     if (belongs != StepStatus::ok) return failed(belongs);
-    const Scalar change = half_length - from.half_length;
-    if (change != 0 && !(std::abs(change) < dq)) return failed(StepStatus::needs_fixed_mesh);
+    const Scalar half_length = semi_axes.half_length;
+    const Axes start = axes(from), end = axes(semi_axes);
+    if (start != end && !(std::abs(half_length - from.half_length) < dq)) return failed(StepStatus::needs_fixed_mesh);
 
     const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
+    if constexpr (inputs == 3) {
+        if (shapes_ && (by_length || start != contact_axes || end != contact_axes)) {
+            return roll_shape(from, dq, imposed, semi_axes, by_length, to, workspace);
+        }
+    }
     const bool repeats = dq > 0 && dq == from.distance && !by_length && half_length == units_.length;
     if (repeats || is_exponential()) {
         detail::StepMap<inputs, Scalar>& map = workspace.map();
@@ -336,18 +401,47 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
                         units_.length, count_doublings(dq / units_.length), workspace.factors());
         }
         map.apply(from.traction, imposed, to.traction);
-        return finish(from, half_length, dq, map.tangent(imposed), to);
+        return finish(from, semi_axes, dq, map.tangent(imposed), to);
     }
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
     stages.solve(preparation_, detail::influence(system_), rational_, inputs_in_si_, from.traction,
                  from.half_length / units_.length, half_length / units_.length, dq / units_.length, imposed, by_length,
                  workspace.factors());
     to.traction = from.traction + stages.change();
-    Step step = finish(from, half_length, dq, forces_of(stages.per_end()), to);
+    Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);
     if (by_length && step.status == StepStatus::ok) {
-        const Inputs by_change = force_of(stages.per_length()) * (half_length / units_.length);
-        step.tangent_by_half_length = Values::force(Inputs((force_of(to.traction) + by_change) / units_.length));
+        const Inputs by_change = force_of(stages.per_length(), end);
+        step.tangent_by_half_length =
+            Values::force(Inputs((force_of(to.traction, contact_axes) + by_change) / units_.length));
     }
+    return step;
+}
+
+template <int inputs_, class Scalar_>
+auto AdhesionModel<inputs_, Scalar_>::roll_shape(const State& from, Scalar dq,
+                                                 const detail::ImposedMotion<inputs, Scalar>& imposed,
+                                                 const SemiAxes<Scalar>& semi_axes, bool by_axes, State& to,
+                                                 Workspace& workspace) const noexcept -> Step requires(inputs == 3) {
+    const Axes end = axes(semi_axes);
+    detail::ShapeStages<Scalar>& stages = workspace.shape_stages();
+    // its matrices differ by rounding from those of a fixed mesh
+    stages.solve(~preparation_, *shapes_, a_over_b_, rational_, inputs_in_si_, from.traction, axes(from), end,
+                 dq / units_.length, imposed, by_axes, workspace.factors());
+    to.traction = from.traction + stages.change();
+    Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);
+    if (!by_axes || step.status != StepStatus::ok) return step;
+    const auto tangent = [&](const VectorX<Scalar>& per_axis, const Axes& twice, Scalar power, Scalar at, Scalar unit) {
+        const Inputs direct = force_of(to.traction, end, twice) * (power / at);
+        return Values::force(Inputs(direct + force_of(per_axis, end) / unit));
+    };
+    const Scalar a = semi_axes.half_length, b = semi_axes.half_width;
+    if (shapes_->is_single()) {  // forces grow as the square of the size, moments as its cube
+        step.tangent_by_half_length = tangent(stages.per_length(), {1.5, 1.5}, 2, a, units_.length);
+        step.tangent_by_half_width = {0, 0, 0};
+        return step;
+    }
+    step.tangent_by_half_length = tangent(stages.per_length(), {2, 1}, 1, a, units_.length);
+    step.tangent_by_half_width = tangent(stages.per_width(), {1, 2}, 1, b, units_.half_width);
     return step;
 }
 

@@ -24,8 +24,13 @@ public:
     Eigen::Index size() const { return factors_.rows(); }
 
     void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RollingStage<Scalar>& stage) {
+        prepare(model, stage, [&](MatrixX<Scalar>& M) { influence.fill_stage_matrix(stage, M); });
+    }
+    /// The same with a matrix filled by `fill`.
+    template <class Fill>
+    void prepare(std::uint64_t model, const RollingStage<Scalar>& stage, const Fill& fill) {
         if (model == model_ && stage == stage_) return;
-        influence.fill_stage_matrix(stage, factors_);
+        fill(factors_);
         factorise_in_place<Scalar>(factors_, swaps_.data());
         model_ = model;
         stage_ = stage;

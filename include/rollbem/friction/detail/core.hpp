@@ -73,6 +73,9 @@ public:
     /// The semi-axes of a state or load in those of the contact; on a line the half-width is 1.
     template <class Loaded>
     Axes axes(const Loaded& loaded) const {
+        if (loaded.half_length == half_length_ && (line_ || loaded.half_width == half_width_)) {
+            return contact_axes<Scalar>;
+        }
         return {loaded.half_length / half_length_, line_ ? Scalar(1) : loaded.half_width / half_width_};
     }
     static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }

@@ -1,0 +1,515 @@
+// Contact patches whose load, size and shape vary in time: on a fixed mesh (rollbem/normal/hertz_patch_load.hpp), and on
+// a mesh that follows the ellipse (rollbem/assembly/patch_shapes.hpp), with friction and in full adhesion.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/transient.hpp>
+#include <rollbem/normal/hertz_patch_load.hpp>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+constexpr NodeDifference chebyshev{Nodes::chebyshev};
+constexpr double mu = 0.3, nu = 0.28, G = 8e10, a_0 = 5e-3, N_0 = 8e4;
+const HalfSpace<double> kernel(nu);
+using Forces = std::array<double, 3>;
+using Model = FrictionModel<ConstantFriction<double>, 2>;
+
+const PatchShapes<double>& shapes() {
+    static const PatchShapes<double> made(6, 6, chebyshev, kernel, {.least = 0.4, .largest = 2.5, .factor = 1.25});
+    return made;
+}
+
+double mean_difference(const std::vector<Forces>& one, const std::vector<Forces>& other) {
+    double sum = 0;
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        for (std::size_t i = 0; i < 3; ++i) sum += (one[k][i] - other[k][i]) * (one[k][i] - other[k][i]);
+    }
+    return std::sqrt(sum / (3 * static_cast<double>(one.size())));
+}
+
+double largest_difference(const std::vector<Forces>& one, const std::vector<Forces>& other) {
+    double largest = 0;
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(one[k][i] - other[k][i]));
+    }
+    return largest;
+}
+
+/// An ellipse with a = a_0 under N_0 that breathes, N = N_0 (1 + 0.5 sin(2 pi q/8)), q in a_0; creepages that mu N_0 would
+/// cause without slip.
+struct Scene {
+    PatchContact<double> contact;
+    PatchMesh<double> mesh;
+    double c;
+    Creepage<double> creepage;
+
+    Scene(double a_over_b, Eigen::Index n)
+        : contact({.half_length = a_0, .half_width = a_0 / a_over_b, .shear_modulus = G, .poisson_ratio = nu}),
+          mesh(patch_mesh(contact, n, n)),
+          c(contact.c()) {
+        const double unit = mu * N_0 / (G * c * c);
+        creepage = {0.1422475 * unit, 0.1081081 * unit, 0.2022927 * unit / c};
+    }
+
+    ArrayX<double> pressure() const { return hertz_pressures(contact, mesh, N_0); }
+    Model model(const ElementSystem<double, 2>& system, Integrator integrator, double coefficient = mu) const {
+        return {contact, system, unchecked, {coefficient, pressure()}, integrator};
+    }
+    ElementSystem<double, 2> breathing() const { return breathing_system(contact, mesh, chebyshev, kernel); }
+    static double load(double q) { return N_0 * (1 + 0.5 * std::sin(std::numbers::pi / 4 * q)); }
+
+    Forces ratios(const TangentialForce<double>& force) const {
+        const double unit = -mu * N_0;
+        return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
+    }
+
+    /// Forces at q = `every`, 2 `every`, ... 8, from rest in steps of dq.
+    std::vector<Forces> friction(const Model& model, double dq, double every = 0.4) const {
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        NormalLoad<double> load{pressure(), a_0, {}, contact.half_width()};
+        std::vector<Forces> result;
+        for (int k = 1; k <= std::lround(8 / dq); ++k) {
+            const double size = std::cbrt(Scene::load(k * dq) / N_0);
+            load.half_length = size * a_0;
+            load.half_width = size * contact.half_width();
+            load.normal_pressure = size * model.at_rest().normal_pressure;
+            const auto step = model.advance(now, dq * a_0, creepage, load, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            std::swap(now, next);
+            if (k % std::lround(every / dq) == 0) result.push_back(ratios(step.force));
+        }
+        return result;
+    }
+    std::vector<Forces> adhesion(const AdhesionModel<3>& model, double dq, double every = 0.4) const {
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        std::vector<Forces> result;
+        for (int k = 1; k <= std::lround(8 / dq); ++k) {
+            const double size = std::cbrt(Scene::load(k * dq) / N_0);
+            const auto step = model.advance(now, dq * a_0, creepage,
+                                            SemiAxes<double>{size * a_0, size * contact.half_width()}, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            std::swap(now, next);
+            if (k % std::lround(every / dq) == 0) result.push_back(ratios(step.force));
+        }
+        return result;
+    }
+};
+
+HertzEllipse<double> ellipse(double load) {
+    const ElasticBody<double> steel{.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu};
+    return HertzEllipse<double>({.load = load,
+                                 .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
+                                 .radii_2 = {.rolling = INFINITY, .lateral = 0.3},
+                                 .body_1 = steel,
+                                 .body_2 = steel});
+}
+
+}  // namespace
+
+TEST_CASE("patch_load: forces of an ellipse that breathes") {
+    // of another program, at q = 2, 4, 6, 8, by implicit Euler with dq = 0.05
+    const auto error = [](double a_over_b, Eigen::Index n, const std::vector<Forces>& expected) {
+        const Scene scene(a_over_b, n);
+        return largest_difference(scene.friction(scene.model(scene.breathing(), Integrator::implicit_euler), 0.05, 2),
+                                  expected);
+    };
+    CHECK(error(1, 8, {{.4409, .6107, .2570}, {.4400, .6564, .1077}, {.2678, .3474, .0293}, {.3758, .4605, .0869}}) <
+          1.6e-4);
+    CHECK(error(0.5, 12, {{.3438, .4011, .4070}, {.3692, .4798, .2228}, {.2443, .2887, .0611}, {.3232, .3445, .1714}}) <
+          1.6e-4);
+    CHECK(error(2, 12, {{.5754, .9854, .2013}, {.4847, .8345, .1070}, {.2768, .3946, .0411}, {.4446, .6523, .0795}}) <
+          1.6e-4);
+}
+
+TEST_CASE("patch_load: breathing is of second order in dq by sdirk2, of first by implicit Euler") {
+    const Scene scene(1, 6);
+    const auto system = scene.breathing();
+    const auto order = [&](const auto& run, std::vector<double> steps) {
+        std::vector<double> errors;
+        const auto fine = run(0.0125);
+        for (const double dq : steps) errors.push_back(mean_difference(run(dq), fine));
+        UNSCOPED_INFO("errors " << Catch::StringMaker<std::vector<double>>::convert(errors));
+        for (double& dq : steps) dq = 1 / dq;
+        return support::observed_order(steps, errors);
+    };
+    for (const bool second : {false, true}) {
+        const Integrator integrator = second ? Integrator::sdirk2 : Integrator::implicit_euler;
+        const Model rolling = scene.model(system, integrator);
+        const AdhesionModel<3> sticking(scene.contact, system, unchecked, integrator);
+        const std::vector<double> steps = second ? std::vector{0.4, 0.2, 0.1, 0.05} : std::vector{0.2, 0.1, 0.05};
+        const double with_friction = order([&](double dq) { return scene.friction(rolling, dq); }, steps);
+        const double without = order([&](double dq) { return scene.adhesion(sticking, dq); }, steps);
+        CAPTURE(second, with_friction, without);
+        CHECK(with_friction > (second ? 1.6 : 0.9));
+        CHECK(with_friction < (second ? 2.6 : 1.4));
+        CHECK(without > (second ? 1.8 : 0.9));
+        CHECK(without < (second ? 2.8 : 1.3));
+    }
+}
+
+TEST_CASE("patch_load: without slip friction is full adhesion, while size and shape vary, with all tangents") {
+    const Scene scene(1, 6);
+    for (const bool single : {true, false}) {
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            CAPTURE(single, name(integrator));
+            const auto system = single ? scene.breathing() : shapes().system(1);
+            const Model rolling = scene.model(system, integrator, 1e6);
+            const AdhesionModel<3> sticking(scene.contact, system, unchecked, integrator);
+            auto workspace = rolling.workspace();
+            auto other = sticking.workspace();
+            auto state = rolling.at_rest(), next = state;
+            auto unbound = sticking.at_rest(), unbound_next = unbound;
+            NormalLoad<double> load{state.normal_pressure, a_0, state.normal_pressure, a_0};
+            double a = a_0, b = a_0;
+            for (int k = 0; k < 5; ++k) {
+                a += 0.07 * a_0;
+                b = single ? a : b - 0.03 * a_0;
+                load.half_length = a;
+                load.half_width = b;
+                const double dq = (0.1 + 0.05 * k) * a_0;
+                const auto motion = RigidMotion<Creepage<double>>::linear(scene.creepage, {1e-4, -2e-4, 0.5});
+                const auto step = rolling.advance(state, dq, motion, load, next, workspace);
+                const auto expected =
+                    sticking.advance(unbound, dq, motion, SemiAxes<double>{a, b}, unbound_next, other);
+                REQUIRE(step.status == StepStatus::ok);
+                REQUIRE(expected.status == StepStatus::ok);
+                REQUIRE(step.stick_count == rolling.size());
+                const auto same = [&](const TangentialForce<double>& one, const TangentialForce<double>& two) {
+                    const double scale =
+                        std::abs(two.longitudinal) + std::abs(two.lateral) + std::abs(two.moment) / a_0;
+                    CHECK(one.longitudinal == Approx(two.longitudinal).margin(1e-10 * scale));
+                    CHECK(one.lateral == Approx(two.lateral).margin(1e-10 * scale));
+                    CHECK(one.moment == Approx(two.moment).margin(1e-10 * scale * a_0));
+                };
+                same(step.force, expected.force);
+                same(rolling.force(next), step.force);
+                same(sticking.force(unbound_next), step.force);
+                same(step.tangent.by_longitudinal, expected.tangent.by_longitudinal);
+                same(step.tangent.by_lateral, expected.tangent.by_lateral);
+                same(step.tangent.by_spin, expected.tangent.by_spin);
+                same(step.tangent_by_half_length, expected.tangent_by_half_length);
+                same(step.tangent_by_half_width, expected.tangent_by_half_width);
+                std::swap(state, next);
+                std::swap(unbound, unbound_next);
+            }
+        }
+    }
+}
+
+TEST_CASE("patch_load: tangents of friction by creepages, load and semi-axes") {
+    const Scene scene(1, 6);
+    for (const bool single : {true, false}) {
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            CAPTURE(single, name(integrator));
+            // slip is not turned: tangents are at constant angles
+            const Model model(scene.contact, single ? scene.breathing() : shapes().system(1), unchecked,
+                              {.law = {mu}, .normal_pressure = scene.pressure(), .turned = false}, integrator);
+            auto workspace = model.workspace();
+            auto from = model.at_rest(), to = from;
+            NormalLoad<double> load{1.1 * from.normal_pressure, 1.04 * a_0, 0.7 * from.normal_pressure, 1.04 * a_0};
+            REQUIRE(model.advance(from, 0.3 * a_0, scene.creepage, load, to, workspace).status == StepStatus::ok);
+            std::swap(from, to);
+            load.half_length = 1.1 * a_0;
+            load.half_width = single ? 1.1 * a_0 : 0.98 * a_0;
+            const auto at = [&](double by_spin, double by_load, double by_a, double by_b) {
+                Creepage<double> creepage = scene.creepage;
+                creepage.spin += by_spin;
+                NormalLoad<double> changed = load;
+                changed.normal_pressure += by_load * load.pressure_rate;
+                changed.half_length += by_a;
+                changed.half_width += by_b;
+                return model.advance(from, 0.3 * a_0, creepage, changed, to, workspace);
+            };
+            const auto step = at(0, 0, 0, 0);
+            REQUIRE(step.status == StepStatus::ok);
+            REQUIRE(step.stick_count > 5);
+            REQUIRE(step.stick_count < 31);
+            const auto check = [&](const TangentialForce<double>& tangent, const auto& plus, const auto& minus,
+                                   double h) {
+                const auto scale = std::abs(tangent.longitudinal) + std::abs(tangent.lateral);
+                const auto one = plus.force, two = minus.force;
+                CHECK(tangent.longitudinal ==
+                      Approx((one.longitudinal - two.longitudinal) / (2 * h)).margin(2e-5 * scale));
+                CHECK(tangent.lateral == Approx((one.lateral - two.lateral) / (2 * h)).margin(2e-5 * scale));
+                CHECK(tangent.moment == Approx((one.moment - two.moment) / (2 * h)).margin(2e-5 * scale * a_0));
+            };
+            const double h = 1e-5, d = h * a_0;
+            check(step.tangent.by_spin, at(h, 0, 0, 0), at(-h, 0, 0, 0), h);
+            check(step.tangent_by_load, at(0, h, 0, 0), at(0, -h, 0, 0), h);
+            if (single) {
+                check(step.tangent_by_half_length, at(0, 0, d, d), at(0, 0, -d, -d), d);
+                CHECK(step.tangent_by_half_width.longitudinal == 0);
+            } else {
+                check(step.tangent_by_half_length, at(0, 0, d, 0), at(0, 0, -d, 0), d);
+                check(step.tangent_by_half_width, at(0, 0, 0, d), at(0, 0, 0, -d), d);
+            }
+        }
+    }
+}
+
+TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape vary") {
+    std::vector<double> gaps;
+    const std::vector<double> sizes{6, 9, 12};
+    for (const double n : sizes) {
+        const Scene scene(1, static_cast<Eigen::Index>(n));
+        const PatchShapes<double> made(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n), chebyshev, kernel,
+                                       {.least = 0.4, .largest = 2.5, .factor = 1.4});
+        const Model model = scene.model(made.system(1), Integrator::sdirk2);
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        NormalLoad<double> load{now.normal_pressure, a_0, {}, a_0};
+        double work = 0, heat = 0;
+        TangentialForce<double> before{0, 0, 0};
+        constexpr double dq = 0.1;
+        for (int k = 1; k <= 30; ++k) {
+            load.half_length = a_0 * (1 + 0.4 * std::sin(0.9 * dq * k));
+            load.half_width = a_0 * (1 - 0.3 * std::sin(0.7 * dq * k));
+            const auto step = model.advance(now, dq * a_0, scene.creepage, load, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            heat += step.slip_work;
+            const auto power = [&](const TangentialForce<double>& force) {
+                return -(scene.creepage.longitudinal * force.longitudinal + scene.creepage.lateral * force.lateral +
+                         scene.creepage.spin * force.moment);
+            };
+            work += dq * a_0 * (power(before) + power(step.force)) / 2;
+            before = step.force;
+            std::swap(now, next);
+        }
+        const double elastic = model.elastic_energy(now);
+        CHECK(elastic > 0.05 * work);
+        gaps.push_back(std::abs(heat + elastic - work) / work);
+    }
+    const double order = support::observed_order(sizes, gaps);
+    CAPTURE(gaps, order);
+    CHECK(gaps.back() < 5e-3);
+    CHECK(order > 1.4);
+    CHECK(order < 3);
+}
+
+TEST_CASE("patch_load: shapes between the nodes") {
+    const double a_over_b = 1.37;  // between two nodes
+    const Scene scene(a_over_b, 6);
+    const auto direct = rolling_system(scene.mesh, chebyshev, kernel), between = shapes().system(a_over_b);
+    for (const auto& [d, e] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+        CAPTURE(d, e);
+        const auto i = static_cast<std::size_t>(d), j = static_cast<std::size_t>(e);
+        CHECK((direct.G(i, j) - between.G(i, j)).norm() < 1e-4 * direct.G(0, 0).norm());
+        CHECK((direct.G_prime(i, j) - between.G_prime(i, j)).norm() < 1e-4 * direct.G_prime(0, 0).norm());
+    }
+    CHECK((direct.elements().areas - between.elements().areas).abs().maxCoeff() < 1e-15);
+
+    // creep coefficients of any shape from the model of one
+    const Scene circle(1, 6);
+    const AdhesionModel<3> model(circle.contact, shapes().system(1), judge_stability(shapes()));
+    auto workspace = model.workspace();
+    auto state = model.at_rest(), steady = state;
+    state.half_length = 0.9 * a_0;
+    state.half_width = state.half_length / a_over_b;
+    const auto step = model.steady(state, {1e-3, 0, 0}, steady, workspace);
+    REQUIRE(step.status == StepStatus::ok);
+    const auto expected = solve_steady(scene.contact, scene.mesh, chebyshev, kernel);
+    const double c = 0.9 * scene.c, unit = -G * c * c;
+    CHECK(step.tangent.by_longitudinal.longitudinal / unit == Approx(expected.c11).epsilon(2e-5));
+    CHECK(step.tangent.by_lateral.lateral / unit == Approx(expected.c22).epsilon(2e-5));
+    CHECK(step.tangent.by_spin.lateral / unit / c == Approx(expected.c23).epsilon(2e-5));
+    CHECK(step.tangent.by_spin.moment / unit / c / c == Approx(expected.c33).epsilon(2e-5));
+    CHECK(step.force.longitudinal == Approx(1e-3 * step.tangent.by_longitudinal.longitudinal));
+
+    // and steady friction
+    const Model rolling = circle.model(shapes().system(1), Integrator::sdirk2);
+    const SteadyFrictionModel own(scene.contact, scene.mesh, chebyshev, kernel, {mu, scene.pressure()});
+    auto first = rolling.workspace();
+    auto second = own.workspace();
+    auto now = rolling.at_rest(), then = own.at_rest();
+    const NormalLoad<double> load{scene.pressure(), a_0, {}, scene.contact.half_width()};
+    const auto one = rolling.steady(rolling.at_rest(), scene.creepage, load, now, first);
+    const auto two = own.steady(own.at_rest(), scene.creepage, then, second);
+    REQUIRE(one.status == StepStatus::ok);
+    CHECK(largest_difference({scene.ratios(one.force)}, {scene.ratios(two.force)}) < 3e-5);
+
+    // a system of many shapes that keeps its own is that of one
+    const auto shaped = circle.friction(rolling, 0.4);
+    CHECK(largest_difference(shaped, circle.friction(circle.model(circle.breathing(), Integrator::sdirk2), 0.4)) <
+          1e-4);
+    CHECK_THROWS_WITH(shapes().system(3), ContainsSubstring("a_over_b = 3 must lie in the range"));
+    CHECK_THROWS_WITH(PatchShapes<double>(4, 4, chebyshev, kernel, {.least = 1, .largest = 1}),
+                      ContainsSubstring("largest a/b"));
+    CHECK_THROWS_WITH(Model(scene.contact, shapes().system(1), unchecked, {mu, scene.pressure()}),
+                      ContainsSubstring("a/b of the patch over that of its system"));
+}
+
+TEST_CASE("patch_load: what a mesh cannot follow has a status") {
+    const Scene scene(1, 6);
+    const Model fixed = scene.model(rolling_system(scene.mesh, chebyshev, kernel), Integrator::sdirk2),
+                single = scene.model(scene.breathing(), Integrator::sdirk2),
+                many = scene.model(shapes().system(1), Integrator::sdirk2);
+    const AdhesionModel<3> adhesion(scene.contact, shapes().system(1), unchecked);
+    const auto status = [&](const Model& model, double a, double b, double dq = 0.1, double start_b = 1) {
+        auto workspace = model.workspace();
+        auto from = model.at_rest(), to = from;
+        from.half_width *= start_b;
+        const NormalLoad<double> load{from.normal_pressure, a * a_0, {}, b * a_0};
+        const StepStatus result = model.advance(from, dq * a_0, scene.creepage, load, to, workspace).status;
+        if (&model == &many && b > 0 && start_b > 0) {
+            auto other = adhesion.workspace();
+            auto begin = adhesion.at_rest(), end = begin;
+            begin.half_width *= start_b;
+            CHECK(adhesion.advance(begin, dq * a_0, scene.creepage, SemiAxes<double>{a * a_0, b * a_0}, end, other)
+                      .status == result);
+        }
+        return result;
+    };
+    for (const Model* model : {&fixed, &single, &many}) {
+        CHECK(status(*model, 1, 1) == StepStatus::ok);
+        CHECK(status(*model, 1, 0) == StepStatus::ok);               // b is that of the state
+        CHECK(status(*model, 1.05, 0) == StepStatus::invalid_load);  // either of b and a/b might stay
+        CHECK(status(*model, 1, -1) == StepStatus::invalid_load);
+        CHECK(status(*model, 1, NAN) == StepStatus::invalid_load);
+        CHECK(status(*model, 1, 1, 0.1, NAN) == StepStatus::invalid_load);
+        CHECK(status(*model, 1, 1, 0.1, 0) == StepStatus::invalid_load);
+    }
+    CHECK(status(fixed, 1.05, 1.05) == StepStatus::needs_fixed_mesh);
+    CHECK(status(fixed, 1, 1.05) == StepStatus::needs_fixed_mesh);
+    CHECK(status(single, 1.05, 1.05) == StepStatus::ok);
+    CHECK(status(single, 1, 1.05) == StepStatus::needs_fixed_mesh);
+    CHECK(status(single, 1.1, 1.1, 0.099) == StepStatus::needs_fixed_mesh);
+    CHECK(status(single, 0.9, 0.9, 0.099) == StepStatus::needs_fixed_mesh);
+    CHECK(status(many, 1, 1.05) == StepStatus::ok);
+    CHECK(status(many, 1, 2.4) == StepStatus::ok);
+    CHECK(status(many, 1, 2.6) == StepStatus::needs_fixed_mesh);
+    CHECK(status(many, 1, 1, 0.1, 3) == StepStatus::needs_fixed_mesh);
+
+    // on a line the half-width is that of the contact
+    const Contact<double> contact({.half_length = a_0, .half_width = 2e-3, .shear_modulus = G, .poisson_ratio = nu});
+    const FrictionModel line(
+        contact, rolling_system(cosine_mesh<double>(4), chebyshev, StripKernel<double>::longitudinal(contact)),
+        unchecked, {mu, ArrayX<double>::Ones(4)});
+    auto workspace = line.workspace();
+    auto from = line.at_rest(), to = from;
+    from.half_width = 0;  // not read
+    for (const double b : {0.0, 2e-3, 3e-3}) {
+        const NormalLoad<double> load{from.normal_pressure, a_0, {}, b};
+        CHECK(line.advance(from, 1e-4, 1e-3, load, to, workspace).status ==
+              (b == 3e-3 ? StepStatus::needs_fixed_mesh : StepStatus::ok));
+    }
+    CHECK(to.half_width == 2e-3);
+}
+
+TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one") {
+    const HertzEllipse<double> largest = ellipse(1.5 * N_0);
+    const PatchContact<double> contact({.half_length = largest.half_length(),
+                                        .half_width = largest.half_width(),
+                                        .shear_modulus = G,
+                                        .poisson_ratio = nu});
+    const PatchMesh<double> mesh = patch_mesh(contact, 7, 8);
+    const ArrayX<double> areas = patch_elements(mesh, chebyshev).areas;  // in a^2
+    using Hertz = HertzPatchLoad<double>;
+    for (const Hertz& hertz : {Hertz::breathing(largest, contact, mesh), Hertz::fixed(largest, contact, mesh)}) {
+        CAPTURE(hertz.breathes());
+        NormalLoad<double> load = hertz.at(N_0), more = load, less = load;
+        for (const double N : {1e-3 * N_0, 0.7 * N_0, 1.5 * N_0}) {
+            CAPTURE(N / N_0);
+            REQUIRE(hertz.set(N, load) == StepStatus::ok);
+            const double area =
+                hertz.breathes() ? load.half_length * load.half_width / contact.half_width() : contact.half_length();
+            CHECK((areas * load.normal_pressure).sum() * area * contact.half_length() == Approx(N).epsilon(1e-13));
+            const double h = 1e-4 * N;
+            REQUIRE(hertz.set(N - h, less) == StepStatus::ok);
+            const bool covered = hertz.set(N + h, more) == StepStatus::ok;
+            CHECK(covered == (hertz.breathes() || N < N_0));
+            if (!covered) continue;
+            const double scale = load.pressure_rate.abs().maxCoeff();
+            CHECK(((more.normal_pressure - less.normal_pressure) / (2 * h) - load.pressure_rate).abs().maxCoeff() <
+                  1e-3 * scale);
+            CHECK(hertz.half_length_rate(N) ==
+                  Approx((more.half_length - less.half_length) / (2 * h)).margin(1e-9 * load.half_length / N));
+            CHECK(hertz.half_width_rate(N) ==
+                  Approx((more.half_width - less.half_width) / (2 * h)).margin(1e-9 * load.half_width / N));
+        }
+        CHECK(load.half_length == largest.half_length());
+        CHECK(load.half_width == largest.half_width());
+        for (const double N : {-1.0, double(NAN), double(INFINITY)}) {
+            CHECK(hertz.set(N, load) == StepStatus::invalid_load);
+            CHECK(load.check(mesh.size()) == StepStatus::invalid_load);
+        }
+        CHECK(hertz.set(0, load) == (hertz.breathes() ? StepStatus::invalid_load : StepStatus::ok));
+        if (!hertz.breathes()) {
+            CHECK(load.normal_pressure.maxCoeff() == 0);
+            CHECK((load.pressure_rate * areas).sum() * contact.half_length() * contact.half_length() ==
+                  Approx(1).epsilon(1e-12));
+            CHECK((load.pressure_rate > 0).count() == 2);  // the middle lies on an edge between two elements
+        }
+        // other radii: the ellipse of the moment
+        const HertzEllipse<double> other({.load = 0.5 * N_0,
+                                          .radii_1 = {.rolling = 0.46, .lateral = INFINITY},
+                                          .radii_2 = {.rolling = INFINITY, .lateral = 0.2},
+                                          .body_1 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu},
+                                          .body_2 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu}});
+        REQUIRE(hertz.set(other, load) == StepStatus::ok);
+        CHECK(load.half_length == (hertz.breathes() ? other : largest).half_length());
+        CHECK(load.half_width == (hertz.breathes() ? other : largest).half_width());
+        const double area = load.half_length * load.half_width / contact.half_width() * contact.half_length();
+        CHECK((areas * load.normal_pressure).sum() * area == Approx(0.5 * N_0).epsilon(1e-13));
+    }
+    CHECK_THROWS_WITH(Hertz::fixed(largest, contact, mesh).at(1.6 * N_0),
+                      ContainsSubstring("a contact that the mesh covers"));
+}
+
+TEST_CASE("patch_load: friction on a fixed mesh under a load that varies") {
+    const HertzEllipse<double> largest = ellipse(1.5 * N_0);
+    const PatchContact<double> contact({.half_length = largest.half_length(),
+                                        .half_width = largest.half_width(),
+                                        .shear_modulus = G,
+                                        .poisson_ratio = nu});
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
+    const auto hertz = HertzPatchLoad<double>::fixed(largest, contact, mesh);
+    const auto system = rolling_system(mesh, chebyshev, kernel);
+    const double unit = mu * N_0 / (G * contact.c() * contact.c()), a = contact.half_length();
+    const Creepage<double> creepage{0.14 * unit, 0.1 * unit, 0.2 * unit / a};
+    const auto run = [&](Integrator integrator, double dq) {
+        const Model model(contact, system, unchecked, {mu, hertz.at(N_0).normal_pressure}, integrator);
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        NormalLoad<double> load = hertz.at(N_0);
+        std::vector<Forces> result;
+        for (int k = 1; k <= std::lround(4 / dq); ++k) {
+            REQUIRE(hertz.set(N_0 * (1 + 0.5 * std::sin(std::numbers::pi / 2 * k * dq)), load) == StepStatus::ok);
+            const auto step = model.advance(now, dq * a, creepage, load, next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            std::swap(now, next);
+            if (k % std::lround(1 / dq) == 0) {
+                result.push_back(
+                    {step.force.longitudinal / N_0, step.force.lateral / N_0, step.force.moment / N_0 / a});
+            }
+        }
+        return result;
+    };
+    for (const bool second : {false, true}) {
+        const Integrator integrator = second ? Integrator::sdirk2 : Integrator::implicit_euler;
+        const std::vector<double> steps{0.5, 0.25, 0.125};
+        std::vector<double> errors;
+        const auto fine = run(Integrator::sdirk2, 1.0 / 64);
+        for (const double dq : steps) errors.push_back(largest_difference(run(integrator, dq), fine));
+        const double order = support::observed_order({2, 4, 8}, errors);
+        CAPTURE(second, errors, order);
+        CHECK(order > (second ? 1.3 : 0.7));
+        CHECK(order < (second ? 2.8 : 1.3));
+    }
+}
