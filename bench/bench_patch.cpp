@@ -3,14 +3,15 @@
 // for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
 // over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so along a curve up to
 // full sliding, each point from the one before. Their counter LU is the processor time of one solution over that of one LU
-// decomposition. BM_CreepTable looks forces up in a
-// table.
+// decomposition. BM_CreepTable looks forces up in a table.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <ctime>
+#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
 
+#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -154,7 +156,48 @@ void creep_table(benchmark::State& state) {
     }
 }
 
-BENCHMARK(patch_lu)->Name("BM_PatchLu")->Arg(8)->Arg(12)->Arg(16)->Arg(24)->Unit(benchmark::kMicrosecond);
+// A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2 with a
+// new a/b as well.
+void patch_step(benchmark::State& state) {
+    const Eigen::Index n = state.range(0);
+    const std::int64_t follows = state.range(1);
+    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
+    const PatchMesh<double> mesh = patch_mesh(circle, n, n);
+    const HalfSpace<double> half_space(0.28);
+    const ElementSystem<double, 2> system =
+        follows == 0   ? rolling_system(mesh, scheme, half_space)
+        : follows == 1 ? breathing_system(circle, mesh, scheme, half_space)
+                       : PatchShapes<double>(n, n, scheme, half_space, {.least = 0.4, .largest = 2.5}).system(1);
+    const ArrayX<double> pressure = hertz_pressures(circle, mesh, 1);
+    const FrictionModel model(circle, system, unchecked, {1.0, pressure});
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    NormalLoad<double> load{pressure, 1, pressure, 1};
+    double q = 0, rounds = 0, steps = 0;
+    for (auto _ : state) {
+        q += 0.2;
+        const double size = std::cbrt(1 + 0.5 * std::sin(std::numbers::pi / 4 * q));
+        load.normal_pressure = size * pressure;
+        if (follows > 0) load.half_length = load.half_width = size;
+        if (follows > 1) load.half_width *= 1 + 0.5 * std::sin(0.3 * q);
+        const FrictionStep<2> step = model.advance(now, 0.2, {{0.14, 0.1, 0.2}}, load, next, workspace);
+        if (step.status != StepStatus::ok) {
+            state.SkipWithError("a step failed");
+            break;
+        }
+        std::swap(now, next);
+        rounds += step.rounds;
+        ++steps;
+    }
+    state.counters["rounds"] = rounds / steps;
+}
+
+BENCHMARK(patch_step)
+    ->Name("BM_PatchStep")
+    ->ArgNames({"n", "follows"})
+    ->ArgsProduct({{6, 8, 12}, {0, 1, 2}})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(patch_lu)->Name("BM_PatchLu")->Arg(6)->Arg(8)->Arg(12)->Arg(16)->Arg(24)->Unit(benchmark::kMicrosecond);
 BENCHMARK(patch_system)
     ->Name("BM_PatchSystem")
     ->Arg(8)
