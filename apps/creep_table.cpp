@@ -266,7 +266,7 @@ int main(int argc, char** argv) {
 
 Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
 G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
-CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves FILE.part;
+CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves FILE.unfinished;
 the same command goes on from there.
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each is
 solved by one mesh: extrapolation from two has larger errors where spin is large. --check: log(a/b) uniform, direction

@@ -318,9 +318,11 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// One point from scratch, without assembly, in the most expensive case: oblique creepage where stick ends.
-void BM_CombinedSteady(benchmark::State& state) {
-    const Scene scene(state.range(0));
+// One point from scratch, without assembly, in the most expensive case: oblique creepage where stick ends. With slip
+// turned to its direction at the centres, as by default, or left as it is.
+void combined_steady(benchmark::State& state, bool turned) {
+    Scene scene(state.range(0));
+    scene.friction.turned = turned;
     const SteadyFrictionModel<ConstantFriction<>, 2> model = combined_steady_model(scene);
     const FrictionState<2> rest = model.at_rest();
     FrictionState<2> next = rest;
@@ -335,7 +337,10 @@ void BM_CombinedSteady(benchmark::State& state) {
     state.counters["n"] = static_cast<double>(state.range(0));
     state.counters["rounds"] = step.rounds;
 }
+void BM_CombinedSteady(benchmark::State& state) { combined_steady(state, true); }
 BENCHMARK(BM_CombinedSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_CombinedSteadyUnturned(benchmark::State& state) { combined_steady(state, false); }
+BENCHMARK(BM_CombinedSteadyUnturned)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // The creepage ratio alternates there between two values 0.1 apart.
 void BM_CombinedSteadyWarm(benchmark::State& state) {
@@ -355,8 +360,9 @@ void BM_CombinedSteadyWarm(benchmark::State& state) {
 BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A creepage that varies in size and direction.
-void combined_steps(benchmark::State& state, Integrator integrator) {
-    const Scene scene(state.range(0));
+void combined_steps(benchmark::State& state, Integrator integrator, bool turned = true) {
+    Scene scene(state.range(0));
+    scene.friction.turned = turned;
     const FrictionModel model(scene.contact,
                               ElementSystem(rolling_system(scene.mesh, scene.scheme, scene.kernel),
                                             rolling_system(scene.mesh, scene.scheme, scene.lateral)),
@@ -376,6 +382,8 @@ void combined_steps(benchmark::State& state, Integrator integrator) {
 }
 void BM_CombinedStep(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler); }
 BENCHMARK(BM_CombinedStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
+void BM_CombinedStepUnturned(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler, false); }
+BENCHMARK(BM_CombinedStepUnturned)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_CombinedStepSdirk2(benchmark::State& state) { combined_steps(state, Integrator::sdirk2); }
 BENCHMARK(BM_CombinedStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 

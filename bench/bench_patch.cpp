@@ -1,14 +1,21 @@
 // Contact patches of n x n elements: G and G' of the whole, steady creep coefficients by halves, and for comparison one
 // LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25. BM_PatchFriction solves
 // for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
-// over mu N under creepage, spin, and both, against limits at nu = 0.28.
+// over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so along a curve up to
+// full sliding, each point from the one before. Their counter LU is the processor time of one solution over that of one LU
+// decomposition. BM_CreepTable looks forces up in a
+// table.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <numbers>
+#include <random>
 #include <utility>
+#include <vector>
 
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
@@ -16,6 +23,7 @@
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace {
 
@@ -29,6 +37,20 @@ void patch_lu(benchmark::State& state) {
     const PatchMesh<double> mesh = patch_mesh(contact, state.range(0), state.range(0));
     const MatrixX<double> G_prime = rolling_system(mesh, scheme, kernel).whole().G_prime();
     for (auto _ : state) benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(G_prime));
+}
+
+/// Processor time so far [us].
+double now_us() { return 1e6 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Counters of `count` solutions an iteration, all of which took `elapsed` [us].
+void count_solutions(benchmark::State& state, const PatchMesh<double>& mesh, double elapsed, int count) {
+    constexpr int repetitions = 5;
+    const MatrixX<double> whole = detail::joined(assemble_G_prime(mesh, scheme, kernel));
+    const double start = now_us();
+    for (int k = 0; k < repetitions; ++k) benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(whole));
+    const double of_one = elapsed / static_cast<double>(state.iterations() * count);
+    state.counters["us_of_one"] = of_one;
+    state.counters["LU"] = of_one * repetitions / (now_us() - start);
 }
 
 void patch_system(benchmark::State& state) {
@@ -67,6 +89,7 @@ void patch_friction(benchmark::State& state) {
     const auto rest = model.at_rest();
     auto solved = rest;
     double error = 0, rounds = 0;
+    const double start = now_us();
     for (auto _ : state) {
         rounds = 0;
         for (const Point& point : points) {
@@ -75,10 +98,9 @@ void patch_friction(benchmark::State& state) {
             rounds += step.rounds / 9.0;
         }
     }
+    count_solutions(state, mesh, now_us() - start, 9);
     state.counters["error"] = error;
     state.counters["rounds"] = rounds;
-    state.counters["time_of_one"] =
-        benchmark::Counter(9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.SetComplexityN(state.range(0));
 }
 
@@ -106,7 +128,7 @@ void patch_step(benchmark::State& state) {
         load.normal_pressure = size * pressure;
         if (follows > 0) load.half_length = load.half_width = size;
         if (follows > 1) load.half_width *= 1 + 0.5 * std::sin(0.3 * q);
-        const FrictionStep<2> step = model.advance(now, 0.2, {{0.14, 0.1, 0.2}}, load, next, workspace);
+        const FrictionStep<2> step = model.advance(now, 0.2, Creepage<double>{0.14, 0.1, 0.2}, load, next, workspace);
         if (step.status != StepStatus::ok) {
             state.SkipWithError("a step failed");
             break;
@@ -116,6 +138,59 @@ void patch_step(benchmark::State& state) {
         ++steps;
     }
     state.counters["rounds"] = rounds / steps;
+}
+
+void patch_creep_curve(benchmark::State& state) {
+    constexpr int points = 30;
+    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
+    const PatchMesh<double> mesh = patch_mesh(circle, state.range(0), state.range(0));
+    const SteadyFrictionModel model(circle, mesh, scheme, HalfSpace<double>(0.28),
+                                    {1.0, hertz_pressures(circle, mesh, 1)});
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    const double start = now_us();
+    for (auto _ : state) {
+        now = model.at_rest();
+        for (int k = 1; k <= points; ++k) {
+            const double level = 2.5 * k / points;
+            benchmark::DoNotOptimize(
+                model.steady(now, {level / 4.2262, level / 3.7049, 0.3 * level / 1.4881}, next, workspace));
+            std::swap(now, next);
+        }
+    }
+    count_solutions(state, mesh, now_us() - start, points);
+    state.SetComplexityN(state.range(0));
+}
+
+/// A look-up in the default table's size, tangent included; forces are those of full sliding, approached linearly.
+void creep_table(benchmark::State& state) {
+    constexpr int shapes = 14, levels = 12;
+    const CreepCoefficients<double> c{4.1, 3.7, 1.5, -1.5, 1.2};
+    const CreepForceGrid grid(0.28, 0.1, 10, levels, std::vector<CreepCoefficients<double>>(shapes, c));
+    Eigen::Array3Xd forces(3, grid.nodes() * shapes);
+    for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+        const Eigen::Index shape = i / grid.nodes();
+        const Creepage<double> v = grid.creepage(shape, i % grid.nodes());
+        const double size = std::hypot(v.longitudinal, v.lateral, v.spin);
+        const auto full = full_sliding(grid.a_over_b(shape), v.longitudinal, v.lateral, v.spin);
+        forces.col(i) = size / (1 + size) * Eigen::Array3d(full.longitudinal, full.lateral, full.moment);
+    }
+    const CreepForceTable table(grid, forces);
+    // ellipses and creepages all over the table, or those of a vehicle's eight contacts
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::vector<PatchContact<double>> contacts;
+    std::vector<Creepage<double>> creepages;
+    for (int i = 0; i < state.range(0); ++i) {
+        const double root = std::pow(10, uniform(random) / 2);
+        contacts.push_back(PatchContact<double>({5e-3 * root, 5e-3 / root, 8e10, 0.28}));
+        creepages.push_back({3e-3 * uniform(random), 3e-3 * uniform(random), uniform(random)});
+    }
+    std::size_t i = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(table.look_up(contacts[i], 0.3, 8e4, creepages[i]));
+        i = i + 1 == contacts.size() ? 0 : i + 1;
+    }
 }
 
 BENCHMARK(patch_step)
@@ -148,6 +223,14 @@ BENCHMARK(patch_friction)
     ->Arg(24)
     ->Unit(benchmark::kMicrosecond)
     ->Complexity();
+BENCHMARK(patch_creep_curve)
+    ->Name("BM_PatchCreepCurve")
+    ->Arg(8)
+    ->Arg(12)
+    ->Arg(16)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity();
+BENCHMARK(creep_table)->Name("BM_CreepTable")->ArgName("contacts")->Arg(8)->Arg(4096);
 
 }  // namespace
 

@@ -3,8 +3,9 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/adhesion/patch_steady.hpp>
+#include <rollbem/friction/steady.hpp>
+#include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/scene/creep_coefficients.hpp>
 
 namespace creep {

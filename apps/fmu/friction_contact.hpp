@@ -34,11 +34,11 @@ public:
     using Model::Model;
 
     Outcome step(double duration) override {
-        const Past step = motion(duration);
+        Past step = motion(duration);
         rollbem::StepStatus status = check(duration);
         Step result;
         if (status == StepStatus::ok) {
-            result = advance(now_, step, next_);
+            result = take(step);
             status = result.status;
         }
         status_ = value_of(status);
@@ -116,6 +116,21 @@ protected:
         slip_work_ = 0;
         show();
     }
+
+    /// Starts without a model, for a class that overrides take().
+    void begin(const Step& first) {
+        hertz_.reset();
+        model_.reset();
+        now_ = from_ = next_ = {};
+        last_ = first;
+        past_ = {};
+        slip_work_ = 0;
+        show();
+    }
+
+    /// The step under inputs that have been checked, from now_ to next_; force, tangents by the shift and by the load,
+    /// slip work and status of the result are used.
+    virtual Step take(Past& step) { return advance(now_, step, next_); }
 
     /// Of the inputs over the next step.
     StepStatus check(Scalar duration) const {

@@ -1,7 +1,15 @@
 // rollbem_patch: an elliptic contact patch of wheel and rail with Coulomb friction and spin, under a load that varies.
 //
-// Co-simulation alone.
+// Co-simulation alone: the patch itself in time, or quasi-steady forces from a table that was made of such patches.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <rollbem/adhesion/patch_stability.hpp>
@@ -13,6 +21,7 @@
 #include <rollbem/elasticity/rectangle_kernel.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/normal/patch_pressure.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "contact_variables.hpp"
 #include "friction_contact.hpp"
@@ -24,10 +33,33 @@ namespace {
 
 using Scalar = double;
 
+enum class Mode { patch = 1, table };
+
+const Enumeration modes{"Mode",
+                        {{"patch", "in time, element by element"}, {"table", "quasi-steady, by look-up in a table"}}};
+
 const Enumeration mesh_sizes{
     "MeshSize",
     {{"follows_load", "that of the contact; normal_load > 0, changes of a below the distance rolled"},
      {"fixed", "that of the contact under largest_load; the wheel may lift off"}}};
+
+/// The table of a file, shared by all instances that use it. Throws std::invalid_argument if there is none.
+std::shared_ptr<const rollbem::CreepForceTable> table_of(const std::string& path) {
+    static std::mutex mutex;
+    static std::map<std::string, std::weak_ptr<const rollbem::CreepForceTable>> tables;
+    const std::scoped_lock lock(mutex);
+    std::weak_ptr<const rollbem::CreepForceTable>& known = tables[path];
+    if (auto table = known.lock()) return table;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::invalid_argument("rollbem_patch: table_file = " + path + " must be a file that can be read");
+    try {
+        auto table = std::make_shared<const rollbem::CreepForceTable>(rollbem::CreepForceTable::read(file));
+        known = table;
+        return table;
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("rollbem_patch: table_file = " + path + ": " + error.what());
+    }
+}
 
 class Patch final : public FrictionContact<rollbem::HertzPatchLoad<Scalar>> {
 public:
@@ -39,7 +71,14 @@ public:
         add_radius(rail_.rolling, "rail_rolling_radius", "Radius of the rail in the plane of rolling");
         add_radius(rail_.lateral, "rail_lateral_radius", "Radius of the rail's profile at the contact");
         add({.name = "friction_coefficient", .value = &friction_coefficient_, .description = "mu"});
-        add({.name = "elements", .value = &elements_, .description = "Number of elements a strip, 1 to 32"});
+        add({.name = "mode", .value = &mode_, .description = "Where forces come from", .items = &modes});
+        add({.name = "table_file",
+             .value = &table_file_,
+             .description = "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
+                            "coarse one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10"});
+        add({.name = "elements",
+             .value = &elements_,
+             .description = "Number of elements a strip, 1 to 32; like the following ones used where mode is patch"});
         add({.name = "strips",
              .value = &strips_,
              .description = "Number of strips along the rolling direction, 1 to 32"});
@@ -70,14 +109,11 @@ public:
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
         add_output(&half_length_, "contact_half_length", "m", "a, the semi-axis along x under normal_load");
         add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y under normal_load");
-        add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick");
+        add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick; 0 by table");
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
 
     void initialise() override {
-        for (const auto& [name, count] : {std::pair("elements", elements_), std::pair("strips", strips_)}) {
-            require(count >= 1 && count <= 32, name, count, "lie in [1, 32]");
-        }
         for (const auto& [name, value] :
              {std::pair("shear_modulus", shear_modulus_), std::pair("largest_load", largest_load_)}) {
             require(rollbem::detail::is_finite(value) && value > 0, name, value, "be positive and finite");
@@ -87,30 +123,16 @@ public:
               std::pair("rail_rolling_radius", rail_.rolling), std::pair("rail_lateral_radius", rail_.lateral)}) {
             require(!rollbem::detail::is_nan(radius) && radius != 0, name, radius, "be a number other than 0");
         }
-        const bool fixed = mesh_size_ == static_cast<int>(MeshLength::fixed);
-        require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
-                fixed ? "not be negative" : "be positive where mesh_size is follows_load");
-        require(!fixed || load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
         const rollbem::ElasticBody<Scalar> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
                                                 .poisson_ratio = poisson_ratio_};
         // not at normal_load, so that a state can be restored in a contact built under another one
-        const rollbem::HertzEllipse<Scalar> ellipse(
-            {.load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
-        const rollbem::PatchContact<Scalar> contact({.half_length = ellipse.half_length(),
-                                                     .half_width = ellipse.half_width(),
-                                                     .shear_modulus = shear_modulus_,
-                                                     .poisson_ratio = poisson_ratio_});
-        const rollbem::PatchMesh<Scalar> mesh = patch_mesh(contact, elements_, strips_);
-        const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
-        const rollbem::HalfSpace<Scalar> kernel(poisson_ratio_);
-        using Hertz = rollbem::HertzPatchLoad<Scalar>;
-        begin(
-            fixed ? Hertz::fixed(ellipse, contact, mesh) : Hertz::breathing(ellipse, contact, mesh),
-            FrictionModel(
-                contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
-                judge_stability(patch_parts(mesh, scheme, kernel)),
-                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}),
-            1);
+        ellipse_.emplace(rollbem::HertzEllipse<Scalar>::Parameters{
+            .load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
+        if (mode_ == static_cast<int>(Mode::table)) {
+            begin_by_table();
+        } else {
+            begin_patch();
+        }
     }
 
 private:
@@ -126,16 +148,130 @@ private:
              .description = std::move(description) + "; negative if concave, 1e9 if flat"});
     }
 
-    void show_size(Scalar load) override {
-        const auto axes = hertz_->semi_axes(load);
-        half_length_ = axes.half_length;
-        half_width_ = axes.half_width;
+    void begin_patch() {
+        table_.reset();
+        for (const auto& [name, count] : {std::pair("elements", elements_), std::pair("strips", strips_)}) {
+            require(count >= 1 && count <= 32, name, count, "lie in [1, 32]");
+        }
+        const bool fixed = mesh_size_ == static_cast<int>(MeshLength::fixed);
+        require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
+                fixed ? "not be negative" : "be positive where mesh_size is follows_load");
+        require(!fixed || load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
+        const rollbem::PatchContact<Scalar> contact = contact_under(largest_load_);
+        const rollbem::PatchMesh<Scalar> mesh = patch_mesh(contact, elements_, strips_);
+        const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
+        const rollbem::HalfSpace<Scalar> kernel(poisson_ratio_);
+        using Hertz = rollbem::HertzPatchLoad<Scalar>;
+        begin(
+            fixed ? Hertz::fixed(*ellipse_, contact, mesh) : Hertz::breathing(*ellipse_, contact, mesh),
+            FrictionModel(
+                contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
+                judge_stability(patch_parts(mesh, scheme, kernel)),
+                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}),
+            1);
     }
+
+    void begin_by_table() {
+        table_ = table_of(table_file_.empty() ? resources + "/creep_forces.bin" : table_file_);
+        const rollbem::CreepForceGrid& grid = table_->grid();
+        const rollbem::PatchContact<Scalar> contact = contact_under(largest_load_);
+        require(rollbem::detail::is_finite(friction_coefficient_) && friction_coefficient_ >= 0, "friction_coefficient",
+                friction_coefficient_, "be finite and not negative");
+        require(load_.value >= 0, "normal_load", load_.value, "not be negative");
+        require(std::abs(poisson_ratio_ - grid.poisson_ratio()) <= 0.01, "poisson_ratio", poisson_ratio_,
+                ("be within 0.01 of " + std::to_string(grid.poisson_ratio()) + " of the table").c_str());
+        require(contact.a_over_b() >= grid.smallest_a_over_b() && contact.a_over_b() <= grid.largest_a_over_b(),
+                "a/b of the contact", contact.a_over_b(),
+                ("lie in [" + std::to_string(grid.smallest_a_over_b()) + ", " +
+                 std::to_string(grid.largest_a_over_b()) + "] of the table")
+                    .c_str());
+        require(check(0) == StepStatus::ok, "rolling_speed", speed_.value, "not be negative, and all inputs finite");
+        const Step steady = look_up(at_once(1));
+        require(steady.status == StepStatus::ok, "status of the table at the first inputs", name(steady.status),
+                "be ok");
+        begin(steady);
+    }
+
+    // A step at the present inputs.
+    Past at_once(Scalar duration) const {
+        return {.duration = duration,
+                .shift = {duration * slip_[0].value, duration * slip_[1].value, duration * spin_.value},
+                .distance = duration * speed_.value,
+                .load = load_.value};
+    }
+
+    // By table, a step at the velocities of its end, whose work is the mean of those at the velocities of both ends.
+    Step take(Past& step) override {
+        if (!table_) return FrictionContact::take(step);
+        const Past start = at_once(step.duration);
+        const auto end_of = [](Scalar mean, Scalar first) { return 2 * mean - first; };
+        step.shift = {end_of(step.shift.longitudinal, start.shift.longitudinal),
+                      end_of(step.shift.lateral, start.shift.lateral), end_of(step.shift.spin, start.shift.spin)};
+        step.distance = std::max(end_of(step.distance, start.distance), Scalar(0));
+        Step result = look_up(step);
+        const bool constant = start.shift == step.shift && start.distance == step.distance && start.load == step.load;
+        if (!constant) result.slip_work = (result.slip_work + look_up(start).slip_work) / 2;
+        return result;
+    }
+
+    // At constant velocities.
+    Step look_up(const Past& step) const {
+        const Scalar distance = std::max(step.distance, least_speed * step.duration);
+        const auto& [along, across, turn] = step.shift;
+        const rollbem::TabulatedForce found =
+            table_->look_up(contact_under(step.load), friction_coefficient_, step.load,
+                            {along / distance, across / distance, turn / distance});
+        Step result;
+        result.status = found.status;
+        result.force = found.force;
+        result.tangent = (1 / distance) * found.tangent;
+        // N f(xi/N^(1/3), eta/N^(1/3), phi), and another N^(1/3) in the moment
+        result.tangent_by_load = (1 / step.load) * (found.force + -along / 3 * result.tangent.by_longitudinal +
+                                                    -across / 3 * result.tangent.by_lateral);
+        result.tangent_by_load.moment += found.force.moment / (3 * step.load);
+        result.slip_work =
+            -(along * found.force.longitudinal + across * found.force.lateral + turn * found.force.moment);
+        return result;
+    }
+
+    Force partial_by(const Scalar& input) override {
+        if (!table_) return FrictionContact::partial_by(input);
+        if (&input == &load_.value) return last_.tangent_by_load;
+        if (&input != &speed_.value) return FrictionContact::partial_by(input);
+        if (past_.distance <= least_speed * past_.duration) return {0, 0, 0};
+        const auto& [by_longitudinal, by_lateral, by_spin] = last_.tangent;
+        return -past_.duration / past_.distance *
+               (past_.shift.longitudinal * by_longitudinal + past_.shift.lateral * by_lateral +
+                past_.shift.spin * by_spin);
+    }
+
+    void show_size(Scalar load) override {
+        const Scalar scale = std::cbrt(load / ellipse_->load());
+        half_length_ = scale * ellipse_->half_length();
+        half_width_ = scale * ellipse_->half_width();
+    }
+
+    // Without a load of that under largest_load.
+    rollbem::PatchContact<Scalar> contact_under(Scalar load) const {
+        const Scalar scale = load > 0 ? std::cbrt(load / ellipse_->load()) : 1;
+        return rollbem::PatchContact<Scalar>({.half_length = scale * ellipse_->half_length(),
+                                              .half_width = scale * ellipse_->half_width(),
+                                              .shear_modulus = shear_modulus_,
+                                              .poisson_ratio = poisson_ratio_});
+    }
+
+    // By table: at standstill, where there is no creepage, forces oppose the slip all the same. [m/s]
+    static constexpr Scalar least_speed = 1e-6;
 
     Scalar shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
     rollbem::PrincipalRadii<Scalar> wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
     int elements_ = 8, strips_ = 8, mesh_size_ = static_cast<int>(MeshLength::follows_load);
+    int mode_ = static_cast<int>(Mode::patch);
+    std::string table_file_;
     Scalar half_length_ = 0, half_width_ = 0;
+
+    std::optional<rollbem::HertzEllipse<Scalar>> ellipse_;   // under largest_load
+    std::shared_ptr<const rollbem::CreepForceTable> table_;  // where mode is table
 };
 
 }  // namespace

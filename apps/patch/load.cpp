@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -11,15 +12,24 @@
 namespace patch {
 
 AxisRatios Load::axes(double q) const {
-    if (!further.empty() && !further[0].empty()) return {at(q, further[0]), at(q, further[1])};
+    if (has_axes()) return {at(q, further[0]), at(q, further[1])};
     const double scale = std::cbrt(at(q));
     return {scale, scale};
 }
 
 AxisRatios Load::largest_axes() const {
-    if (further.empty() || further[0].empty()) return {std::cbrt(largest()), std::cbrt(largest())};
+    if (!has_axes()) return {std::cbrt(largest()), std::cbrt(largest())};
     return {*std::max_element(further[0].begin(), further[0].end()),
             *std::max_element(further[1].begin(), further[1].end())};
+}
+
+std::pair<double, double> Load::shapes() const {
+    std::pair<double, double> range{1, 1};
+    for (std::size_t i = 0; has_axes() && i < knots.size(); ++i) {  // between knots a/b is monotonic
+        const double ratio = further[0][i] / further[1][i];
+        range = {std::min(range.first, ratio), std::max(range.second, ratio)};
+    }
+    return range;
 }
 
 std::optional<Load> read_load(const study::Options& options, double until) {
@@ -33,7 +43,7 @@ std::optional<Load> read_load(const study::Options& options, double until) {
                                   study::Cell(ratio).text(6));
         }
     }
-    return Load{std::move(*history)};
+    return Load(std::move(*history));
 }
 
 }  // namespace patch

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "support/load_history.hpp"
 #include "support/options.hpp"
@@ -13,12 +14,21 @@ struct AxisRatios {
     double a, b;
 };
 
-struct Load : study::LoadHistory {
+class Load : public study::LoadHistory {
+public:
+    explicit Load(study::LoadHistory history) : study::LoadHistory(std::move(history)) {}
+
     /// Those of a table, else by Hertz the cube root of the load.
     AxisRatios axes(double q) const;
 
     /// Of a mesh that covers the contact during the whole run.
     AxisRatios largest_axes() const;
+
+    /// Least and largest a/b over that under N_0, which lies between them.
+    std::pair<double, double> shapes() const;
+
+private:
+    bool has_axes() const { return !further.empty() && !further[0].empty(); }
 };
 
 /// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. Throws

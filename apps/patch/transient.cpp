@@ -1,5 +1,6 @@
 #include "transient.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
@@ -50,10 +52,22 @@ public:
           elements_(rollbem::rectangles(mesh_, covered_.half_length())),
           pressures_(load ? rollbem::hertz_pressures(covered_, mesh_, mu_N()) : pressure.on(patch)) {
         const rollbem::HalfSpace<double> kernel(patch.contact.poisson_ratio());
+        const auto make = [&](rollbem::ElementSystem<double, 2> system, const rollbem::StabilityVerdict& verdict) {
+            model_.emplace(covered_, std::move(system), verdict, rollbem::Friction<>{1, pressures_}, integrator);
+        };
         try {
-            model_.emplace(covered_, rollbem::rolling_system(mesh_, patch.scheme, kernel),
-                           rollbem::judge_stability(rollbem::patch_parts(mesh_, patch.scheme, kernel)),
-                           rollbem::Friction<>{1, pressures_}, integrator);
+            const auto [least, largest] = load ? load->shapes() : std::pair(1.0, 1.0);
+            if (breathes() && largest > least * (1 + 1e-9)) {
+                const double a_over_b = patch.contact.a_over_b(), margin = 1 + 1e-6;
+                const rollbem::PatchShapes<double> shapes(
+                    mesh_.along(), patch.across, patch.scheme, kernel,
+                    {.least = a_over_b * least / margin, .largest = a_over_b * largest * margin});
+                make(shapes.system(a_over_b), rollbem::judge_stability(shapes));
+                return;
+            }
+            make(breathes() ? rollbem::breathing_system(covered_, mesh_, patch.scheme, kernel)
+                            : rollbem::rolling_system(mesh_, patch.scheme, kernel),
+                 rollbem::judge_stability(rollbem::patch_parts(mesh_, patch.scheme, kernel)));
         } catch (const std::invalid_argument& error) {
             throw study::BadInput(patch.label() + " cannot be stepped: " + error.what());
         }
@@ -67,13 +81,17 @@ public:
 
     /// The normal load after a distance [a_0].
     rollbem::NormalLoad<double> load_at(double q) const {
-        rollbem::NormalLoad<double> normal{pressures_, covered_.half_length(), {}};
+        rollbem::NormalLoad<double> normal{pressures_, covered_.half_length(), {}, covered_.half_width()};
         if (!load_) return normal;
         const double ratio = load_->at(q);
         const AxisRatios axes = load_->axes(q);
-        if (ratio > 0) {
-            const Contact present = stretched(patch_.contact, axes);
-            normal.normal_pressure = rollbem::hertz_pressures(present, elements_, ratio * mu_N());
+        if (breathes()) {
+            normal.normal_pressure *= ratio / (axes.a * axes.b);
+            normal.half_length *= axes.a;
+            normal.half_width *= axes.b;
+        } else if (ratio > 0) {
+            normal.normal_pressure =
+                rollbem::hertz_pressures(stretched(patch_.contact, axes), elements_, ratio * mu_N());
         } else {
             normal.normal_pressure.setZero();
         }
@@ -87,6 +105,7 @@ private:
                         .shear_modulus = contact.shear_modulus(),
                         .poisson_ratio = contact.poisson_ratio()});
     }
+    bool breathes() const { return load_ && load_->breathing; }
     static Contact covered(const Patch& patch, const std::optional<Load>& load) {
         return load && !load->breathing ? stretched(patch.contact, load->largest_axes()) : patch.contact;
     }
@@ -126,10 +145,10 @@ std::string rows(const Scene& scene, const Rolling& rolling, study::RowRange ran
     double slip_work = 0, creep_work = 0;
     int rounds = 0;
     std::string ended;
-    {
-        const rollbem::NormalLoad<double> load = rolling.load_at(0);
-        now.normal_pressure = load.normal_pressure;
-    }
+    const rollbem::NormalLoad<double> first = rolling.load_at(0);
+    now.normal_pressure = first.normal_pressure;
+    now.half_length = first.half_length;
+    now.half_width = first.half_width;
     if (scene.from_steady) {
         last = model.steady(now, creepage, next, workspace);
         if (last.status == StepStatus::ok) {

@@ -55,10 +55,11 @@ std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
 class UnfinishedRows {
 public:
     /// Reads what an earlier run left. Throws BadInput if that run was another one, or if the file cannot be written.
-    explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".part") {
+    explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".unfinished") {
         std::string first = options.program();
         for (const auto& [name, value] : options.values()) {
-            if (name != "output" && name != "jobs" && name != "check") first += " --" + name + " " + value;
+            if (name != "output" && name != "jobs" && name != "quiet" && name != "check")
+                first += " --" + name + " " + value;
         }
         std::ifstream old(path_, std::ios::binary);
         std::string line;

@@ -1,4 +1,5 @@
-// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp, combined.hpp: no step touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp, vehicle/creep_force_table.hpp: no step and
+// no look-up touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
@@ -17,6 +18,7 @@
 #include <rollbem/normal/hertz_patch_load.hpp>
 
 #include "support/catch.hpp"
+#include "vehicle/creep_force_scene.hpp"
 
 namespace {
 
@@ -503,6 +505,19 @@ TEST_CASE("Friction that falls with slip in two directions does not allocate, wh
             }
         }
     }
+}
+
+TEST_CASE("A look-up in a table of creep forces does not allocate") {
+    const CreepForceTable table = creep_forces::table(5, 4);
+    const PatchContact<double> contact({5e-3, 6e-3, 8e10, 0.28});
+    double sum = 0;
+    const long before = allocations;
+    for (int k = 0; k < 100; ++k) {
+        const TabulatedForce at = table.look_up(contact, 0.3, 8e4, {1e-4 * k, 2e-5 * (k - 50), 0.01 * k});
+        sum += at.force.lateral + at.tangent.by_spin.moment;
+    }
+    CHECK(allocations == before);
+    CHECK(std::isfinite(sum));
 }
 
 }  // namespace

@@ -10,11 +10,11 @@ frequency="$programs/frequency_study --method chebyshev"
 transient="$programs/transient_study --method chebyshev --integrator exponential"
 plane='--kernel plane --aspect 100 --poisson 0.25'
 
-# near COLUMN NUMBER...: the absolute values in that column of the file out are within 20 % of these numbers.
+# near NAME NUMBER...: the absolute values in that column of the file out are within 20 % of these numbers.
 near() {
     column=$1
     shift
-    cut -d, -f"$column" out | tail -n +2 | awk -v numbers="$*" 'BEGIN { count = split(numbers, expected, " ") }
+    cut -d, -f"$(column "$column")" out | tail -n +2 | awk -v numbers="$*" 'BEGIN { count = split(numbers, expected, " ") }
         { size = $1 < 0 ? -$1 : $1; if ($1 == "" || size < expected[NR] / 1.2 || size > expected[NR] * 1.2) bad = 1 }
         END { exit bad || NR != count }' || fail "column $column is not near $*: $(cat out)"
 }
@@ -52,70 +52,70 @@ done
 # --- steady: exact to round-off for the plane and for infinite width; narrow strips need more states, and say so
 good 5 $steady --n 1,2,8,40 --kernel plane --poisson 0.25
 header method,derivative,mesh,n,alpha_L,alpha_T,c11,c11_exact,c11_ratio,relative_error,residual,assembly_us,solve_us
-check 'names and empty cells' '$1 == "chebyshev" && $2 $3 $5 $6 $11 $12 == "" && $13 > 0'
-check 'the plane, to rounding' '$7 != "" && $10 ^ 2 < 1e-30 && $14 > 0 && $14 < 1e-13'
+check 'names and empty cells' '$method == "chebyshev" && $derivative $mesh $alpha_L $alpha_T $residual $assembly_us == "" && $solve_us > 0'
+check 'the plane, to rounding' '$c11 != "" && $relative_error ^ 2 < 1e-30 && $error_estimate > 0 && $error_estimate < 1e-13'
 good 3 $steady --n 1,8 --aspect inf --jobs 2
-check 'infinite width, to rounding' '$7 != "" && $10 ^ 2 < 1e-30 && $13 == ""'
+check 'infinite width, to rounding' '$c11 != "" && $relative_error ^ 2 < 1e-30 && $solve_us == ""'
 good 4 $steady --n 8,16,60 --aspect 1
-awk -F, 'NR > 1 { c11[NR] = $7 } END { coarse = c11[2] / c11[4] - 1; fine = c11[3] / c11[4] - 1
+rows 'NR > 1 { c[NR] = $c11 } END { coarse = c[2] / c[4] - 1; fine = c[3] / c[4] - 1
     exit !(coarse ^ 2 < 1e-10 && coarse ^ 2 > 1e-11 && fine ^ 2 < 1e-16 && fine ^ 2 > 1e-18) }' out ||
     fail "states in a strip of b/a = 1: $(cat out)"
-check 'the estimate bounds the error' '$14 > ($4 == 8 ? 5e-6 : 0)'
+check 'the estimate bounds the error' '$error_estimate > ($n == 8 ? 5e-6 : 0)'
 good 3 $steady --n 4,32 --aspect 0.3
-check 'no c11 of too few states' '($4 == 4 ? $7 $9 $10 == "" && $14 > 1e-2 : $7 > 3.7 && $14 < 1e-7) && $8 > 2'
+check 'no c11 of too few states' '($n == 4 ? $c11 $c11_ratio $relative_error == "" && $error_estimate > 1e-2 : $c11 > 3.7 && $error_estimate < 1e-7) && $c11_exact > 2'
 shards $steady --n 1,2,3,4,5
 
 # --- tractions at the Chebyshev points
 good 32 $traction --n 11,20 --kernel plane
 header n,x_over_a,traction,carter,carter_mean,relative_error,alpha_L,alpha_T
-check 'Carter at the point' '$3 < 0 && $4 < 0 && $5 $7 $8 == "" && $6 ^ 2 < 1e-26 && ($3 / $4 - 1 - $6) ^ 2 < 1e-30'
-check 'Carter' '($4 + sqrt((1 - $2) / (1 + $2)) / 1.44) ^ 2 < 1e-24 * $4 ^ 2'
+check 'Carter at the point' '$traction < 0 && $carter < 0 && $carter_mean $alpha_L $alpha_T == "" && $relative_error ^ 2 < 1e-26 && ($traction / $carter - 1 - $relative_error) ^ 2 < 1e-30'
+check 'Carter' '($carter + sqrt((1 - $x_over_a) / (1 + $x_over_a)) / 1.44) ^ 2 < 1e-24 * $carter ^ 2'
 check 'points, trailing to leading' \
     '($2 + cos((2 * (NR - ($1 == 11 ? 1 : 12)) - 1) * 3.14159265358979324 / (2 * $1))) ^ 2 < 1e-30'
-awk -F, 'NR == 7 { middle = $2 == 0 } END { exit !middle }' out || fail 'the point in the middle'
+rows 'NR == 7 { middle = $x_over_a == 0 } END { exit !middle }' out || fail 'the point in the middle'
 good 13 $traction --n 12 --aspect inf
-check 'infinite width' '$3 != "" && $6 ^ 2 < 1e-26'
+check 'infinite width' '$traction != "" && $relative_error ^ 2 < 1e-26'
 good 5 $traction --n 4 --aspect 0.3
-check 'no traction of too few states' '$3 $6 == "" && $4 < 0'
+check 'no traction of too few states' '$traction $relative_error == "" && $carter < 0'
 shards $traction --n 3,8
 
 # --- stability
 good 6 $stability --n 1,2,3,12,96 $plane
-check 'names and empty cells' '$1 == "chebyshev" && $2 $3 $5 $6 $7 == "" && $13 > 0'
-check 'all modes decay' '$8 == 0 && $9 == 0 && $10 == 0 && $11 < 0 && $12 < 1.4143 && $14 > 0'
+check 'names and empty cells' '$method == "chebyshev" && $derivative $mesh $alpha_L $alpha_T $lambda == "" && $time_us > 0'
+check 'all modes decay' '$unstable_count == 0 && $uncertain_count == 0 && $unstable_fraction == 0 && $spectral_abscissa < 0 && $cond_G < 1.4143 && $spectral_radius > 0'
 # errors of the first eigenvalues in one half of the complex plane
 for states in 4:1:5.2e-11 12:2:2.5e-11 16:3:6.7e-10; do
     echo "$states" | tr : ' ' >expected
     read -r n mode error <expected
     good $((n + 1)) $stability --spectrum --n "$n" $plane
-    awk -F, -v mode="$mode" -v error="$error" 'NR > 1 && $3 >= 0 && ++k == mode {
-        size = sqrt(($2 - $4) ^ 2 + ($3 - $5) ^ 2); good = size > error / 1.5 && size < error * 1.5 }
+    rows -v mode="$mode" -v error="$error" 'NR > 1 && $im >= 0 && ++k == mode {
+        size = sqrt(($re - $exact_re) ^ 2 + ($im - $exact_im) ^ 2); good = size > error / 1.5 && size < error * 1.5 }
         END { exit !good }' out || fail "eigenvalue $mode with $n states: $(cat out)"
 done
-check 'no alpha, no lambda' '$6 $7 $8 == ""'
+check 'no alpha, no lambda' '$alpha_L $alpha_T $lambda == ""'
 
 # --- frequency
 good 5 $frequency --n 4,6,8,12 $plane --omega 1
-check 'empty cells' '$8 $9 $10 $11 $13 == "" && $12 > 0'
-check 'at omega = 1' '$1 > 6 || ($7 / ($1 == 4 ? 1.0e-5 : 1.1e-9) - 1) ^ 2 < 0.04'
-check 'at omega = 1, to rounding from 8 states on' '$7 < ($1 < 8 ? 2e-5 : 5e-14)'
+check 'empty cells' '$alpha_L $alpha_T $lambda $order $error_estimate == "" && $rcond > 0'
+check 'at omega = 1' '$n > 6 || ($relative_error / ($n == 4 ? 1.0e-5 : 1.1e-9) - 1) ^ 2 < 0.04'
+check 'at omega = 1, to rounding from 8 states on' '$relative_error < ($n < 8 ? 2e-5 : 5e-14)'
 good 5 $frequency --n 6,8,10,12 $plane --omega 5
-near 7 5.3e-3 1.9e-4 1.7e-6 5.9e-9
+near relative_error 5.3e-3 1.9e-4 1.7e-6 5.9e-9
 good 3 $frequency --n 16,400 $plane --omega 5
-check 'at omega = 5, to rounding' '$7 < 5e-14'
+check 'at omega = 5, to rounding' '$relative_error < 5e-14'
 good 4 $frequency --n 4,16,32 --aspect 0.3 --omega 1
-check 'no c11 of too few states' '($3 $4 $7 == "") == ($1 == 4) && $5 != ""'
+check 'no c11 of too few states' '($c11_re $c11_im $relative_error == "") == ($n == 4) && $exact_re != ""'
 shards $frequency --n 3,5 --omega 0.1,1,3
 
 # --- the response to a step, one and five half-lengths after it
 good 16 $transient --step 1 --n 8,12,48 $plane --dq 1 --until 5
 header q_over_a,creepage,force,exact,relative_error
-check 'empty cells' '$6 == "chebyshev" && $7 $8 $10 $11 $12 == ""'
+check 'empty cells' '$method == "chebyshev" && $derivative $mesh $alpha_L $alpha_T $lambda == ""'
 cp out step
-awk -F, '$1 == 1 || NR == 1' step >out
-near 5 1.8e-4 3.7e-5 1.1e-6
-awk -F, '$1 == 5 && $9 < 48 || NR == 1' step >out
-near 5 1.8e-7 8.1e-9
+rows '$q_over_a == 1 || NR == 1' step >out
+near relative_error 1.8e-4 3.7e-5 1.1e-6
+rows '$q_over_a == 5 && $n < 48 || NR == 1' step >out
+near relative_error 1.8e-7 8.1e-9
 shards $transient --step 1 --n 3,4 --until 1
 good 21 $transient --step 1 --n 4 --aspect 0.3 --until 1 --unchecked
 
@@ -186,7 +186,7 @@ for scheme in '--method chebyshev --n 8' '--method chebyshev --n 1' '--mesh cosi
     rm -r made
 done
 $f $plane --state-space exact >out
-awk -F, 'NR == 3 { exit !($7 < 1e-13 && $7 != "") }' out || fail 'the table beside the files'
+rows 'NR == 3 { exit !($relative_error < 1e-13 && $relative_error != "") }' out || fail 'the table beside the files'
 grep -q ',-0\|^-0$' exact/*.csv && fail 'negative zeros'
 # reduced: the steady state of the table, and elsewhere within the bound
 $frequency --n 24 --omega 0,0.7,5 $plane --state-space reduced --states 5 >out

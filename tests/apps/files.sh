@@ -53,17 +53,17 @@ good 5 "$steady" --config c.toml
 good 3 "$steady" --config c.toml --n 30
 printf '# one\n; two\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=0.5 , 0.6# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
 good 5 "$steady" --config c.toml
-check 'all that a configuration file says' '$3 == "cosine" && ($4 == 10 || $4 == 20) && ($6 == 0.5 || $6 > 0.59)'
+check 'all that a configuration file says' '$mesh == "cosine" && ($n == 10 || $n == 20) && ($alpha_T == 0.5 || $alpha_T > 0.59)'
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
 
 # also where it takes one of two options that exclude each other
 printf 'alpha-T = 0.5\nalpha-L = 0.1\nn = 10\n' >c.toml
 good 2 "$steady" --config c.toml --alpha 0.4
-check 'alpha in place of a configured alpha-T' '$5 == 0.4 && $6 == 0.4'
+check 'alpha in place of a configured alpha-T' '$alpha_L == 0.4 && $alpha_T == 0.4'
 printf 'alpha = 0.4\nn = 10\n' >c.toml
 good 2 "$steady" --config c.toml --alpha-T 0.5
-check 'alpha-T in place of a configured alpha' '$5 == 0 && $6 == 0.5'
+check 'alpha-T in place of a configured alpha' '$alpha_L == 0 && $alpha_T == 0.5'
 printf 'n = 10\nmesh = cosine\nedges = none\n' >c.toml
 good 2 "$steady" --config c.toml --mesh uniform
 printf 'n = 10\nmesh = knothe\nepsilon = 0.3\n' >c.toml

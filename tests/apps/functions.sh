@@ -72,12 +72,15 @@ ends_early() {
     [ "$(wc -l <err)" -eq 1 ] && grep -qF -e "$text" err || fail "no single line with '$text' in '$(cat err)': $*"
 }
 
-# check WHAT CONDITION: an awk expression that must hold in every row of the file out; v("name") is a column.
-check() {
-    awk -F, "function v(name) { if (!(name in place)) bad = 1; return \$place[name] }
-        NR == 1 { for (k = 1; k <= NF; ++k) place[\$k] = k; next }
-        !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"
+# rows ARG... FILE: awk on tables with the columns of FILE, each of which is a variable with its number: $status is the
+# cell of that name.
+rows() {
+    for table; do :; done
+    awk -F, $(head -n 1 "$table" | tr ',' '\n' | awk '{ print "-v", $1 "=" NR }') "$@"
 }
+
+# check WHAT CONDITION: an expression of rows that must hold in every row of the file out.
+check() { rows "NR > 1 && !($2) { bad = 1 } END { exit bad || NR < 2 }" out || fail "$1: $(cat out)"; }
 
 # column NAME: its number in the file out.
 column() { head -n 1 out | tr ',' '\n' | grep -nx "$1" | cut -d: -f1; }
@@ -97,14 +100,15 @@ shards() {
     cmp -s whole parts || fail "shards or jobs change rows: $*"
 }
 
-# orders COLUMN PROGRAM ARG...: at the end of the run, halving --dq shows second order with sdirk2 and first with
+# orders NAME PROGRAM ARG...: at the end of the run, halving --dq shows second order with sdirk2 and first with
 # implicit-euler.
 orders() {
     column=$1
     shift
     for integrator in sdirk2 implicit-euler; do
         for dq in 0.2 0.1 0.0125; do
-            "$@" --dq $dq --integrator $integrator | tail -n 1 | cut -d, -f"$column"
+            "$@" --dq $dq --integrator $integrator >out
+            tail -n 1 out | cut -d, -f"$(column "$column")"
         done | awk -v order=$integrator '{ f[NR] = $1 } END { ratio = (f[1] - f[3]) / (f[2] - f[3])
             exit !(order == "sdirk2" ? ratio > 3.4 && ratio < 4.8 : ratio > 1.8 && ratio < 2.4) }' ||
             fail "order of $integrator: $*"

@@ -15,10 +15,10 @@ ok, discard, error = fmi2.fmi2OK, fmi2.fmi2Discard, fmi2.fmi2Error
 class Fmu:
     """An unpacked FMU."""
 
-    def __init__(self, file):
+    def __init__(self, file, folder=None):
         self.file = file
         self.description = fmpy.read_model_description(file)
-        self.folder = fmpy.extract(file)
+        self.folder = fmpy.extract(file, folder)
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
         self.types = {v.name: v.type for v in self.description.modelVariables}
         self.states = sum(v.derivative is not None for v in self.description.modelVariables)
@@ -46,11 +46,13 @@ class Instance:
         return self.fmu.references[name]
 
     def set(self, **values):
+        setters = {"Real": self.calls.setReal, "String": self.calls.setString}
         for name, value in values.items():
-            setter = self.calls.setReal if self.fmu.types[name] == "Real" else self.calls.setInteger
-            setter([self.reference(name)], [value])
+            setters.get(self.fmu.types[name], self.calls.setInteger)([self.reference(name)], [value])
 
     def get(self, name):
+        if self.fmu.types[name] == "String":
+            return self.calls.getString([self.reference(name)])[0].decode()
         getter = self.calls.getReal if self.fmu.types[name] == "Real" else self.calls.getInteger
         return getter([self.reference(name)])[0]
 

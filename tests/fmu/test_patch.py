@@ -1,7 +1,10 @@
 """rollbem_patch.fmu: test_patch.py FMU REFERENCE, the program that takes the same steps with the library."""
 import math
+import os
+import shutil
 import subprocess
 import sys
+import tempfile
 
 import numpy as np
 from fmpy.validation import validate_fmu
@@ -13,7 +16,7 @@ fmu = Fmu(file)
 
 # start values of the FMU and of the program
 G, nu, mu, V, N = 8e10, 0.28, 0.3, 20.0, 1e5
-follows_load, fixed = {"mesh_size": 1}, {"mesh_size": 2}
+follows_load, fixed, by_table = {"mesh_size": 1}, {"mesh_size": 2}, {"mode": 2}
 inputs = ("longitudinal_slip_velocity", "lateral_slip_velocity", "spin_rate", "rolling_speed", "normal_load")
 forces = ("longitudinal_force", "lateral_force", "spin_moment")
 circle = {"wheel_rolling_radius": 0.5, "wheel_lateral_radius": 0.5}
@@ -89,7 +92,7 @@ def test_equals_the_library_over_rejected_steps():
 
 
 def test_steady_rolling_is_a_fixed_point_whose_work_becomes_heat():
-    for slip, tolerance in (((0.3, 0.2, 0.2), 5e-2), ((0.1, -0.3, 0.6), 3e-2), ((1.5, 0.5, 0.0), 1e-10)):
+    for slip, tolerance in (((0.3, 0.2, 0.2), 2e-3), ((0.1, -0.3, 0.6), 1.5e-2), ((1.5, 0.5, 0.0), 1e-3)):
         values = [limit * V * slip[0], limit * V * slip[1], limit / a * V * slip[2]]
         for parameters in (follows_load, fixed):
             instance = Instance(fmu).start(**parameters, initial_state=2, **dict(zip(inputs, values)))
@@ -99,7 +102,7 @@ def test_steady_rolling_is_a_fixed_point_whose_work_becomes_heat():
             scale = np.array([mu * N, mu * N, mu * N * a])
             drift = np.abs((force(instance) - before) / scale).max()
             print(f"    slip {slip}: {-before / scale}, drift {drift:.1e}")
-            assert drift < 1  # steady but for the angles by which slip turns
+            assert drift < 7e-3  # steady but for the angles by which slip turns
             work = -np.dot(before, values) * 20 * 0.3 * a / V
             close_to(instance.get("slip_work"), work, tolerance, "slip work")
             instance.close()
@@ -116,7 +119,7 @@ def test_full_sliding():
         errors.append(np.abs((force(instance) - expected) / [mu * N, mu * N, mu * N * a]).max())
         instance.close()
     print(f"    errors at slip and ten times the slip: {errors}")
-    assert errors[0] < 1e-3 and 5 < errors[0] / errors[1] < 20
+    assert errors[0] < 1.5e-3 and 5 < errors[0] / errors[1] < 20
     moments = []
     for count in (8, 16):
         instance = Instance(fmu).start(**circle, rail_lateral_radius=1e9, initial_state=2, elements=count, strips=count,
@@ -246,6 +249,140 @@ def test_saved_in_one_instance_and_restored_in_another():
             one.close()
 
 
+def patch_forces(values, **parameters):
+    """Steady forces of the patch itself, [N] and the moment [N m]."""
+    instance = Instance(fmu).start(initial_state=2, **parameters, **dict(zip(inputs, values)))
+    result = force(instance)
+    instance.close()
+    return result
+
+
+def test_table_is_as_near_as_its_elements():
+    # forces of the patch by 8 x 8 elements, of which the table was made, and by 16 x 16
+    random, scale = np.random.default_rng(1), mu * N * np.array([1, 1, a])
+    table, errors = Instance(fmu).start(**by_table), []
+    for i in range(60):
+        direction = random.normal(size=3)
+        level = 0.02 * 1000 ** random.random()
+        values = [*(direction / np.linalg.norm(direction) * level * limit * V / np.array([4.5, 4, 3 * a])), V, N]
+        set_inputs(table, values)
+        assert table.step(float(i), 1.0) == ok
+        errors.append([np.abs((force(table) - patch_forces(values, elements=n, strips=n)) / scale).max()
+                       for n in ((8, 16) if i < 20 else (8,))])
+    table.close()
+    eight, sixteen = [row[0] for row in errors], [row[1] for row in errors[:20]]
+    print(f"    mean and largest difference over mu N: 8 x 8 {np.mean(eight):.1e}, {max(eight):.1e}, "
+          f"16 x 16 {np.mean(sixteen):.1e}, {max(sixteen):.1e}")
+    assert np.mean(eight) < 1e-2 and max(eight) < 6e-2
+
+
+def test_table_at_its_limits():
+    table = Instance(fmu).start(**by_table)
+    assert (force(table) == 0).all() and table.get("sticking_elements") == 0
+    # full sliding, by rolling and at standstill; no load, no force
+    for speed in (V, 0.0):
+        set_inputs(table, (0.3 * 1e3, 0.4 * 1e3, 0.0, speed, N))
+        assert table.step(0.0, 1e-3) == ok
+        assert np.abs(force(table) / (mu * N) - [-0.6, -0.8, 0]).max() < 1e-4, force(table)
+    set_inputs(table, (1e-3, 1e-3, 1.0, V, 0.0))
+    assert table.step(0.0, 1e-3) == ok and (force(table) == 0).all() and table.get("contact_half_length") == 0
+    # small creepages: forces proportional to them
+    small = []
+    for factor in (1e-7, 2e-7):
+        set_inputs(table, (factor * limit * V, 0.0, factor * limit / a * V, V, N))
+        assert table.step(0.0, 1e-3) == ok
+        small.append(force(table))
+    assert np.abs(small[1] / small[0] - 2).max() < 1e-6, small
+    # and what a step refuses, without a trace
+    for name, value, status in (("normal_load", -1.0, discard), ("rolling_speed", -1.0, discard),
+                                ("spin_rate", math.inf, error)):
+        instance = Instance(fmu).start(**by_table, lateral_slip_velocity=0.1)
+        before = outcome(instance)
+        instance.set(**{name: value})
+        assert instance.step(0.0, 1e-3) == status and outcome(instance) == before
+        instance.close()
+    table.close()
+
+
+def test_table_does_not_know_the_past():
+    # its forces are those of the inputs at the end of the step, and its work the mean power over the step
+    values, other = (0.02, -0.03, 1.0, V, N), (-0.01, 0.02, 0.5, 1.1 * V, 1.2 * N)
+    here, there = Instance(fmu).start(**by_table), Instance(fmu).start(**by_table)
+    first = Instance(fmu).start(**by_table, **dict(zip(inputs, values)))
+    duration = 1e-3
+    set_inputs(here, other)
+    set_inputs(there, values)
+    assert here.step(0.0, duration) == there.step(0.0, duration) == ok
+    powers = [-np.dot(force(here), other[:3]), -np.dot(force(there), values[:3])]
+    close_to(here.get("slip_work"), powers[0] * duration, 1e-12, "work")
+    set_inputs(here, values)
+    for name, value, end in zip(inputs, values, other):
+        there.rate(name, (end - value) / duration)
+    assert here.step(duration, duration) == there.step(duration, duration) == ok
+    assert np.abs(force(here) - force(first)).max() < 1e-9
+    again = Instance(fmu).start(**by_table, **dict(zip(inputs, other)))
+    assert np.abs(force(there) - force(again)).max() < 1e-6
+    close_to(there.get("slip_work"), (powers[1] + (powers[0] + powers[1]) / 2) * duration, 1e-9, "work by rates")
+    for instance in (here, there, first, again):
+        instance.close()
+
+
+def test_derivatives_by_table():
+    instance = Instance(fmu).start(**by_table)
+    for values in ((0.04, 0.03, 1.0, V, N), (0.0, -0.01, 0.3, 10.0, 5e4), (0.5, 0.2, -30.0, V, N)):
+        def after(name=None, change=0.0):
+            set_inputs(instance, values)
+            if name:
+                instance.set(**{name: instance.get(name) + change})
+            assert instance.step(0.0, 1e-3) == ok
+            return force(instance)
+
+        for known, scale in zip(inputs, (1e-2, 1e-2, 1.0, V, N)):
+            change = 1e-5 * scale
+            difference = (after(known, change) - after(known, -change)) / (2 * change)
+            after()
+            exact = np.array([instance.derivative(name, known) for name in forces])
+            close = np.abs((exact - difference) / [1, 1, a]).max() / np.abs(difference / [1, 1, a]).max()
+            print(f"    by {known}: {exact}, error {close:.1e}")
+            assert close < 1e-5
+    instance.close()
+
+
+def test_table_of_another_file():
+    # a path with spaces; the packed table is found in one as well
+    with tempfile.TemporaryDirectory(prefix="a table ") as folder:
+        copy = os.path.join(folder, "of forces.bin")
+        shutil.copy(os.path.join(fmu.folder, "resources", "creep_forces.bin"), copy)
+        values = dict(zip(inputs, (0.02, -0.03, 1.0, V, N)))
+        here, there = Instance(fmu).start(**by_table, **values), Instance(fmu).start(**by_table, **values, table_file=copy)
+        assert outcome(here) == outcome(there) and there.get("table_file") == copy
+        state = there.calls.getFMUstate()
+        other = Instance(fmu)
+        restored = other.calls.deSerializeFMUstate(there.calls.serializeFMUstate(state))
+        other.calls.setFMUstate(restored)
+        for one in (there, other):
+            one.set(spin_rate=2.0)
+            assert one.step(0.0, 1e-3) == ok
+        assert outcome(there) == outcome(other) != outcome(here) and other.get("table_file") == copy
+        there.calls.freeFMUstate(state)
+        other.calls.freeFMUstate(restored)
+        for one in (here, there, other):
+            one.close()
+        moved = Fmu(file, os.path.join(folder, "spaced % folder"))
+        instance = Instance(moved).start(**by_table, **values)
+        instance.close()
+        with open(copy, "r+b") as damaged:
+            damaged.seek(1000)
+            damaged.write(b"x")
+        for name, message in ((copy, "checksum"), (file, "must begin with"), (folder + "/none", "can be read")):
+            instance = Instance(fmu)
+            instance.set(**by_table, table_file=name)
+            instance.calls.enterInitializationMode()
+            assert status_of(instance.calls.exitInitializationMode) == error
+            assert f"table_file = {name}" in instance.messages[-1] and message in instance.messages[-1], instance.messages
+            instance.close()
+
+
 def test_wrong_parameters():
     for parameters, message in [
         ({"friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
@@ -261,6 +398,11 @@ def test_wrong_parameters():
         ({**fixed, "normal_load": 3e5}, "normal_load = 300000 must be at most largest_load"),
         ({**fixed, "largest_load": math.nan}, "largest_load = nan must be positive and finite"),
         ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive"),
+        ({**by_table, "poisson_ratio": 0.3}, "poisson_ratio = 0.3 must be within 0.01 of 0.28"),
+        ({**by_table, "rail_lateral_radius": 0.002}, "must lie in [0.1"),
+        ({**by_table, "normal_load": -1.0}, "normal_load = -1 must not be negative"),
+        ({**by_table, "friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
+        ({**by_table, "rolling_speed": -1.0}, "rolling_speed = -1 must not be negative"),
     ]:
         instance = Instance(fmu)
         instance.calls.setupExperiment()

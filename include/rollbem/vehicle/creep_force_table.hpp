@@ -139,8 +139,10 @@ public:
 
     Value& at(int x, int y, int spin) { return values_[place(x, y, spin)]; }
 
-    /// A node and its mirror images.
-    void set(int x, int y, int spin, const Value& force) {
+    /// A node and its mirror images. What must vanish by symmetry does.
+    void set(int x, int y, int spin, Value force) {
+        if (x == 0) force[0] = 0;
+        if (y == 0 && spin == 0) force[1] = force[2] = 0;
         for (const int s : {1, -1}) {
             for (const int t : {1, -1}) at(s * x, t * y, t * spin) = {s * force[0], t * force[1], t * force[2]};
         }
