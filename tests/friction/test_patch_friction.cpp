@@ -359,8 +359,10 @@ TEST_CASE("patch_friction: bad input and foreign states") {
     auto workspace = model.workspace();
     auto state = model.at_rest();
     CHECK(model.steady(other.steady().at_rest(), {1e-3, 0, 0}, state, workspace).status == StepStatus::wrong_state);
-    NormalLoad<double> longer{
-        .normal_pressure = scene.friction.normal_pressure, .half_length = 7e-3, .pressure_rate = {}};
+    NormalLoad<double> longer{.normal_pressure = scene.friction.normal_pressure,
+                              .half_length = 7e-3,
+                              .pressure_rate = {},
+                              .half_width = 4e-3};
     CHECK(model.advance(model.at_rest(), 1e-4, Creepage<double>{1e-3, 0, 0}, longer, state, workspace).status ==
           StepStatus::needs_fixed_mesh);
 }
