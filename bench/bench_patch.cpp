@@ -3,8 +3,7 @@
 // for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
 // over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so along a curve up to
 // full sliding, each point from the one before. Their counter LU is the processor time of one solution over that of one LU
-// decomposition. BM_CreepTable looks forces up in a
-// table.
+// decomposition. BM_CreepTable looks forces up in a table.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
@@ -104,42 +103,6 @@ void patch_friction(benchmark::State& state) {
     state.SetComplexityN(state.range(0));
 }
 
-// A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2 with a
-// new a/b as well.
-void patch_step(benchmark::State& state) {
-    const Eigen::Index n = state.range(0);
-    const std::int64_t follows = state.range(1);
-    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
-    const PatchMesh<double> mesh = patch_mesh(circle, n, n);
-    const HalfSpace<double> half_space(0.28);
-    const ElementSystem<double, 2> system =
-        follows == 0   ? rolling_system(mesh, scheme, half_space)
-        : follows == 1 ? breathing_system(circle, mesh, scheme, half_space)
-                       : PatchShapes<double>(n, n, scheme, half_space, {.least = 0.4, .largest = 2.5}).system(1);
-    const ArrayX<double> pressure = hertz_pressures(circle, mesh, 1);
-    const FrictionModel model(circle, system, unchecked, {1.0, pressure});
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
-    NormalLoad<double> load{pressure, 1, pressure, 1};
-    double q = 0, rounds = 0, steps = 0;
-    for (auto _ : state) {
-        q += 0.2;
-        const double size = std::cbrt(1 + 0.5 * std::sin(std::numbers::pi / 4 * q));
-        load.normal_pressure = size * pressure;
-        if (follows > 0) load.half_length = load.half_width = size;
-        if (follows > 1) load.half_width *= 1 + 0.5 * std::sin(0.3 * q);
-        const FrictionStep<2> step = model.advance(now, 0.2, Creepage<double>{0.14, 0.1, 0.2}, load, next, workspace);
-        if (step.status != StepStatus::ok) {
-            state.SkipWithError("a step failed");
-            break;
-        }
-        std::swap(now, next);
-        rounds += step.rounds;
-        ++steps;
-    }
-    state.counters["rounds"] = rounds / steps;
-}
-
 void patch_creep_curve(benchmark::State& state) {
     constexpr int points = 30;
     const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
@@ -191,6 +154,42 @@ void creep_table(benchmark::State& state) {
         benchmark::DoNotOptimize(table.look_up(contacts[i], 0.3, 8e4, creepages[i]));
         i = i + 1 == contacts.size() ? 0 : i + 1;
     }
+}
+
+// A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2 with a
+// new a/b as well.
+void patch_step(benchmark::State& state) {
+    const Eigen::Index n = state.range(0);
+    const std::int64_t follows = state.range(1);
+    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
+    const PatchMesh<double> mesh = patch_mesh(circle, n, n);
+    const HalfSpace<double> half_space(0.28);
+    const ElementSystem<double, 2> system =
+        follows == 0   ? rolling_system(mesh, scheme, half_space)
+        : follows == 1 ? breathing_system(circle, mesh, scheme, half_space)
+                       : PatchShapes<double>(n, n, scheme, half_space, {.least = 0.4, .largest = 2.5}).system(1);
+    const ArrayX<double> pressure = hertz_pressures(circle, mesh, 1);
+    const FrictionModel model(circle, system, unchecked, {1.0, pressure});
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    NormalLoad<double> load{pressure, 1, pressure, 1};
+    double q = 0, rounds = 0, steps = 0;
+    for (auto _ : state) {
+        q += 0.2;
+        const double size = std::cbrt(1 + 0.5 * std::sin(std::numbers::pi / 4 * q));
+        load.normal_pressure = size * pressure;
+        if (follows > 0) load.half_length = load.half_width = size;
+        if (follows > 1) load.half_width *= 1 + 0.5 * std::sin(0.3 * q);
+        const FrictionStep<2> step = model.advance(now, 0.2, {{0.14, 0.1, 0.2}}, load, next, workspace);
+        if (step.status != StepStatus::ok) {
+            state.SkipWithError("a step failed");
+            break;
+        }
+        std::swap(now, next);
+        rounds += step.rounds;
+        ++steps;
+    }
+    state.counters["rounds"] = rounds / steps;
 }
 
 BENCHMARK(patch_step)

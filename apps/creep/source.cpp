@@ -16,9 +16,10 @@ constexpr rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
 /// Elements so long that n^2 of them have the least error where spin is large. That error comes from the pole of the
 /// slip, where one element turns at once, so it falls if strips are equally wide and their number follows the ellipse:
 /// with 256 elements, by the sum over the elements in full sliding against full_sliding() at a/b = 0.1, 0.3, 1, 3, 10,
-/// from 5.1e-2, 2.0e-2, 1.2e-2, 1.8e-2, 4.4e-2 (16 x 16, strips graded by the cosine) to 1.0e-2, 1.1e-2, 0.8e-2, 1.0e-2,
-/// 1.9e-2. Strips are even in number: the pole of a lateral force and spin moves on y = 0, and if elements lay there
-/// they could slip to either side of it, which breaks the symmetry of the discrete problem.
+/// from 5.1e-2, 2.0e-2, 1.2e-2, 1.8e-2, 4.4e-2 (16 x 16, strips graded by the cosine) to 1.0e-2, 0.9e-2, 0.8e-2,
+/// 1.1e-2, 1.9e-2 (the largest of 300 random directions). Strips are even in number: the pole of a lateral force and
+/// spin moves on y = 0, and if elements lay there they could slip to either side of it, which breaks the symmetry of
+/// the discrete problem.
 rollbem::PatchMesh<double> mesh_of(const rollbem::PatchContact<double>& contact, std::ptrdiff_t n) {
     const double per_strip = std::clamp(std::pow(contact.a_over_b(), 0.6), 0.25, 2.0), side = static_cast<double>(n);
     const long along = std::max(std::lround(side * std::sqrt(per_strip)), 2L);

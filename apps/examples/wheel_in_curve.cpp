@@ -1,11 +1,13 @@
 // A wheel on the outer rail of a curve, in SI units: ellipse, spin and creep forces while it shifts across the rail. Its
-// tread is hollow, a circular arc little flatter than the head of the rail, so that the contact angle grows with the
-// shift, and with it the spin, until friction is used up.
+// tread is hollow, an arc little flatter than the head of the rail, so that the contact angle grows with the shift, and
+// with it spin and the larger radius that drives the wheel on.
 //
 //     ./examples/wheel_in_curve
 //
 //     shift mm  a mm  b mm  spin 1/m      F_x N      F_y N    M_z N m   of mu N
-//          0.0  6.16  5.49    -0.105     -17602        951       -4.9      0.59
+//          0.0  4.87 11.99    -0.107     -16112      11996       17.6      0.84
+//          3.0  4.88 11.98    -0.215      -9274      14597       54.2      0.72
+//          6.0  4.89 11.97    -0.323      -1437      15770       79.6      0.66
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -16,7 +16,7 @@ using rollbem::CreepForceGrid;
 
 constexpr double poisson_ratio = 0.28, smallest = 0.1, largest = 10;  // nu and a/b
 constexpr Eigen::Index shapes = 12;
-constexpr int levels = 10, elements = 8;
+constexpr int levels = 10, elements = 10;
 
 rollbem::CreepForceTable make_table() {
     std::vector<creep::Source> sources;

@@ -53,13 +53,15 @@ moment over mu N_0 c_0, q and --dq over a_0, creepages as above with N_0, a_0 an
 and b_ratio are a/a_0 and b/b_0, by Hertz the cube root of load_ratio, or the columns of --load;
 p_0 = 3 N/(2 pi a b) always. slip_work, creep_work and elastic_energy are in mu N_0 mu N_0/(G c_0), the first two
 cumulative; creep_work is -int (F_x xi + F_y eta + M_z phi) dq, from the forces at both ends of a step (at its end
-with implicit-euler). creep_work = slip_work + change of elastic_energy, to the order of the mesh and of dq, whatever the load does.
-With --breathing the mesh follows the ellipse, also where a/b changes (second order in 1/n); where a changes by as much
-as the step rolls, status is needs_fixed_mesh and the run ends. Otherwise it covers the largest ellipse of the run: first
-order, and the load may vanish. Steps are divided where --load has a row. With fewer than six steps in a period of --load-sine (2 pi --dq > LENGTH), status is unresolved and
-the results are empty. A step without a solution is divided in halves, up to six times. If a step fails, the run has
-no more results: status says why in its row and is after_failure in the rows behind it, and the exit code is 1. A
-patch whose modes grow in time is refused (--stability shows them).
+with implicit-euler). creep_work = slip_work + change of elastic_energy, to the order of the mesh and of dq, whatever
+the load does.
+With --breathing the mesh follows the ellipse, also where a/b changes (second order in 1/n); where a changes by as
+much as the step rolls, status is needs_fixed_mesh and the run ends. Otherwise the mesh covers the largest ellipse of
+the run: first order, and the load may vanish. Steps are divided where --load has a row. With fewer than six steps in a
+period of --load-sine (2 pi --dq > LENGTH), status is unresolved and the results are empty. A step without a solution
+is divided in halves, up to six times. If a step fails, the run has no more results: status says why in its row and is
+after_failure in the rows behind it, and the exit code is 1. A patch whose modes grow in time is refused (--stability
+shows them).
 )"}};
 
 }  // namespace patch

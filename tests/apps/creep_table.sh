@@ -2,24 +2,24 @@
 # creep_table seen from outside: what it refuses, its rows, shards, a run that goes on, and how far the table is from the
 # patches. Usage: creep_table.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
-table="$programs/creep_table"
+creep="$programs/creep_table"
 coarse="--n 4 --levels 4 --shapes 4"
 
 # --- bad input
-bad '--a-over-b = 3 must be the smallest and the largest' "$table" --a-over-b 3
-bad '--a-over-b = 3,1 must be the smallest and the largest' "$table" --a-over-b 3,1
-bad '--shapes = 3 must be an integer in [4, 100]' "$table" --shapes 3
-bad '--levels = 65 must be an integer in [4, 64]' "$table" --levels 65
-bad '--n = 1 must be an integer in [2, 100]' "$table" --n 1
-bad '--mesh' "$table" --mesh cosine
-bad '--plot' "$table" --plot x.svg
-bad '--check = 10 has no effect without --output' "$table" --check 10
-bad '--check = 10 has no effect with --shard' "$table" --check 10 --shard 1/2 --output x.csv
-bad '--rows = x.csv must be a file that can be read' "$table" --rows x.csv --output y.csv
-bad '--shard = 1/2 has no effect with --rows' "$table" --rows x.csv --shard 1/2 --output y.csv
+bad '--a-over-b = 3 must be the smallest and the largest' "$creep" --a-over-b 3
+bad '--a-over-b = 3,1 must be the smallest and the largest' "$creep" --a-over-b 3,1
+bad '--shapes = 3 must be an integer in [4, 100]' "$creep" --shapes 3
+bad '--levels = 65 must be an integer in [4, 64]' "$creep" --levels 65
+bad '--n = 1 must be an integer in [2, 100]' "$creep" --n 1
+bad '--mesh' "$creep" --mesh cosine
+bad '--plot' "$creep" --plot x.svg
+bad '--check = 10 has no effect without --output' "$creep" --check 10
+bad '--check = 10 has no effect with --shard' "$creep" --check 10 --shard 1/2 --output x.csv
+bad '--rows = x.csv must be a file that can be read' "$creep" --rows x.csv --output y.csv
+bad '--shard = 1/2 has no effect with --rows' "$creep" --rows x.csv --shard 1/2 --output y.csv
 
 # --- rows: solved, and no force above mu N
-good 301 "$table" $coarse
+good 301 "$creep" $coarse
 status=$(column status)
 check 'a node has no forces' "\$$status == \"ok\""
 x=$(column longitudinal_force) y=$(column lateral_force)
@@ -27,20 +27,20 @@ check 'a force exceeds mu N' "\$$x * \$$x + \$$y * \$$y <= 1.000001"
 check 'the force of no longitudinal creepage' "\$$(column longitudinal) != 0 || \$$x * \$$x < 1e-16"
 
 # --- the same rows by threads, by parts and again, and the same table
-good 0 "$table" $coarse --jobs 2 --output whole.csv
+good 0 "$creep" $coarse --jobs 2 --output whole.csv
 cmp -s out whole.csv && fail 'standard output is the file'
-for k in 1 2 3; do good 0 "$table" $coarse --shard $k/3 --output part$k.csv; done
+for k in 1 2 3; do good 0 "$creep" $coarse --shard $k/3 --output part$k.csv; done
 [ -e part1.csv.bin ] && fail 'a part is taken for a table'
 cat part?.csv >rows.csv
 cmp rows.csv whole.csv || fail 'parts differ from the whole'
-good 0 "$table" $coarse --rows rows.csv --output again.csv
+good 0 "$creep" $coarse --rows rows.csv --output again.csv
 cmp whole.csv.bin again.csv.bin || fail 'the table of the same rows differs'
 [ "$(head -c 20 whole.csv.bin)" = 'rollbem creep forces' ] || fail 'no binary table'
-bad 'number of rows = 300 must be 375' "$table" --n 4 --levels 4 --shapes 5 --rows "$scratch/rows.csv" --output x.csv
-bad 'line 2: a_over_b = 0.1 must be 0.2' "$table" $coarse --a-over-b 0.2,5 --rows "$scratch/rows.csv" --output x.csv
+bad 'number of rows = 300 must be 375' "$creep" --n 4 --levels 4 --shapes 5 --rows "$scratch/rows.csv" --output x.csv
+bad 'line 2: a_over_b = 0.1 must be 0.2' "$creep" $coarse --a-over-b 0.2,5 --rows "$scratch/rows.csv" --output x.csv
 sed '7s/ok/no_solution/; 7s/,[^,]*,\([^,]*,[^,]*,[^,]*,[^,]*,no_solution\)/,,\1/' rows.csv >broken.csv
 bad 'line 7: spin_moment must be a number; status = no_solution' \
-    "$table" $coarse --rows "$scratch/broken.csv" --output x.csv
+    "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
 
 # --- a run that was interrupted: its rows are kept (one is marked), a row cut short is not
 {
@@ -49,15 +49,15 @@ bad 'line 7: spin_moment must be a number; status = no_solution' \
     sed -n '101p' whole.csv | cut -c 1-20 | tr -d '\n'
 } >going.csv.unfinished
 cp going.csv.unfinished other.csv.unfinished
-good 0 "$table" $coarse --output going.csv
+good 0 "$creep" $coarse --output going.csv
 [ -e going.csv.unfinished ] && fail 'the unfinished file is left'
 sed 's/kept/chebyshev/' going.csv | cmp - whole.csv || fail 'a resumed run differs'
 [ "$(grep -c kept going.csv)" -eq 1 ] || fail 'rows were computed again'
-"$table" --levels 5 --output other.csv 2>err && fail 'rows of another run are taken'
+"$creep" --levels 5 --output other.csv 2>err && fail 'rows of another run are taken'
 grep -q 'must hold rows of the same run' err || fail "$(cat err)"
 [ -e other.csv.unfinished ] || fail 'rows of another run are removed'
 
 # --- the table against the patches: 6 x 6 elements are rough themselves
-good 1 "$table" --n 6 --levels 7 --shapes 5 --a-over-b 0.5,2 --output small.csv --check 200
+good 1 "$creep" --n 6 --levels 7 --shapes 5 --a-over-b 0.5,2 --output small.csv --check 200
 awk '{ if ($5 + 0 > 1.2e-2 || $7 + 0 > 0.12 || $5 + 0 <= 0) exit 1 }' out || fail "$(cat out)"
 exit $failures

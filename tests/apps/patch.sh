@@ -185,7 +185,7 @@ near 1 lateral_force .4522 && near 2 longitudinal_force .2765 && near 2 lateral_
 near 4 longitudinal_force .3052 && near 4 lateral_force .7867
 check 'energy' '($creep_work - $slip_work - $elastic_energy) ^ 2 < (0.02 * $creep_work) ^ 2'
 check 'constant load' '$load_ratio $a_ratio $b_ratio $status == "111ok"'
-orders "$(column longitudinal_force)" "$patch" --n 6 --longitudinal 0.0946467 --transient --until 2 --no-timing
+orders longitudinal_force "$patch" --n 6 --longitudinal 0.0946467 --transient --until 2 --no-timing
 good 41 "$@" --n 12 --dq 0.1 --from steady
 check 'steady rolling stays' '($longitudinal_force - .3097) ^ 2 + ($lateral_force - .7894) ^ 2 < 1e-6 && $slip_work > 0'
 

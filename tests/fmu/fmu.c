@@ -61,6 +61,9 @@ Fmu load_fmu(const char *path, const char *description) {
     const size_t length = fread(fmu.description, 1, room - 1, file);
     fmu.description[length] = 0;
     fclose(file);
+    const char *const end = strrchr(description, '/');
+    snprintf(fmu.resources, sizeof fmu.resources, "file://%.*s/resources", end == NULL ? 0 : (int)(end - description),
+             description);
     const char *const guid = strstr(fmu.description, "guid=\"");
     if (guid == NULL || sscanf(guid, "guid=\"%63[^\"]", fmu.guid) != 1) fail("guid");
     return fmu;
@@ -94,7 +97,7 @@ static void count_message(fmi2ComponentEnvironment environment, fmi2String insta
 fmi2Component instantiate(const Fmu *fmu, const char *name, fmi2Type type) {
     static const fmi2CallbackFunctions callbacks = {count_message, NULL, NULL, NULL, NULL};
     const fmi2Component instance =
-        fmu->instantiate(name, type, fmu->guid, "file:///resources", &callbacks, fmi2False, fmi2False);
+        fmu->instantiate(name, type, fmu->guid, fmu->resources, &callbacks, fmi2False, fmi2False);
     if (instance == NULL) fail("fmi2Instantiate");
     return instance;
 }
@@ -103,6 +106,11 @@ void expect(fmi2Status status, fmi2Status expected, const char *what) {
     if (status == expected) return;
     fprintf(stderr, "failed: %s answers %d in place of %d\n", what, (int)status, (int)expected);
     exit(1);
+}
+
+void set_integer(const Fmu *fmu, fmi2Component instance, const char *variable, int value) {
+    const fmi2ValueReference reference = reference_of(fmu, variable);
+    expect(fmu->set_integer(instance, &reference, 1, &value), fmi2OK, variable);
 }
 
 void set_real(const Fmu *fmu, fmi2Component instance, const char *variable, double value) {

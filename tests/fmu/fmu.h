@@ -7,6 +7,7 @@
 
 typedef struct {
     char *description; /* the text of modelDescription.xml */
+    char resources[1024]; /* beside it, as a URI */
     char guid[64];
     fmi2InstantiateTYPE *instantiate;
     fmi2FreeInstanceTYPE *free_instance;
@@ -44,6 +45,7 @@ fmi2Component instantiate(const Fmu *fmu, const char *name, fmi2Type type);
 
 /* Ends the program with a message unless the status is the expected one. */
 void expect(fmi2Status status, fmi2Status expected, const char *what);
+void set_integer(const Fmu *fmu, fmi2Component instance, const char *variable, int value);
 void set_real(const Fmu *fmu, fmi2Component instance, const char *variable, double value);
 double get_real(const Fmu *fmu, fmi2Component instance, const char *variable);
 

@@ -91,15 +91,20 @@ inline Friction<rollbem::HertzLoad<double>> line(bool fixed) {
             2 * half_width};
 }
 
+/// The ellipse of rollbem_patch at its start values under largest_load.
+inline rollbem::HertzEllipse<double> ellipse() {
+    const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
+    return rollbem::HertzEllipse<double>({.load = largest_load,
+                                          .radii_1 = {.rolling = 0.46, .lateral = 1e9},
+                                          .radii_2 = {.rolling = 1e9, .lateral = 0.3},
+                                          .body_1 = body,
+                                          .body_2 = body});
+}
+
 /// rollbem_patch at its start values, with 8 x 8 elements.
 inline Friction<rollbem::HertzPatchLoad<double>> patch(bool fixed) {
     using Hertz = rollbem::HertzPatchLoad<double>;
-    const rollbem::ElasticBody<double> body{2 * shear_modulus * (1 + poisson_ratio), poisson_ratio};
-    const rollbem::HertzEllipse<double> ellipse({.load = largest_load,
-                                                 .radii_1 = {.rolling = 0.46, .lateral = 1e9},
-                                                 .radii_2 = {.rolling = 1e9, .lateral = 0.3},
-                                                 .body_1 = body,
-                                                 .body_2 = body});
+    const rollbem::HertzEllipse<double> ellipse = library::ellipse();
     const rollbem::PatchContact<double> contact({.half_length = ellipse.half_length(),
                                                  .half_width = ellipse.half_width(),
                                                  .shear_modulus = shear_modulus,

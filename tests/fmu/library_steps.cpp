@@ -1,6 +1,11 @@
 // Steps of the library, timed by cost.c.
 #include "library_steps.h"
 
+#include <fstream>
+#include <string>
+
+#include <rollbem/vehicle/creep_force_table.hpp>
+
 #include "library.hpp"
 
 double library_adhesion(double duration, int count) {
@@ -17,9 +22,27 @@ double library_friction(double duration, int count) {
     return force;
 }
 
-double library_patch(double duration, int count) {
-    static auto contact = library::patch(false);
+namespace {
+
+std::string folder;
+
+}  // namespace
+
+void library_resources(const char* name) { folder = name; }
+
+double library_table(double, int count) {
+    static const rollbem::CreepForceTable table = [] {
+        std::ifstream file(folder + "/creep_forces.bin", std::ios::binary);
+        return rollbem::CreepForceTable::read(file);
+    }();
+    static const rollbem::HertzEllipse<double> ellipse = library::ellipse().under(1e5);
     double force = 0;
-    for (int i = 0; i < count; ++i) force = contact.step(duration, 1e-3, 0, 0, 20, 1e5).force.longitudinal;
+    for (int i = 0; i < count; ++i) {
+        const rollbem::PatchContact<double> contact({.half_length = ellipse.half_length(),
+                                                     .half_width = ellipse.half_width(),
+                                                     .shear_modulus = library::shear_modulus,
+                                                     .poisson_ratio = library::poisson_ratio});
+        force = table.look_up(contact, library::friction_coefficient, 1e5, {1e-3 / 20, 0, 0}).force.longitudinal;
+    }
     return force;
 }

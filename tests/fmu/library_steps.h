@@ -1,11 +1,13 @@
-/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s. Returns the
-   force [N]. */
+/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s; of a table, look-ups.
+   Returns the force [N]. */
 #ifdef __cplusplus
 extern "C" {
 #endif
 double library_adhesion(double duration, int count);
 double library_friction(double duration, int count);
-double library_patch(double duration, int count);
+double library_table(double duration, int count);
+/* The folder of the table. */
+void library_resources(const char* folder);
 #ifdef __cplusplus
 }
 #endif

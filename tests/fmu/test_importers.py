@@ -16,6 +16,7 @@ duration = 25  # us
 choices = {
     "rollbem_adhesion": {"half_length_from": 2, "direction": 2, "contact_length": 2, "initial_state": 2},
     "rollbem_friction": {"mesh": 2, "mesh_length": 2, "kernel": 2, "initial_state": 2},
+    "rollbem_patch": {"mode": 2, "mesh_size": 2, "initial_state": 2},
 }
 slips = {"slip_velocity": 4e-3, "longitudinal_slip_velocity": 4e-3, "lateral_slip_velocity": -3e-3, "spin_rate": 1.0}
 

@@ -249,31 +249,21 @@ def test_saved_in_one_instance_and_restored_in_another():
             one.close()
 
 
-def patch_forces(values, **parameters):
-    """Steady forces of the patch itself, [N] and the moment [N m]."""
-    instance = Instance(fmu).start(initial_state=2, **parameters, **dict(zip(inputs, values)))
-    result = force(instance)
-    instance.close()
-    return result
-
-
-def test_table_is_as_near_as_its_elements():
-    # forces of the patch by 8 x 8 elements, of which the table was made, and by 16 x 16
+def test_table_is_near_the_patch():
     random, scale = np.random.default_rng(1), mu * N * np.array([1, 1, a])
     table, errors = Instance(fmu).start(**by_table), []
-    for i in range(60):
+    for i in range(40):
         direction = random.normal(size=3)
         level = 0.02 * 1000 ** random.random()
         values = [*(direction / np.linalg.norm(direction) * level * limit * V / np.array([4.5, 4, 3 * a])), V, N]
         set_inputs(table, values)
         assert table.step(float(i), 1.0) == ok
-        errors.append([np.abs((force(table) - patch_forces(values, elements=n, strips=n)) / scale).max()
-                       for n in ((8, 16) if i < 20 else (8,))])
+        patch = Instance(fmu).start(initial_state=2, elements=12, strips=12, **dict(zip(inputs, values)))
+        errors.append(np.abs((force(table) - force(patch)) / scale).max())
+        patch.close()
     table.close()
-    eight, sixteen = [row[0] for row in errors], [row[1] for row in errors[:20]]
-    print(f"    mean and largest difference over mu N: 8 x 8 {np.mean(eight):.1e}, {max(eight):.1e}, "
-          f"16 x 16 {np.mean(sixteen):.1e}, {max(sixteen):.1e}")
-    assert np.mean(eight) < 1e-2 and max(eight) < 6e-2
+    print(f"    differences over mu N: mean {np.mean(errors):.1e}, largest {max(errors):.1e}")
+    assert np.mean(errors) < 6e-3 and max(errors) < 3e-2
 
 
 def test_table_at_its_limits():
@@ -288,11 +278,11 @@ def test_table_at_its_limits():
     assert table.step(0.0, 1e-3) == ok and (force(table) == 0).all() and table.get("contact_half_length") == 0
     # small creepages: forces proportional to them
     small = []
-    for factor in (1e-7, 2e-7):
+    for factor in (1e-4, 2e-4):
         set_inputs(table, (factor * limit * V, 0.0, factor * limit / a * V, V, N))
         assert table.step(0.0, 1e-3) == ok
         small.append(force(table))
-    assert np.abs(small[1] / small[0] - 2).max() < 1e-6, small
+    assert np.abs(small[1] / small[0] - 2).max() < 1e-3, small
     # and what a step refuses, without a trace
     for name, value, status in (("normal_load", -1.0, discard), ("rolling_speed", -1.0, discard),
                                 ("spin_rate", math.inf, error)):
@@ -329,7 +319,7 @@ def test_table_does_not_know_the_past():
 
 def test_derivatives_by_table():
     instance = Instance(fmu).start(**by_table)
-    for values in ((0.04, 0.03, 1.0, V, N), (0.0, -0.01, 0.3, 10.0, 5e4), (0.5, 0.2, -30.0, V, N)):
+    for values in ((0.04, 0.03, 1.0, V, N), (2e-3, -0.01, 0.3, 10.0, 5e4), (0.5, 0.2, -30.0, V, N)):
         def after(name=None, change=0.0):
             set_inputs(instance, values)
             if name:

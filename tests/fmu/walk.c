@@ -7,6 +7,9 @@
 
 #include "fmu.h"
 
+/* Of a patch: itself, then by table. */
+static int mode = 1;
+
 /* The first of the slip velocities. */
 static const char *slip(const Fmu *fmu) {
     return has_variable(fmu, "slip_velocity") ? "slip_velocity" : "longitudinal_slip_velocity";
@@ -16,6 +19,7 @@ static const char *force(const Fmu *fmu) { return has_variable(fmu, "force") ? "
 
 static void start(const Fmu *fmu, fmi2Component instance) {
     expect(fmu->setup_experiment(instance, fmi2False, 0, 0, fmi2False, 0), fmi2OK, "fmi2SetupExperiment");
+    if (has_variable(fmu, "mode")) set_integer(fmu, instance, "mode", mode);
     set_real(fmu, instance, slip(fmu), 1e-3);
     expect(fmu->enter_initialization_mode(instance), fmi2OK, "fmi2EnterInitializationMode");
     expect(fmu->exit_initialization_mode(instance), fmi2OK, "fmi2ExitInitializationMode");
@@ -113,6 +117,8 @@ int main(int count, char **arguments) {
     if (count != 3) return 2;
     const Fmu fmu = load_fmu(arguments[1], arguments[2]);
     walk_co_simulation(&fmu);
+    mode = 2;
+    if (has_variable(&fmu, "mode")) walk_co_simulation(&fmu);
     if (fmu.get_derivatives != NULL) walk_model_exchange(&fmu);
     free(fmu.description);
     printf("done\n");

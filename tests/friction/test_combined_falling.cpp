@@ -12,12 +12,14 @@
 
 #include <rollbem/compiled/friction.hpp>
 
+#include "any_law.hpp"
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
 
 namespace {
 
 using falling_tests::a;
+using falling_tests::AnyLaw;
 using falling_tests::full_force;
 using falling_tests::law;
 using falling_tests::Law;
@@ -102,16 +104,15 @@ TEST_CASE("In two directions the steady forces of a wheel at 45 m/s, along and a
 }
 
 TEST_CASE("In two directions a law that is constant is Coulomb's", "[friction]") {
-    const auto constant = [](double) { return 0.25; };
-    using Constant = decltype(constant);
+    const AnyLaw constant = [](double) { return 0.25; };
     const Scene scene(cosine_mesh<double>(24));
     const ArrayX<double>& pressure = scene.friction.normal_pressure;
     for (const double distance : {0.0, 3e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<ConstantFriction<>, 2> expected(scene.contact, {scene.along(), scene.across()},
                                                                 unchecked, {0.25, pressure}, integrator);
-            const FrictionModel<Constant, 2> model(scene.contact, {scene.along(), scene.across()}, unchecked,
-                                                   {constant, pressure, {distance, 1e-3}}, integrator);
+            const FrictionModel<AnyLaw, 2> model(scene.contact, {scene.along(), scene.across()}, unchecked,
+                                                 {constant, pressure, {distance, 1e-3}}, integrator);
             Workspace workspace = model.workspace();
             FrictionWorkspace<2> expected_workspace = expected.workspace();
             State now = model.at_rest(), next = now;
@@ -545,11 +546,10 @@ TEST_CASE("In two directions sdirk2 is of second order with a memory", "[frictio
         const double order = std::log2(coarse / fine) / 3;
         CAPTURE(name(integrator), coarse, fine, order);
         if (integrator == Integrator::sdirk2) {
-            CHECK(order > 1.5);
+            CHECK(std::abs(order - 1.75) < 0.25);  // 2, less where elements begin to slip
             CHECK(fine < 2e-4);
         } else {
-            CHECK(order > 0.7);
-            CHECK(order < 1.4);
+            CHECK(std::abs(order - 1) < 0.3);
         }
     }
 }
@@ -664,11 +664,10 @@ TEST_CASE("In two directions a falling law out of range is refused", "[friction]
 }
 
 TEST_CASE("In two directions a law that is no number, or has no solution, ends in a status", "[friction]") {
-    const auto broken = [](double v) { return v > 0.05 ? nan : 0.3; };
+    const AnyLaw broken = [](double v) { return v > 0.05 ? nan : 0.3; };
     const Scene scene(cosine_mesh<double>(20));
     const ArrayX<double>& pressure = scene.friction.normal_pressure;
-    const FrictionModel<decltype(broken), 2> model(scene.contact, {scene.along(), scene.across()}, unchecked,
-                                                   {broken, pressure});
+    const FrictionModel<AnyLaw, 2> model(scene.contact, {scene.along(), scene.across()}, unchecked, {broken, pressure});
     Workspace workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
@@ -682,11 +681,10 @@ TEST_CASE("In two directions a law that is no number, or has no solution, ends i
     CHECK((next.friction_coefficient == 0.2).all());
 
     // it sticks at the coefficient of slip, and slips at that of rest
-    const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
+    const AnyLaw torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene one(uniform_mesh<double>(1));
-    const FrictionModel<decltype(torn), 2> without_solution(one.contact, {one.along(), one.across()}, unchecked,
-                                                            {torn, one.friction.normal_pressure},
-                                                            Integrator::implicit_euler);
+    const FrictionModel<AnyLaw, 2> without_solution(one.contact, {one.along(), one.across()}, unchecked,
+                                                    {torn, one.friction.normal_pressure}, Integrator::implicit_euler);
     Workspace small = without_solution.workspace();
     const State rest = without_solution.at_rest();
     State to = rest;
@@ -734,10 +732,8 @@ Scalar lateral_force() {
     return step.force_per_width.lateral + point.force_per_width.lateral;
 }
 
-TEST_CASE("Falling friction in two directions in float and long double", "[friction]") {
-    const double expected = lateral_force<double>();
-    CHECK(static_cast<double>(lateral_force<float>()) == Approx(expected).epsilon(1e-4));
-    CHECK(static_cast<double>(lateral_force<long double>()) == Approx(expected).epsilon(1e-10));
+TEST_CASE("Falling friction in two directions in float", "[friction]") {
+    CHECK(static_cast<double>(lateral_force<float>()) == Approx(lateral_force<double>()).epsilon(1e-4));
 }
 
 }  // namespace

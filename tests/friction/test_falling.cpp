@@ -11,6 +11,7 @@
 
 #include <rollbem/compiled/friction.hpp>
 
+#include "any_law.hpp"
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
 
@@ -71,15 +72,14 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
 }
 
 TEST_CASE("A constant law is Coulomb's", "[friction]") {
-    const auto constant = [](double) { return 0.25; };
-    using Constant = decltype(constant);
+    const AnyLaw constant = [](double) { return 0.25; };
     const Scene scene(cosine_mesh<double>(24));
     for (const double distance : {0.0, 3e-6}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             const FrictionModel<> expected(scene.contact, scene.system(), unchecked, {0.25, scene.pressure()},
                                            integrator);
-            const FrictionModel<Constant> model(scene.contact, scene.system(), unchecked,
-                                                {constant, scene.pressure(), {distance, 1e-3}}, integrator);
+            const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked,
+                                              {constant, scene.pressure(), {distance, 1e-3}}, integrator);
             auto workspace = model.workspace();
             auto expected_workspace = expected.workspace();
             State now = model.at_rest(), next = now;
@@ -272,11 +272,10 @@ TEST_CASE("With a memory, sdirk2 is of second order", "[friction]") {
         const double order = std::log2(coarse / fine) / 3;
         CAPTURE(name(integrator), coarse, fine, order);
         if (integrator == Integrator::sdirk2) {
-            CHECK(order > 1.5);
+            CHECK(std::abs(order - 1.75) < 0.25);  // 2, less where elements begin to slip
             CHECK(fine < 2e-4);
         } else {
-            CHECK(order > 0.7);
-            CHECK(order < 1.4);
+            CHECK(std::abs(order - 1) < 0.3);
         }
     }
 }
@@ -524,9 +523,9 @@ TEST_CASE("A falling law out of range is refused", "[friction]") {
 }
 
 TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
-    const auto broken = [](double v) { return v > 0.05 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
+    const AnyLaw broken = [](double v) { return v > 0.05 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(20));
-    const FrictionModel<decltype(broken)> model(scene.contact, scene.system(), unchecked, {broken, scene.pressure()});
+    const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked, {broken, scene.pressure()});
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     now.friction_coefficient.setConstant(0.2);
@@ -538,10 +537,10 @@ TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
 
 TEST_CASE("If no coefficient fits its slip, status and residual say so", "[friction]") {
     // it sticks at the coefficient of slip, and slips at that of rest
-    const auto torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
+    const AnyLaw torn = [](double v) { return v > 0 ? 0.3 : 0.1; };
     const Scene scene(uniform_mesh<double>(1));
-    const FrictionModel<decltype(torn)> model(scene.contact, scene.system(), unchecked, {torn, scene.pressure()},
-                                              Integrator::implicit_euler);
+    const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked, {torn, scene.pressure()},
+                                      Integrator::implicit_euler);
     auto workspace = model.workspace();
     State rest = model.at_rest(), next = rest;
     int failed = 0;
@@ -560,10 +559,10 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 }
 
 TEST_CASE("A law that is no number in between is not overlooked", "[friction]") {
-    const auto gap = [](double v) { return v > 0.02 && v < 0.04 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
+    const AnyLaw gap = [](double v) { return v > 0.02 && v < 0.04 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
     const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<decltype(gap)> model(scene.contact, scene.system(), unchecked, {gap, scene.pressure()},
-                                             Integrator::implicit_euler);
+    const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked, {gap, scene.pressure()},
+                                      Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.05 * a, duration = dq / speed;
@@ -586,10 +585,10 @@ TEST_CASE("A law that is no number in between is not overlooked", "[friction]") 
 }
 
 TEST_CASE("A law may rise from nothing", "[friction]") {
-    const auto rising = [](double v) { return std::min(0.3, v); };
+    const AnyLaw rising = [](double v) { return std::min(0.3, v); };
     const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<decltype(rising)> model(scene.contact, scene.system(), unchecked, {rising, scene.pressure()},
-                                                Integrator::implicit_euler);
+    const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked, {rising, scene.pressure()},
+                                      Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     REQUIRE(model.steady(now, 5e-3, speed, next, workspace).status == StepStatus::ok);

@@ -7,6 +7,7 @@
 #include <rollbem/compiled/friction.hpp>
 
 #include "drawn_scenes.hpp"
+#include "friction/any_law.hpp"
 #include "friction/falling_conditions.hpp"
 #include "support/catch.hpp"
 
@@ -15,21 +16,15 @@ namespace {
 using namespace rollbem;
 
 using drawn_scenes::Draw, drawn_scenes::from_environment;
-using falling_tests::Violation, falling_tests::violation;
+using falling_tests::AnyLaw, falling_tests::Violation, falling_tests::violation;
 
-// One type for all laws: one instance of the models.
-struct AnyLaw {
-    int kind;
-    double mu_0, mu_k, half_velocity;
-
-    double operator()(double v) const {
-        switch (kind) {
-            case 0: return ExponentialFall<double>{mu_0, mu_k, half_velocity}(v);
-            case 1: return RationalFall<double>{mu_0, mu_k, half_velocity}(v);
-            default: return LinearFall<double>{mu_0, mu_k, half_velocity}(v);
-        }
+AnyLaw drawn_law(int kind, double mu_0, double mu_k, double half_velocity) {
+    switch (kind) {
+        case 0: return ExponentialFall<double>{mu_0, mu_k, half_velocity};
+        case 1: return RationalFall<double>{mu_0, mu_k, half_velocity};
+        default: return LinearFall<double>{mu_0, mu_k, half_velocity};
     }
-};
+}
 
 struct Tally {
     int solutions = 0, unsolved = 0;
@@ -50,7 +45,9 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
     const Collocation scheme{.alpha_L = n == 1 || draw.integer(2) == 0 ? 0.5 : draw.uniform(0.2, 0.5), .alpha_T = 0.5};
     const ElementSystem<double> system = rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact));
     const double mu_0 = draw.uniform(0.05, 1), peak = G * draw.decades(-4, -2), sliding = mu_0 * peak / G;
-    const AnyLaw law{draw.integer(3), mu_0, mu_0 * draw.uniform(0, 1.2), speed * sliding * draw.decades(-1, 2)};
+    const int kind = draw.integer(3);
+    const double mu_k = mu_0 * draw.uniform(0, 1.2), half_velocity = speed * sliding * draw.decades(-1, 2);
+    const AnyLaw law = drawn_law(kind, mu_0, mu_k, half_velocity);
     FrictionMemory<double> memory;
     if (remembers) memory = {a * sliding * draw.decades(-2, 1), speed * sliding * draw.decades(-4, -1)};
     const auto pressures = [&](bool holes) {
@@ -82,7 +79,7 @@ void ride(Draw& draw, bool remembers, Tally& tally) {
         const double imposed = steady || shifts ? creepage : dq * creepage;
         const Violation<double> found =
             violation(law, memory, system, a, G, steady ? 1.0 : dq, imposed, time, steady ? nullptr : &now, next);
-        CAPTURE(n, k, steady, shifts, law.kind, creepage / sliding, dq, remembers, name(step.status), found.bound,
+        CAPTURE(n, k, steady, shifts, kind, creepage / sliding, dq, remembers, name(step.status), found.bound,
                 found.stick, found.direction, found.friction, found.mu, step.complementarity_residual);
         if (step.status == StepStatus::no_solution) {
             ++tally.unsolved;
