@@ -3,7 +3,10 @@
 //
 //     ./examples/hunting [number of speeds]
 //
-// HEAD
+//     contact: a = 4.996 mm, b = 3.773 mm, c11, c22, c23, c33 = 4.5477 4.1259 1.8619 1.0001
+//     wavelength at walking pace: 16.07710 m, Klingel 16.07698 m
+//     growth at 72.67 m/s: 0.1956 1/s in time, 0.1958 by the eigenvalue
+//
 // Wheelset, track and flange are those of Cooperrider's bogie (C. Kaas-Petersen, Acta Mechanica 61 (1986) 89-107), on a
 // frame that does not move and with a suspension a fifth as stiff, so that it hunts at a speed of trains.
 #include <algorithm>
@@ -28,236 +31,233 @@
 #include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
-    namespace {
+namespace {
 
-    using namespace rollbem;
-    using Complex = std::complex<double>;
+using namespace rollbem;
+using Complex = std::complex<double>;
 
-    struct Wheelset {
-        double mass = 1022;              // m [kg]
-        double inertia = 678;            // of yaw, I [kg m^2]
-        double radius = 0.4572;          // r_0 [m]
-        double half_gauge = 0.716;       // s [m], between the contacts
-        double conicity = 0.05;          // lambda
-        double load = 66674.0 / 2;       // N of each wheel [N]
-        double friction = 0.15;          // mu
-        double lateral_spring = 0.73e6;  // [N/m]
-        double yaw_spring = 0.56e6;      // [N m/rad]
-        double flange_spring = 14.6e6;   // [N/m] once the play is used up
-        double play = 9.1e-3;            // [m]
-    };
+struct Wheelset {
+    double mass = 1022;              // m [kg]
+    double inertia = 678;            // of yaw, I [kg m^2]
+    double radius = 0.4572;          // r_0 [m]
+    double half_gauge = 0.716;       // s [m], between the contacts
+    double conicity = 0.05;          // lambda
+    double load = 66674.0 / 2;       // N of each wheel [N]
+    double friction = 0.15;          // mu
+    double lateral_spring = 0.73e6;  // [N/m]
+    double yaw_spring = 0.56e6;      // [N m/rad]
+    double flange_spring = 14.6e6;   // [N/m] once the play is used up
+    double play = 9.1e-3;            // [m]
+};
 
-    /// y to the right and yaw psi clockwise from above, as z points down, and their rates.
-    using State = Eigen::Vector4d;  // y, psi, dy/dt, dpsi/dt
+/// y to the right and yaw psi clockwise from above, as z points down, and their rates.
+using State = Eigen::Vector4d;  // y, psi, dy/dt, dpsi/dt
 
-    // 1. Creepages of the right (side = 1) and the left wheel (-1), which roll with omega = V/r_0 on radii r_0 +- lambda y.
-    // The cone turns the axis of rotation out of the plane of contact: spin.
-    Creepage<double> creepage(const Wheelset& w, double speed, const State& x, int side) {
-        return {-side * (w.half_gauge * x[3] / speed + w.conicity * x[0] / w.radius), x[2] / speed - x[1],
-                x[3] / speed - side * w.conicity / w.radius};
+// 1. Creepages of the right (side = 1) and the left wheel (-1), which roll with omega = V/r_0 on radii r_0 +- lambda y.
+// The cone turns the axis of rotation out of the plane of contact: spin.
+Creepage<double> creepage(const Wheelset& w, double speed, const State& x, int side) {
+    return {-side * (w.half_gauge * x[3] / speed + w.conicity * x[0] / w.radius), x[2] / speed - x[1],
+            x[3] / speed - side * w.conicity / w.radius};
+}
+
+/// d(creepage)/d(state): xi, eta, phi per y, psi, dy/dt, dpsi/dt.
+Eigen::Matrix<double, 3, 4> creepage_rates(const Wheelset& w, double speed, int side) {
+    Eigen::Matrix<double, 3, 4> rates = Eigen::Matrix<double, 3, 4>::Zero();
+    rates(0, 0) = -side * w.conicity / w.radius;
+    rates(0, 3) = -side * w.half_gauge / speed;
+    rates(1, 1) = -1;
+    rates(1, 2) = rates(2, 3) = 1 / speed;
+    return rates;
+}
+
+/// What F_x, F_y, M_z of a wheel contribute to the force along y and the moment about z.
+Eigen::Matrix<double, 2, 3> force_arms(const Wheelset& w, int side) {
+    Eigen::Matrix<double, 2, 3> arms;
+    arms << 0, 1, 0, -side * w.half_gauge, 0, 1;
+    return arms;
+}
+
+/// Spring of the suspension, and of the flange beyond the play [N].
+double guiding_force(const Wheelset& w, double y) {
+    const double beyond = std::max(std::abs(y) - w.play, 0.0);
+    return -w.lateral_spring * y - std::copysign(w.flange_spring * beyond, y);
+}
+
+// 2. Linear: [mass] x'' = force; the state matrix from what the forces of each wheel lose per xi, eta, phi.
+using CreepMatrix = Eigen::Matrix3d;
+
+Eigen::Matrix4d state_matrix(const Wheelset& w, double speed, const std::array<CreepMatrix, 2>& by_creepage) {
+    Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
+    A(0, 2) = A(1, 3) = 1;
+    for (const int side : {1, -1}) {
+        A.bottomRows<2>() += force_arms(w, side) * by_creepage[side == 1 ? 0 : 1] * creepage_rates(w, speed, side);
     }
+    A(2, 0) -= w.lateral_spring;
+    A(3, 1) -= w.yaw_spring;
+    A.row(2) /= w.mass;
+    A.row(3) /= w.inertia;
+    return A;
+}
 
-    /// d(creepage)/d(state): xi, eta, phi per y, psi, dy/dt, dpsi/dt.
-    Eigen::Matrix<double, 3, 4> creepage_rates(const Wheelset& w, double speed, int side) {
-        Eigen::Matrix<double, 3, 4> rates = Eigen::Matrix<double, 3, 4>::Zero();
-        rates(0, 0) = -side * w.conicity / w.radius;
-        rates(0, 3) = -side * w.half_gauge / speed;
-        rates(1, 1) = -1;
-        rates(1, 2) = rates(2, 3) = 1 / speed;
-        return rates;
+/// The eigenvalue that decays least [1/s].
+Complex least_damped(const Eigen::Matrix4d& A) {
+    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
+    return *std::max_element(values.begin(), values.end(), [](Complex p, Complex q) { return p.real() < q.real(); });
+}
+
+/// -d(F_x, F_y, M_z)/d(xi, eta, phi) by Kalker's linear law.
+template <class Value>
+Eigen::Matrix<Value, 3, 3> linear_law(const PatchContact<double>& contact, const CreepCoefficients<Value>& k) {
+    const double c = contact.c(), unit = contact.shear_modulus() * c * c;
+    Eigen::Matrix<Value, 3, 3> law;
+    law << k.c11, 0, 0, 0, k.c22, c * k.c23, 0, c * k.c32, c * c * k.c33;
+    return unit * law;
+}
+
+/// The smallest speed at which an eigenvalue no longer decays, by bisection.
+template <class LeastDamped>
+double critical_speed(double low, double high, const LeastDamped& eigenvalue) {
+    while (high - low > 1e-10 * high) {
+        const double middle = (low + high) / 2;
+        (eigenvalue(middle).real() > 0 ? high : low) = middle;
     }
+    return (low + high) / 2;
+}
 
-    /// What F_x, F_y, M_z of a wheel contribute to the force along y and the moment about z.
-    Eigen::Matrix<double, 2, 3> force_arms(const Wheelset& w, int side) {
-        Eigen::Matrix<double, 2, 3> arms;
-        arms << 0, 1, 0, -side * w.half_gauge, 0, 1;
-        return arms;
-    }
-
-    /// Spring of the suspension, and of the flange beyond the play [N].
-    double guiding_force(const Wheelset& w, double y) {
-        const double beyond = std::max(std::abs(y) - w.play, 0.0);
-        return -w.lateral_spring * y - std::copysign(w.flange_spring * beyond, y);
-    }
-
-    // 2. Linear: [mass] x'' = force; the state matrix from what the forces of each wheel lose per xi, eta, phi.
-    using CreepMatrix = Eigen::Matrix3d;
-
-    Eigen::Matrix4d state_matrix(const Wheelset& w, double speed, const std::array<CreepMatrix, 2>& by_creepage) {
-        Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
-        A(0, 2) = A(1, 3) = 1;
+/// The same with creep coefficients that depend on the frequency: V and omega at which i omega solves the equations, by
+/// Newton's method from those of steady coefficients.
+double critical_speed(const Wheelset& w, const PatchContact<double>& contact, const PatchFrequencySweep<double>& sweep,
+                      double speed, double omega) {
+    const auto determinant = [&](double V, double frequency) {
+        const auto law = linear_law<Complex>(contact, sweep(frequency * contact.half_length() / V));
+        Eigen::Matrix4cd A = Eigen::Matrix4cd::Zero();
         for (const int side : {1, -1}) {
-            A.bottomRows<2>() += force_arms(w, side) * by_creepage[side == 1 ? 0 : 1] * creepage_rates(w, speed, side);
+            A.bottomRows<2>() -= force_arms(w, side).cast<Complex>() * law * creepage_rates(w, V, side).cast<Complex>();
         }
-        A(2, 0) -= w.lateral_spring;
-        A(3, 1) -= w.yaw_spring;
-        A.row(2) /= w.mass;
-        A.row(3) /= w.inertia;
-        return A;
-    }
-
-    /// The eigenvalue that decays least [1/s].
-    Complex least_damped(const Eigen::Matrix4d& A) {
-        const Eigen::Vector4cd values = Eigen::EigenSolver<Eigen::Matrix4d>(A, false).eigenvalues();
-        return *std::max_element(values.begin(), values.end(),
-                                 [](Complex p, Complex q) { return p.real() < q.real(); });
-    }
-
-    /// -d(F_x, F_y, M_z)/d(xi, eta, phi) by Kalker's linear law.
-    template <class Value>
-    Eigen::Matrix<Value, 3, 3> linear_law(const PatchContact<double>& contact, const CreepCoefficients<Value>& k) {
-        const double c = contact.c(), unit = contact.shear_modulus() * c * c;
-        Eigen::Matrix<Value, 3, 3> law;
-        law << k.c11, 0, 0, 0, k.c22, c * k.c23, 0, c * k.c32, c * c * k.c33;
-        return unit * law;
-    }
-
-    /// The smallest speed at which an eigenvalue no longer decays, by bisection.
-    template <class LeastDamped>
-    double critical_speed(double low, double high, const LeastDamped& eigenvalue) {
-        while (high - low > 1e-10 * high) {
-            const double middle = (low + high) / 2;
-            (eigenvalue(middle).real() > 0 ? high : low) = middle;
-        }
-        return (low + high) / 2;
-    }
-
-    /// The same with creep coefficients that depend on the frequency: V and omega at which i omega solves the equations, by
-    /// Newton's method from those of steady coefficients.
-    double critical_speed(const Wheelset& w, const PatchContact<double>& contact,
-                          const PatchFrequencySweep<double>& sweep, double speed, double omega) {
-        const auto determinant = [&](double V, double frequency) {
-            const auto law = linear_law<Complex>(contact, sweep(frequency * contact.half_length() / V));
-            Eigen::Matrix4cd A = Eigen::Matrix4cd::Zero();
-            for (const int side : {1, -1}) {
-                A.bottomRows<2>() -=
-                    force_arms(w, side).cast<Complex>() * law * creepage_rates(w, V, side).cast<Complex>();
-            }
-            const Complex s(0, frequency);
-            Eigen::Matrix2cd stiffness = -A.bottomLeftCorner<2, 2>() - s * A.bottomRightCorner<2, 2>();
-            stiffness(0, 0) += w.lateral_spring + s * s * w.mass;
-            stiffness(1, 1) += w.yaw_spring + s * s * w.inertia;
-            return stiffness.determinant();
-        };
-        for (int k = 0; k < 20; ++k) {
-            const double dV = 1e-5 * speed, dw = 1e-5 * omega;
-            const Complex value = determinant(speed, omega), by_speed = (determinant(speed + dV, omega) - value) / dV,
-                          by_omega = (determinant(speed, omega + dw) - value) / dw;
-            Eigen::Matrix2d jacobian;
-            jacobian << by_speed.real(), by_omega.real(), by_speed.imag(), by_omega.imag();
-            const Eigen::Vector2d change = -jacobian.inverse() * Eigen::Vector2d(value.real(), value.imag());
-            speed += change[0];
-            omega += change[1];
-            if (std::abs(change[0]) < 1e-9 * speed) break;
-        }
-        return speed;
-    }
-
-    // 3. With saturation: a table of the ellipses near that of the wheels, from 8 x 8 elements.
-    CreepForceTable make_table(const PatchContact<double>& wheel) {
-        const int shapes = 4, levels = 10;
-        const double smallest = wheel.a_over_b() / 1.1, largest = wheel.a_over_b() * 1.1, nu = wheel.poisson_ratio();
-        const double bound = 0.01, load = bound / 0.3;  // mu N/(G a b) of the contacts below, where G a b = 1
-        const NodeDifference scheme{Nodes::chebyshev};
-        const HalfSpace<double> kernel(nu);
-        std::vector<CreepCoefficients<double>> coefficients;
-        std::vector<PatchContact<double>> ellipses;
-        for (int i = 0; i < shapes; ++i) {
-            const double a = std::sqrt(CreepForceGrid::a_over_b_of(i, shapes, smallest, largest));
-            ellipses.push_back(
-                PatchContact<double>({.half_length = a, .half_width = 1 / a, .shear_modulus = 1, .poisson_ratio = nu}));
-            coefficients.push_back(solve_steady(ellipses.back(), patch_mesh(ellipses.back(), 8, 8), scheme));
-        }
-        CreepForceGrid grid(nu, smallest, largest, levels, coefficients);
-        Eigen::Array3Xd forces(3, shapes * grid.nodes());
-        for (int i = 0; i < shapes; ++i) {
-            const PatchContact<double>& ellipse = ellipses[static_cast<std::size_t>(i)];
-            const PatchMesh<double> mesh = patch_mesh(ellipse, 8, 8);
-            const SteadyFrictionModel model(ellipse, mesh, scheme, kernel, {0.3, hertz_pressures(ellipse, mesh, load)});
-            auto workspace = model.workspace();
-            auto now = model.at_rest(), next = now;
-            for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-                const Creepage<double> v = grid.creepage(i, node);
-                const auto step =
-                    model.steady(now, {bound * v.longitudinal, bound * v.lateral, bound * v.spin}, next, workspace);
-                if (step.status != StepStatus::ok) return {grid, Eigen::Array3Xd(3, 0)};  // refused
-                forces.col(i * grid.nodes() + node) << -step.force.longitudinal, -step.force.lateral,
-                    -step.force.moment;
-                std::swap(now, next);
-            }
-        }
-        forces /= bound;
-        return {grid, forces};
-    }
-
-    struct Wheels {
-        const CreepForceTable& table;
-        PatchContact<double> contact;
-
-        TabulatedForce operator()(const Wheelset& w, const Creepage<double>& creepage) const {
-            return table.look_up(contact, w.friction, w.load, creepage);
-        }
+        const Complex s(0, frequency);
+        Eigen::Matrix2cd stiffness = -A.bottomLeftCorner<2, 2>() - s * A.bottomRightCorner<2, 2>();
+        stiffness(0, 0) += w.lateral_spring + s * s * w.mass;
+        stiffness(1, 1) += w.yaw_spring + s * s * w.inertia;
+        return stiffness.determinant();
     };
-
-    /// d(F_x, F_y, M_z)/d(xi, eta, phi) of both wheels in the middle of the track, where they spin against each other.
-    std::array<CreepMatrix, 2> tangents(const Wheelset& w, const Wheels& wheels) {
-        std::array<CreepMatrix, 2> matrices;
-        for (const int side : {1, -1}) {
-            const auto t = wheels(w, creepage(w, 1, State::Zero(), side)).tangent;
-            Eigen::Index column = 0;
-            for (const auto& by : {t.by_longitudinal, t.by_lateral, t.by_spin}) {
-                matrices[side == 1 ? 0 : 1].col(column++) << by.longitudinal, by.lateral, by.moment;
-            }
-        }
-        return matrices;
+    for (int k = 0; k < 20; ++k) {
+        const double dV = 1e-5 * speed, dw = 1e-5 * omega;
+        const Complex value = determinant(speed, omega), by_speed = (determinant(speed + dV, omega) - value) / dV,
+                      by_omega = (determinant(speed, omega + dw) - value) / dw;
+        Eigen::Matrix2d jacobian;
+        jacobian << by_speed.real(), by_omega.real(), by_speed.imag(), by_omega.imag();
+        const Eigen::Vector2d change = -jacobian.inverse() * Eigen::Vector2d(value.real(), value.imag());
+        speed += change[0];
+        omega += change[1];
+        if (std::abs(change[0]) < 1e-9 * speed) break;
     }
+    return speed;
+}
 
-    /// State, and what the drive that keeps V and omega has put in and creepage has turned into heat [J].
-    struct Ride {
-        State x = State::Zero();
-        double work = 0, heat = 0;
+// 3. With saturation: a table of the ellipses near that of the wheels, from 8 x 8 elements.
+CreepForceTable make_table(const PatchContact<double>& wheel) {
+    const int shapes = 4, levels = 10;
+    const double smallest = wheel.a_over_b() / 1.1, largest = wheel.a_over_b() * 1.1, nu = wheel.poisson_ratio();
+    const double bound = 0.01, load = bound / 0.3;  // mu N/(G a b) of the contacts below, where G a b = 1
+    const NodeDifference scheme{Nodes::chebyshev};
+    const HalfSpace<double> kernel(nu);
+    std::vector<CreepCoefficients<double>> coefficients;
+    std::vector<PatchContact<double>> ellipses;
+    for (int i = 0; i < shapes; ++i) {
+        const double a = std::sqrt(CreepForceGrid::a_over_b_of(i, shapes, smallest, largest));
+        ellipses.push_back(
+            PatchContact<double>({.half_length = a, .half_width = 1 / a, .shear_modulus = 1, .poisson_ratio = nu}));
+        coefficients.push_back(solve_steady(ellipses.back(), patch_mesh(ellipses.back(), 8, 8), scheme));
+    }
+    CreepForceGrid grid(nu, smallest, largest, levels, coefficients);
+    Eigen::Array3Xd forces(3, shapes * grid.nodes());
+    for (int i = 0; i < shapes; ++i) {
+        const PatchContact<double>& ellipse = ellipses[static_cast<std::size_t>(i)];
+        const PatchMesh<double> mesh = patch_mesh(ellipse, 8, 8);
+        const SteadyFrictionModel model(ellipse, mesh, scheme, kernel, {0.3, hertz_pressures(ellipse, mesh, load)});
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
+            const Creepage<double> v = grid.creepage(i, node);
+            const auto step =
+                model.steady(now, {bound * v.longitudinal, bound * v.lateral, bound * v.spin}, next, workspace);
+            if (step.status != StepStatus::ok) return {grid, Eigen::Array3Xd(3, 0)};  // refused
+            forces.col(i * grid.nodes() + node) << -step.force.longitudinal, -step.force.lateral, -step.force.moment;
+            std::swap(now, next);
+        }
+    }
+    forces /= bound;
+    return {grid, forces};
+}
+
+struct Wheels {
+    const CreepForceTable& table;
+    PatchContact<double> contact;
+
+    TabulatedForce operator()(const Wheelset& w, const Creepage<double>& creepage) const {
+        return table.look_up(contact, w.friction, w.load, creepage);
+    }
+};
+
+/// d(F_x, F_y, M_z)/d(xi, eta, phi) of both wheels in the middle of the track, where they spin against each other.
+std::array<CreepMatrix, 2> tangents(const Wheelset& w, const Wheels& wheels) {
+    std::array<CreepMatrix, 2> matrices;
+    for (const int side : {1, -1}) {
+        const auto t = wheels(w, creepage(w, 1, State::Zero(), side)).tangent;
+        Eigen::Index column = 0;
+        for (const auto& by : {t.by_longitudinal, t.by_lateral, t.by_spin}) {
+            matrices[side == 1 ? 0 : 1].col(column++) << by.longitudinal, by.lateral, by.moment;
+        }
+    }
+    return matrices;
+}
+
+/// State, and what the drive that keeps V and omega has put in and creepage has turned into heat [J].
+struct Ride {
+    State x = State::Zero();
+    double work = 0, heat = 0;
+};
+
+Ride rate(const Wheelset& w, const Wheels& wheels, double speed, const Ride& at) {
+    const State& x = at.x;
+    Ride d;
+    Eigen::Vector2d force(guiding_force(w, x[0]), -w.yaw_spring * x[1]);
+    for (const int side : {1, -1}) {
+        const Creepage<double> v = creepage(w, speed, x, side);
+        const auto f = wheels(w, v).force;
+        const Eigen::Vector3d forces(f.longitudinal, f.lateral, f.moment);
+        force += force_arms(w, side) * forces;
+        d.heat -= speed * forces.dot(Eigen::Vector3d(v.longitudinal, v.lateral, v.spin));
+        d.work += speed *
+                  forces.dot(Eigen::Vector3d(side * w.conicity * x[0] / w.radius, x[1], side * w.conicity / w.radius));
+    }
+    d.x << x[2], x[3], force[0] / w.mass, force[1] / w.inertia;
+    return d;
+}
+
+double energy(const Wheelset& w, const State& x) {
+    const double beyond = std::max(std::abs(x[0]) - w.play, 0.0);
+    return (w.mass * x[2] * x[2] + w.inertia * x[3] * x[3] + w.lateral_spring * x[0] * x[0] +
+            w.yaw_spring * x[1] * x[1] + w.flange_spring * beyond * beyond) /
+           2;
+}
+
+/// `seconds` by the classic Runge-Kutta method; returns the largest |y| of the last third [m].
+double roll(const Wheelset& w, const Wheels& wheels, double speed, double seconds, double dt, Ride& ride) {
+    const auto moved = [](const Ride& from, double by, const Ride& along) {
+        return Ride{from.x + by * along.x, from.work + by * along.work, from.heat + by * along.heat};
     };
-
-    Ride rate(const Wheelset& w, const Wheels& wheels, double speed, const Ride& at) {
-        const State& x = at.x;
-        Ride d;
-        Eigen::Vector2d force(guiding_force(w, x[0]), -w.yaw_spring * x[1]);
-        for (const int side : {1, -1}) {
-            const Creepage<double> v = creepage(w, speed, x, side);
-            const auto f = wheels(w, v).force;
-            const Eigen::Vector3d forces(f.longitudinal, f.lateral, f.moment);
-            force += force_arms(w, side) * forces;
-            d.heat -= speed * forces.dot(Eigen::Vector3d(v.longitudinal, v.lateral, v.spin));
-            d.work += speed * forces.dot(Eigen::Vector3d(side * w.conicity * x[0] / w.radius, x[1],
-                                                         side * w.conicity / w.radius));
-        }
-        d.x << x[2], x[3], force[0] / w.mass, force[1] / w.inertia;
-        return d;
+    double largest = 0;
+    const int steps = static_cast<int>(std::lround(seconds / dt));
+    for (int k = 0; k < steps; ++k) {
+        const Ride k1 = rate(w, wheels, speed, ride), k2 = rate(w, wheels, speed, moved(ride, dt / 2, k1)),
+                   k3 = rate(w, wheels, speed, moved(ride, dt / 2, k2)),
+                   k4 = rate(w, wheels, speed, moved(ride, dt, k3));
+        ride = moved(moved(moved(moved(ride, dt / 6, k1), dt / 3, k2), dt / 3, k3), dt / 6, k4);
+        if (3 * k > 2 * steps) largest = std::max(largest, std::abs(ride.x[0]));
     }
-
-    double energy(const Wheelset& w, const State& x) {
-        const double beyond = std::max(std::abs(x[0]) - w.play, 0.0);
-        return (w.mass * x[2] * x[2] + w.inertia * x[3] * x[3] + w.lateral_spring * x[0] * x[0] +
-                w.yaw_spring * x[1] * x[1] + w.flange_spring * beyond * beyond) /
-               2;
-    }
-
-    /// `seconds` by the classic Runge-Kutta method; returns the largest |y| of the last third [m].
-    double roll(const Wheelset& w, const Wheels& wheels, double speed, double seconds, double dt, Ride& ride) {
-        const auto moved = [](const Ride& from, double by, const Ride& along) {
-            return Ride{from.x + by * along.x, from.work + by * along.work, from.heat + by * along.heat};
-        };
-        double largest = 0;
-        const int steps = static_cast<int>(std::lround(seconds / dt));
-        for (int k = 0; k < steps; ++k) {
-            const Ride k1 = rate(w, wheels, speed, ride), k2 = rate(w, wheels, speed, moved(ride, dt / 2, k1)),
-                       k3 = rate(w, wheels, speed, moved(ride, dt / 2, k2)),
-                       k4 = rate(w, wheels, speed, moved(ride, dt, k3));
-            ride = moved(moved(moved(moved(ride, dt / 6, k1), dt / 3, k2), dt / 3, k3), dt / 6, k4);
-            if (3 * k > 2 * steps) largest = std::max(largest, std::abs(ride.x[0]));
-        }
-        return largest;
-    }
+    return largest;
+}
 
 }  // namespace
 

@@ -148,8 +148,8 @@ protected:
 
     Interface used() const { return interface_; }
 
-    /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing programs
-    /// know no enumerations: an output's has the same value, a parameter's sets the value unless it is 0, its start.
+    /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing
+    /// programs know no enumerations: an output's has the same value, a parameter's sets it unless it is 0, its start.
     int add(Variable variable);
     void add_input(Input& input, const char* name, const char* unit, const char* description);
     void add_output(Variable::Value value, const char* name, const char* unit, const char* description,

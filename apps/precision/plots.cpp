@@ -43,13 +43,12 @@ std::string title_of(const Quantity& quantity) {
 /// Errors below the floor are drawn on it.
 study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
     const std::string& quantity = shown.name;
-    study::Plot plot{
-        .title = title_of(shown),
-        .x_label = "time [microseconds]",
-        .y_label = quantity == "patch_force" ? "largest error of F_x, F_y over μ N" : "|relative error|",
-        .log_x = true,
-        .log_y = true,
-        .series = {}};
+    study::Plot plot{.title = title_of(shown),
+                     .x_label = "time [microseconds]",
+                     .y_label = quantity == "patch_force" ? "largest error of F_x, F_y over μ N" : "|relative error|",
+                     .log_x = true,
+                     .log_y = true,
+                     .series = {}};
     study::Series front{.label = "Pareto front", .points = {}, .markers = false, .reference = true};
     const std::vector<double> sustained = sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -37,7 +37,7 @@ enum class StepStatus {
     inconsistent,  ///< steady friction with a scheme that does not converge to full adhesion: see Status::inconsistent
     needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready
                    ///< matrices)
-    wrong_table,   ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
+    wrong_table,  ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
 };
 
 /// The name of a status as spelt in this header.

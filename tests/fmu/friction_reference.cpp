@@ -1,6 +1,6 @@
-// friction_reference line|patch follows|fixed: reads lines of duration [s], both slip velocities [m/s], spin [rad/s], rolling
-// speed [m/s] and load [N], and prints the library's result of each step: both forces, the moment and the slip work bit
-// for bit, and the number of elements that stick. Exits with 1 at a step that is not ok.
+// friction_reference line|patch follows|fixed: reads lines of duration [s], both slip velocities [m/s], spin [rad/s],
+// rolling speed [m/s] and load [N], and prints the library's result of each step: both forces, the moment and the slip
+// work bit for bit, and the number of elements that stick. Exits with 1 at a step that is not ok.
 #include <cstdio>
 #include <string_view>
 

@@ -1,4 +1,4 @@
-/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s; of a table, look-ups.
+/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s, of a table look-ups.
    Returns the force [N]. */
 #ifdef __cplusplus
 extern "C" {

@@ -14,9 +14,9 @@ from support import Fmu, Instance, discard, error, ok, run, status_of
 duration = 25  # us
 # by FMU: enumerations, each at another value than its start
 choices = {
-    "rollbem_adhesion": {"half_length_from": 2, "direction": 2, "contact_length": 2, "initial_state": 2},
-    "rollbem_friction": {"mesh": 2, "mesh_length": 2, "kernel": 2, "initial_state": 2},
-    "rollbem_patch": {"mode": 2, "mesh_size": 2, "initial_state": 2},
+    "rollbem_adhesion": [{"half_length_from": 2, "direction": 2, "contact_length": 2, "initial_state": 2}],
+    "rollbem_friction": [{"mesh": 2, "mesh_length": 2, "kernel": 2, "initial_state": 2}],
+    "rollbem_patch": [{"mesh_size": 2, "initial_state": 2}, {"mode": 2}],
 }
 slips = {"slip_velocity": 4e-3, "longitudinal_slip_velocity": 4e-3, "lateral_slip_velocity": -3e-3, "spin_rate": 1.0}
 
@@ -60,8 +60,7 @@ def test_enumerations_have_twins():
 
 
 def test_steps_equal_those_in_fmpy():
-    for fmu in fmus:
-        chosen = choices[fmu.description.modelName]
+    for fmu, chosen in [(fmu, chosen) for fmu in fmus for chosen in choices[fmu.description.modelName]]:
         inputs = {name: value for name, value in slips.items() if name in fmu.references}
         cosim, fmpy = Cosim(fmu.file), Instance(fmu).start(**chosen, **inputs)
         cosim.start(**{f"{name}_code": value for name, value in chosen.items()}, **inputs)

@@ -45,7 +45,6 @@ public:
         : size_(n),
           coupled_(coupled),
           side_{Side(coupled ? 0 : n), Side(coupled ? 0 : n)},
-          block_{Matrix(coupled ? n : 0, coupled ? n : 0), block_[0], block_[0], block_[0]},
           released_(coupled ? n : 0),
           factors_(coupled ? 0 : n, coupled ? 0 : n),
           whole_(2 * n, 2 * n),
@@ -58,7 +57,9 @@ public:
           slipping_(n),
           sticking_(n),
           eliminated_for_(n),
-          swaps_(static_cast<std::size_t>(2 * n)) {}
+          swaps_(static_cast<std::size_t>(2 * n)) {
+        for (Matrix& block : block_) block.resize(coupled ? n : 0, coupled ? n : 0);
+    }
 
     Index size() const { return size_; }
     bool coupled() const { return coupled_; }
