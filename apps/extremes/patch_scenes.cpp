@@ -1,5 +1,5 @@
-// Friction on contact patches drawn at random: stick and slip found by the library, checked against equations set up
-// here from G and G'.
+// Friction on contact patches drawn at random, whose size and shape may vary: stick and slip found by the library,
+// checked against equations set up here from G, G' and du/dy.
 #include <algorithm>
 #include <array>
 #include <cmath>
