@@ -47,7 +47,7 @@ void add_table(study::Plot& plot, std::size_t coefficient, const std::vector<stu
 std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<double>& contact) {
     std::vector<std::pair<double, double>> points;
     const double c = contact.c();
-    if (const auto& outline = contact.outline()) {
+    if (const auto* outline = contact.outline()) {
         const auto& y = outline->y();
         for (Eigen::Index i = 0; i < y.size(); ++i) points.emplace_back(outline->trailing(y[i]) / c, y[i] / c);
         for (Eigen::Index i = y.size(); i-- > 0;) points.emplace_back(outline->leading(y[i]) / c, y[i] / c);
@@ -64,7 +64,7 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
 /// Whether the patch covers a place, in c.
 bool covers(const rollbem::PatchContact<double>& contact, double x, double y) {
     const double c = contact.c();
-    if (const auto& outline = contact.outline()) {
+    if (const auto* outline = contact.outline()) {
         return y * c >= outline->low() && y * c <= outline->high() && x * c >= outline->trailing(y * c) &&
                x * c <= outline->leading(y * c);
     }

@@ -70,7 +70,7 @@ Eigen::ArrayXd Pressure::on(const Patch& patch) const {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     if (!grid_) return rollbem::hertz_pressures(patch.contact, patch.mesh, a * b);
     // the table measures an ellipse in a and b, an outline in its own unit
-    const bool outline = patch.contact.outline().has_value();
+    const bool outline = patch.contact.outline() != nullptr;
     std::vector<rollbem::Rectangle<double>> elements = rollbem::rectangles(patch.mesh, a);
     for (rollbem::Rectangle<double>& element : elements) {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};

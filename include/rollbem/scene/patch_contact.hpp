@@ -5,8 +5,8 @@
 #include "../detail/language.hpp"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "../detail/finite.hpp"
@@ -46,7 +46,7 @@ public:
     /// Any outline, in metres. a and b are both the radius c of the circle of equal area.
     PatchContact(Outline<Scalar> outline, Scalar shear_modulus, Scalar poisson_ratio)
         : PatchContact(Parameters{radius_of(outline), radius_of(outline), shear_modulus, poisson_ratio}) {
-        outline_ = std::move(outline);
+        outline_ = std::make_shared<const Outline<Scalar>>(std::move(outline));
     }
 
     /// The ellipse with a = G = 1.
@@ -63,7 +63,7 @@ public:
     Scalar c() const {  ///< sqrt(a b) [m]
         return std::sqrt(parameters_.half_length) * std::sqrt(parameters_.half_width);
     }
-    const std::optional<Outline<Scalar>>& outline() const { return outline_; }  ///< empty for an ellipse
+    const Outline<Scalar>* outline() const { return outline_.get(); }  ///< null for an ellipse
 
 private:
     static void require_positive(const char* quantity, Scalar value) {
@@ -75,7 +75,7 @@ private:
     }
 
     Parameters parameters_;
-    std::optional<Outline<Scalar>> outline_;
+    std::shared_ptr<const Outline<Scalar>> outline_;
 };
 
 }  // namespace rollbem
