@@ -1,14 +1,16 @@
-// Friction on contact patches drawn at random: stick and slip found by the library, checked against equations set up
-// here from G and G'.
+// Friction on contact patches drawn at random, whose size and shape may vary: stick and slip found by the library,
+// checked against equations set up here from G, G' and du/dy.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
@@ -19,6 +21,7 @@ namespace extremes {
 
 namespace {
 
+using Axes = rollbem::SemiAxes<double>;
 using Creepage = rollbem::Creepage<double>;
 using Matrix = rollbem::MatrixX<double>;
 using Vector = rollbem::VectorX<double>;
@@ -45,7 +48,7 @@ private:
     std::mt19937_64 bits_;
 };
 
-/// mu N = 1, and so are a and G.
+/// mu N = 1, and so are the contact's a and G.
 struct Scene {
     double a_over_b, nu;
     int n, strips;
@@ -54,9 +57,12 @@ struct Scene {
     struct Later {
         double dq, load;  ///< of a; over N
         Creepage creepage;
+        double growth = 0, narrowing = 1;  ///< da over the smaller of dq and a/2; factor on a/b
     };
     std::array<Later, steps> later;
     bool euler;
+    bool varies, reshapes;              ///< the size; and the shape
+    double half_length, narrowing = 1;  ///< in the beginning: a; a/b over that of the contact
 
     explicit Scene(std::uint64_t seed) {
         Draw draw(seed);
@@ -82,12 +88,23 @@ struct Scene {
             }
         }
         euler = draw.one_in(2);
+        varies = draw.one_in(2);
+        reshapes = varies && draw.one_in(2);
+        half_length = varies ? draw.decades(0.5, 2) : 1;
+        if (reshapes) narrowing = draw.decades(1 / 1.4, 2);
+        for (Later& step : later) {
+            if (varies) step.growth = draw.between(-1.02, 1.02);
+            if (reshapes) step.narrowing = draw.decades(0.75, 1 / 0.75);
+        }
     }
 
     std::string name(std::uint64_t seed) const {
         return "scene " + std::to_string(seed) + ": a/b = " + shown(a_over_b) + ", nu = " + shown(nu) + ", " +
                std::to_string(n) + " x " + std::to_string(strips) + ", creepages " + shown(creepage.longitudinal) +
-               " " + shown(creepage.lateral) + " " + shown(creepage.spin) + (euler ? ", implicit Euler" : ", sdirk2");
+               " " + shown(creepage.lateral) + " " + shown(creepage.spin) + (euler ? ", implicit Euler" : ", sdirk2") +
+               (reshapes ? ", a and b vary"
+                : varies ? ", a varies"
+                         : "");
     }
 };
 
@@ -114,10 +131,18 @@ double violation(const State& state, const Vector& bound, const Matrix& slip, do
 /// slip that the library gives, and of the forces' sum.
 Outcome run(const Scene& scene) {
     const auto contact = rollbem::PatchContact<double>::dimensionless(scene.a_over_b, scene.nu);
+    const auto along = rollbem::cosine_mesh(scene.n);
     const auto across = scene.cosine ? rollbem::cosine_mesh(scene.strips) : rollbem::uniform_mesh(scene.strips);
-    const auto mesh = rollbem::patch_mesh(contact, rollbem::cosine_mesh(scene.n), across);
-    const auto system = rollbem::rolling_system(mesh, chebyshev, rollbem::HalfSpace<double>(scene.nu));
-    const auto whole = system.whole();
+    const auto mesh = rollbem::patch_mesh(contact, along, across);
+    const rollbem::HalfSpace<double> kernel(scene.nu);
+    std::optional<rollbem::PatchShapes<double>> shapes;
+    if (scene.reshapes) {
+        shapes.emplace(along, across, chebyshev, kernel,
+                       rollbem::PatchShapes<double>::Range{scene.a_over_b / 1.5, scene.a_over_b * 2.25, 1.5});
+    }
+    const auto system = shapes         ? shapes->system(scene.a_over_b)
+                        : scene.varies ? rollbem::breathing_system(contact, mesh, chebyshev, kernel)
+                                       : rollbem::rolling_system(mesh, chebyshev, kernel);
     const rollbem::ArrayX<double> pressure = rollbem::hertz_pressures(contact, mesh, 1.0);
     const rollbem::FrictionModel model(contact, system, rollbem::unchecked, {1.0, pressure},
                                        scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2);
@@ -125,8 +150,35 @@ Outcome run(const Scene& scene) {
     const auto stacked = [&](const State& state) {
         return Vector(Eigen::Map<const Vector>(state.traction.data(), 2 * count));
     };
+    // all equations of an ellipse
+    const auto at = [&](const Axes& axes) {
+        const double a = axes.half_length;
+        const auto unit = (shapes ? shapes->system(a / axes.half_width) : system).whole();
+        return rollbem::RollingSystem<double>(a * unit.G(), unit.G_prime(),
+                                              unit.inputs() * Eigen::Vector3d(1, 1, a).asDiagonal(),
+                                              unit.outputs() * Eigen::Vector3d(a * a, a * a, a * a * a).asDiagonal());
+    };
+    const auto load_of = [&](double load, const Axes& axes) {
+        const double area = axes.half_length * axes.half_width / contact.half_width();
+        return rollbem::NormalLoad<double>{load / area * pressure, axes.half_length, {}, axes.half_width};
+    };
+    Axes axes{scene.half_length, scene.half_length / scene.narrowing * contact.half_width()};
+    auto whole = at(axes);
     const auto rigid = [&](const Creepage& c) {
         return Vector(whole.inputs() * Eigen::Vector3d(c.longitudinal, c.lateral, c.spin));
+    };
+    // y/b du/dy
+    const auto stretched = [&](const Vector& p) {
+        Vector result = Vector::Zero(2 * count);
+        if (!system.shapes()) return result;
+        const auto weights = system.shapes()->weights(axes.half_length / axes.half_width);
+        for (std::size_t k = 0; k < weights.count; ++k) {
+            const auto& G_y = system.shapes()->nodes[weights.first + k].G_y;
+            result.head(count) += weights.values[k] * (G_y.xx * p.head(count) + G_y.xy * p.tail(count));
+            result.tail(count) += weights.values[k] * (G_y.xy * p.head(count) + G_y.yy * p.tail(count));
+        }
+        result.array() *= system.elements().y.replicate(2, 1) * scene.a_over_b;
+        return result;
     };
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
@@ -150,22 +202,35 @@ Outcome run(const Scene& scene) {
     };
     const auto size = [](const Vector& vector) { return vector.cwiseAbs().maxCoeff(); };
 
-    const Step steady = model.steady(now, scene.creepage, next, workspace);
+    const auto first = load_of(1, axes);
+    const Step steady = model.steady(now, scene.creepage, first, next, workspace);
     const Vector w = rigid(scene.creepage), u_prime = whole.G_prime() * stacked(next);
-    check(steady, pressure, w - u_prime, size(w) + size(u_prime));
+    check(steady, first.normal_pressure, w - u_prime, size(w) + size(u_prime));
     for (const Scene::Later& later : scene.later) {
         if (!outcome.told.empty()) break;
         std::swap(now, next);
-        const rollbem::NormalLoad<double> load{
-            .normal_pressure = later.load * pressure, .half_length = contact.half_length(), .pressure_rate = {}};
+        const double a = axes.half_length, da = std::min(later.dq, a / 2) * later.growth;
+        const Axes ended{a + da, axes.half_width * ((a + da) / a) / later.narrowing};
+        const auto load = load_of(later.load, ended);
         const Step step = model.advance(now, later.dq, later.creepage, load, next, workspace);
+        const bool covered = !system.shapes() || system.shapes()->covers(ended.half_length / ended.half_width);
+        if (!covered || std::abs(da) >= later.dq) {  // the mesh cannot follow
+            if (step.status != rollbem::StepStatus::needs_fixed_mesh) outcome.told = "not refused";
+            std::swap(now, next);
+            continue;
+        }
+        const Vector before = whole.G() * stacked(now);
+        const double db = ended.half_width - axes.half_width;
+        axes = ended;
+        whole = at(axes);
         if (later.load == 0 && step.status == rollbem::StepStatus::ok && next.traction.isZero(0)) continue;
         if (!scene.euler) {
             check(step, load.normal_pressure, {}, 1);
             continue;
         }
-        const Vector rolled = later.dq * rigid(later.creepage), slope = later.dq * (whole.G_prime() * stacked(next));
-        const Vector change = whole.G() * (stacked(next) - stacked(now));
+        const Vector p = stacked(next), rolled = later.dq * rigid(later.creepage), change = whole.G() * p - before;
+        const Vector travelled = (later.dq + da * system.elements().x.replicate(2, 1)) * (whole.G_prime() * p).array();
+        const Vector slope = travelled + db * stretched(p);
         check(step, load.normal_pressure, rolled - slope + change, size(rolled) + size(slope) + size(change));
     }
     return outcome;
