@@ -16,6 +16,7 @@ using namespace rollbem;
 constexpr double peak = 1e-3;  // mu p0, with a = G = 1
 constexpr double full_force = peak * std::numbers::pi / 2;
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
+constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
 
 using State = FrictionState<2>;
 using Step = FrictionStep<2>;

@@ -14,8 +14,6 @@ namespace {
 
 using namespace combined_tests;
 
-constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
-
 // Hertz's pressure at the half-length a, in units of the scene's, on a breathing mesh. The rates are derivatives by the
 // factor of the pressures.
 NormalLoad<double> breathing(const Scene& scene, double a) {

@@ -19,8 +19,6 @@ namespace {
 
 using namespace combined_tests;
 
-constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
-
 TEST_CASE("Rolling at constant creepages tends to the steady solution on the same mesh", "[friction]") {
     const Scene scene = Scene(cosine_mesh<double>(24), 0.28, half, 10).plain();
     for (const Integrator integrator : integrators) {

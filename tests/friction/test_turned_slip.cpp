@@ -14,8 +14,6 @@ namespace {
 
 using namespace combined_tests;
 
-constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
-
 /// A scene of combined_scene.hpp whose equations are node differences between Chebyshev points.
 struct Nodal : Scene {
     explicit Nodal(Eigen::Index n, double nu_ = 0.28, double aspect = 1000)
