@@ -92,8 +92,8 @@ long double; there the bound is the rounding error times the condition of the pr
 With --patches: a/b from 0.05 to 20, nu = 0, 0.28 or 0.5, up to 12 elements in each of up to 10 strips, creepages over
 four decades (spin alone in every sixth), steps of 1e-3 to 10 a, creepages and loads that jump in half of the scenes; a
 varies in half of them, in half of these also a/b. The error is the largest violation of Coulomb's law and of the
-equations, set up anew from G, G' and du/dy (with sdirk2, whose stages are not seen from outside, of |p| <= mu p_n in its
-steps); value is the last -F_y over mu N. Steps that a mesh cannot follow must be refused.
+equations, set up anew from G, G' and du/dy (with sdirk2, whose stages are not seen from outside, of |p| <= mu p_n in
+its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow must be refused.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
