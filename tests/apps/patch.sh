@@ -236,6 +236,19 @@ good 81 "$patch" --n 6 --a-over-b 2 --lateral 0.1125 --spin 0.2386485 --transien
     --no-timing
 tail -n 1 out | cut -d, -f"$(column lateral_force)" | paste - end | awk '{ exit !(($1 / $2 - 1) ^ 2 < 1e-7) }' ||
     fail "the force under the last ellipse is not $(cat end): $(tail -n 1 out)"
+# order in 1/n under a load that varies: second where the mesh follows, on a fixed one the border of pressure lowers it
+order_in_n() {
+    for n in 3 6 12; do
+        "$patch" --n $n --longitudinal 0.1422475 --lateral 0.1081081 --spin 0.2022927 --transient --dq 0.2 --until 8 \
+            --load-sine 0.5,8 --no-timing "$@" >out
+        cut -d, -f"$(column lateral_force)" out >"forces$n"
+    done
+    paste forces3 forces6 forces12 |
+        awk 'NR > 1 { a += ($1 - $2) ^ 2; b += ($2 - $3) ^ 2 } END { print log(a / b) / log(4) }'
+}
+order_in_n --breathing | awk '{ exit !($1 > 1.6 && $1 < 2.3) }' || fail "order of a mesh that breathes: $(order_in_n --breathing)"
+order_in_n | awk '{ exit !($1 > 0.3 && $1 < 1.2) }' || fail "order of a fixed mesh: $(order_in_n)"
+
 bad '|A| < 1 where the mesh breathes' $p --n 4 --spin 1 --transient --load-sine 1,8 --breathing
 loads '0,1,1,1\n1,8,3,3\n20,1,1,1\n'
 ends_early 11 'no results from the step to q/a = 0.5 on: needs_fixed_mesh, the contact grows or shrinks as fast' \
