@@ -300,7 +300,7 @@ private:
     // The same where semi-axes may vary.
     Step roll_shape(const State& from, Scalar dq, const detail::ImposedMotion<inputs, Scalar>& imposed,
                     const SemiAxes<Scalar>& semi_axes, bool by_axes, State& to, Workspace& workspace) const noexcept
-        requires(inputs == 3);
+        requires(inputs_ == 3);
 
     Units units_;
     RollingSystem<Scalar> system_;
@@ -421,7 +421,7 @@ template <int inputs_, class Scalar_>
 auto AdhesionModel<inputs_, Scalar_>::roll_shape(const State& from, Scalar dq,
                                                  const detail::ImposedMotion<inputs, Scalar>& imposed,
                                                  const SemiAxes<Scalar>& semi_axes, bool by_axes, State& to,
-                                                 Workspace& workspace) const noexcept -> Step requires(inputs == 3) {
+                                                 Workspace& workspace) const noexcept -> Step requires(inputs_ == 3) {
     const Axes end = axes(semi_axes);
     detail::ShapeStages<Scalar>& stages = workspace.shape_stages();
     // its matrices differ by rounding from those of a fixed mesh
