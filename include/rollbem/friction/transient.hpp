@@ -184,9 +184,10 @@ public:
     /// positive and finite if mu depends on slip, under the load of `from`. `to` must be another state with the same
     /// number of elements. It is not written if the status is invalid_step, wrong_state, invalid_load,
     /// needs_fixed_mesh or needs_places (spin, but the places of the equations are unknown) or the motion is not finite;
-    /// if the result is not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of `from` is negative or not finite, and no_solution also if
-    /// coefficients and slip do not come to agree. Tangents are at constant dq and duration. The result depends on
-    /// `from`, the travel and the motion alone, to the last bit. Does not allocate; a new dq costs a factorisation.
+    /// if the result is not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of
+    /// `from` is negative or not finite, and no_solution also if coefficients and slip do not come to agree. Tangents
+    /// are at constant dq and duration. The result depends on `from`, the travel and the motion alone, to the last bit.
+    /// Does not allocate; a new dq costs a factorisation.
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
         return roll(from, travel, motion, Core::load_of(from), to, workspace);

@@ -24,7 +24,8 @@ namespace rollbem {
 /// saturation: |u| < 2, where 2 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and
 /// F_x change sign alone, and so do eta, phi, F_y and M_z together.
 ///
-/// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64; c11, c22, c23, -c32, c33 > 0.
+/// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
+/// c11, c22, c23, -c32, c33 > 0.
 class CreepForceGrid {
 public:
     /// `coefficients` of the ellipses a_over_b_of(i, ...), whose number is that of shapes; `levels` nodes lie between

@@ -66,8 +66,8 @@ public:
     static CreepForceTable read(std::istream& stream);
 
     /// Little-endian, version 1: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
-    /// Poisson's ratio, smallest and largest a/b, scales (64 bits each), coefficients of the splines (32 bits each), and
-    /// the checksum FNV-1a of all bytes before (64 bits).
+    /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients of
+    /// the splines (32 bits each), and the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
 
     const CreepForceGrid& grid() const { return grid_; }
