@@ -1,12 +1,11 @@
 """rollbem_friction.fmu: test_friction.py FMU REFERENCE, the program that takes the same steps with the library."""
 import math
-import subprocess
 import sys
 
 import numpy as np
 from fmpy.validation import validate_fmu
 
-from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
+from support import Fmu, Instance, close_to, discard, error, library_steps, ok, run, status_of
 
 file, reference = sys.argv[1:3]
 fmu = Fmu(file)
@@ -43,16 +42,8 @@ def make_run(lift_off):
 
 
 def by_library(mesh_length, rows):
-    """The library's result of each step."""
-    # no spin
-    text = "".join(" ".join(value.hex() for value in (*row[:3], 0.0, *row[3:])) + "\n" for row in rows)
-    lines = subprocess.run([reference, "line", mesh_length], input=text, capture_output=True, text=True, check=True).stdout
-    result = []
-    for line in lines.splitlines():
-        along, across, _, work, sticking = line.split()
-        result.append((*map(float.fromhex, (along, across, work)), int(sticking)))
-    assert len(result) == len(rows)
-    return result
+    steps = library_steps(reference, "line", mesh_length, [(*row[:3], 0.0, *row[3:]) for row in rows])  # no spin
+    return [(along, across, work, sticking) for along, across, _, work, sticking in steps]
 
 
 def test_validation():

@@ -2,14 +2,13 @@
 import math
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 
 import numpy as np
 from fmpy.validation import validate_fmu
 
-from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
+from support import Fmu, Instance, close_to, discard, error, library_steps, ok, run, status_of
 
 file, reference = sys.argv[1:3]
 fmu = Fmu(file)
@@ -52,16 +51,7 @@ def make_run(lift_off):
 
 
 def by_library(mesh_size, rows):
-    """The library's result of each step."""
-    text = "".join(" ".join(value.hex() for value in row) + "\n" for row in rows)
-    lines = subprocess.run([reference, "patch", mesh_size], input=text, capture_output=True, text=True,
-                           check=True).stdout
-    result = []
-    for line in lines.splitlines():
-        *numbers, sticking = line.split()
-        result.append((*map(float.fromhex, numbers), int(sticking)))
-    assert len(result) == len(rows)
-    return result
+    return library_steps(reference, "patch", mesh_size, rows)
 
 
 def test_validation():
