@@ -224,7 +224,7 @@ TEST_CASE("A run that stands still solves the equations of steady rolling", "[fr
         for (const bool cosine : {false, true}) {
             if (cosine) setup.mesh = cosine_mesh<double>(24);
             if (!cosine) setup.mesh = uniform_mesh<double>(20);
-            for (const double ratio : {0.4, 1.2}) {
+            for (const double ratio : {0.4, setup.falls ? 4 : 1.2}) {  // in between the law has several solutions
                 INFO(words(setup));
                 CAPTURE(cosine, ratio);
                 Ride ride(setup);
@@ -274,41 +274,54 @@ TEST_CASE("With memory, rolling in time tends to steady rolling as mesh and step
     }
 }
 
-// Forces and work at eight places of a way of 4 a, in which the creepage rises, falls and turns.
-VectorX<double> forces_on_the_way(const Setup& setup, int steps) {
-    Ride ride(setup);
-    const double dq = 4.0 / steps;
-    const auto at = [](double q) { return creepage(1.5 * std::pow(std::sin(0.7 * q), 2), 30 * std::sin(0.9 * q)); };
-    VectorX<double> values(24);
-    double work = 0;
-    for (int k = 0; k < steps; ++k) {
-        const Step step = ride.step(dq, Motion::linear(at(k * dq), at((k + 1) * dq)));
-        REQUIRE(step.status == StepStatus::ok);
-        work += step.slip_work_per_width / (full_force * sliding * a);
-        if ((k + 1) % (steps / 8) == 0) values.segment<3>(3 * ((k + 1) / (steps / 8) - 1)) << ratios(step), work;
+// Forces at eight places of a way of 4 a, in which the creepage rises, falls and turns, and the work up to there.
+struct Way {
+    explicit Way(const Setup& setup, int steps) : forces(16), works(8) {
+        Ride ride(setup);
+        const double dq = 4.0 / steps;
+        const auto at = [](double q) { return creepage(1.5 * std::pow(std::sin(0.7 * q), 2), 30 * std::sin(0.9 * q)); };
+        double work = 0;
+        for (int k = 0; k < steps; ++k) {
+            const Step step = ride.step(dq, Motion::linear(at(k * dq), at((k + 1) * dq)));
+            REQUIRE(step.status == StepStatus::ok);
+            work += step.slip_work_per_width / (full_force * sliding * a);
+            const int place = (k + 1) / (steps / 8) - 1;
+            if ((k + 1) % (steps / 8) != 0) continue;
+            forces.segment<2>(2 * place) = ratios(step);
+            works[place] = work;
+        }
     }
-    return values;
-}
+
+    VectorX<double> forces, works;
+};
 
 TEST_CASE("Forces and work converge in dq at the order of the integrator", "[friction]") {
     for (Setup setup : every_setup(20e-6)) {
         if (setup.falls && setup.distance == 0) continue;  // the force jumps
         setup.mesh = uniform_mesh<double>(16);
-        const VectorX<double> limit = forces_on_the_way(setup, 2560);
+        const Way limit(setup, 5120);
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             setup.integrator = integrator;
             INFO(words(setup));
-            std::vector<double> counts, errors;
+            std::vector<double> counts, forces, works;
             for (const int steps : {40, 80, 160, 320}) {
+                const Way way(setup, steps);
                 counts.push_back(steps);
-                errors.push_back((forces_on_the_way(setup, steps) - limit).norm());
+                forces.push_back((way.forces - limit.forces).norm());
+                works.push_back((way.works - limit.works).norm());
             }
-            const double order = support::observed_order(counts, errors);
-            CAPTURE(errors, order);
-            // somewhat less than 2 where elements begin to slip within steps
+            const double order = support::observed_order(counts, forces);
+            const double order_of_work = support::observed_order(counts, works);
+            CAPTURE(forces, works, order, order_of_work);
             const bool second = integrator == Integrator::sdirk2;
-            CHECK(std::abs(order - (second ? 1.85 : 1)) < (second ? 0.25 : 0.1));
-            CHECK(errors.back() < (second ? 1e-3 : 3e-2));
+            CHECK(forces.back() < (second ? 2e-5 : 4e-3));
+            if (second && setup.falls) {  // somewhat less where elements begin to slip within steps
+                CHECK(std::abs(order - 1.8) < 0.2);
+                CHECK(std::abs(order_of_work - 1.35) < 0.2);
+            } else {
+                CHECK(std::abs(order - (second ? 2 : 1)) < 0.1);
+                CHECK(std::abs(order_of_work - (second ? 2 : 1)) < 0.1);
+            }
         }
     }
 }
@@ -341,14 +354,18 @@ TEST_CASE("Tangents by creepage, shift, load and half-length agree with central 
                 };
                 const Step step = solve(Vector2d::Zero(), 0, 0);
                 REQUIRE(step.status == StepStatus::ok);
-                CHECK((vector(step.tangent_by_load) - 2 * setup.half_width * vector(step.tangent_by_load_per_width))
-                          .norm() <= 1e-14 * vector(step.tangent_by_load).norm());
+                if (steady) {
+                    CHECK(std::isnan(step.tangent_by_load.longitudinal));
+                } else {
+                    CHECK((vector(step.tangent_by_load) - 2 * setup.half_width * vector(step.tangent_by_load_per_width))
+                              .norm() <= 1e-14 * vector(step.tangent_by_load).norm());
+                }
                 CHECK((matrix(step.tangent) - 2 * setup.half_width * matrix(step.tangent_per_width)).norm() <=
                       1e-14 * matrix(step.tangent).norm());
                 const State solved = ride.next;
                 const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent_per_width);
                 const auto compare = [&](std::size_t what, const Vector2d& own, const auto& moved) {
-                    constexpr double h = 1e-6;
+                    static double h = std::getenv("HH") ? std::atof(std::getenv("HH")) : 1e-6;
                     const Step high = moved(h);
                     bool unchanged = ride.next.zones == solved.zones;
                     const Step low = moved(-h);

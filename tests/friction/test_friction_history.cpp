@@ -80,57 +80,6 @@ struct Task {
 
 constexpr Collocation schemes[] = {half, {.alpha_L = 0, .alpha_T = 0.5}, {.alpha_L = 0, .alpha_T = 0.63}};
 
-TEST_CASE("A used workspace gives the same results as a new one", "[friction]") {
-    Random random(1);
-    int fallbacks = 0, mixed = 0;
-    for (const Eigen::Index n : {3, 4, 7, 12, 20, 29, 40}) {
-        for (const Collocation& scheme : schemes) {
-            const Scene scene(cosine_mesh<double>(n), scheme, 1, 10);
-            const FrictionModel<> model = scene.transient();
-            // the same system with implicit Euler, another friction coefficient, and another contact and mesh
-            const Scene slippery(scene.mesh, scheme, 0.2, 10), other(uniform_mesh<double>(n), half, 1, 4);
-            const std::vector<FrictionModel<>> models{model, scene.transient(Integrator::implicit_euler),
-                                                      slippery.transient(), other.transient()};
-            const SteadyFrictionModel<> steady = scene.steady();
-            std::vector<State> now, next;
-            for (const FrictionModel<>& each : models) now.push_back(each.at_rest());
-            next = now;
-            State curve = steady.at_rest(), curve_next = curve;
-            Workspace used = model.workspace();
-            for (int k = 0; k < 120; ++k) {
-                const std::size_t who = static_cast<std::size_t>(random.integer(3) == 0 ? random.integer(4) : k / 60);
-                Task task = Task::any(random);
-                // a step of implicit Euler as long as a stage of sdirk2 has the same matrix
-                if (who == 1 && random.integer(2) == 0) task.dq *= 1 - std::numbers::sqrt2 / 2;
-                State expected = now[who];
-                Workspace fresh = models[who].workspace();
-                const Step found = task.run(models[who], now[who], next[who], used);
-                const Step alone = task.run(models[who], now[who], expected, fresh);
-                CAPTURE(n, scheme.alpha_L, scheme.alpha_T, k, who, task.kind, task.dq, name(found.status));
-                REQUIRE(same(found, alone));
-                REQUIRE(same(next[who], expected));
-                REQUIRE(same(used.slip(), fresh.slip()));
-                fallbacks += found.pivots > 0 ? 1 : 0;
-                mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
-                if (random.integer(3) != 0) std::swap(now[who], next[who]);  // otherwise the trial is rejected
-                if (random.integer(10) == 0) {
-                    Workspace clean = steady.workspace();
-                    State curve_alone = curve;
-                    const double xi = creepage(random.uniform(-1.3, 1.3));
-                    REQUIRE(
-                        same(steady.steady(curve, xi, curve_next, used), steady.steady(curve, xi, curve_alone, clean)));
-                    REQUIRE(same(curve_next, curve_alone));
-                    REQUIRE(same(used.slip(), clean.slip()));
-                    std::swap(curve, curve_next);
-                }
-            }
-        }
-    }
-    CAPTURE(fallbacks, mixed);
-    CHECK(fallbacks > 20);
-    CHECK(mixed > 500);
-}
-
 TEST_CASE("Rejected steps, checkpoints and contacts in turn do not change results", "[friction]") {
     for (const Collocation& scheme : schemes) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {

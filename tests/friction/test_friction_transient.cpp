@@ -72,44 +72,6 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
     }
 }
 
-TEST_CASE("The tangent of a step lies between the one-sided difference quotients", "[friction]") {
-    // equal to both wherever the step is smooth in the creepage; they differ where an element is just at its bound
-    std::mt19937 generator(3);
-    std::uniform_real_distribution<double> uniform(-1.5, 1.5);
-    using Motion = RigidMotion<double>;
-    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<> model = scene.transient(integrator);
-        FrictionState<> now = model.at_rest(), next = now, probe = now;
-        FrictionWorkspace<> workspace = model.workspace();
-        int slid = 0, stuck = 0, mixed = 0;
-        for (int k = 0; k < 300; ++k) {
-            const bool faint = k % 15 < 2;
-            if (k % 15 == 0) now = model.at_rest();
-            const double dq = k % 40 < 20 ? 0.1 : 1.0, start = creepage(faint ? 0.001 : uniform(generator));
-            const double end = creepage(faint ? 0.001 : k % 10 == 5 ? 20.0 : uniform(generator));
-            const auto force = [&](double change) {
-                const Motion motion = k % 3 == 0   ? Motion(end + change)
-                                      : k % 3 == 1 ? Motion::linear(start, end + change)
-                                                   : Motion::shift(dq * end + change);
-                return model.advance(now, dq, motion, change == 0 ? next : probe, workspace);
-            };
-            const FrictionStep<> step = force(0);
-            const double change = 1e-7 * peak;
-            const double above = (force(change).force_per_width - step.force_per_width) / change;
-            const double below = (step.force_per_width - force(-change).force_per_width) / change;
-            CAPTURE(name(integrator), k, dq, step.stick_count, step.tangent_per_width, above, below);
-            CHECK(step.tangent_per_width > std::min(above, below) - 1e-6);
-            CHECK(step.tangent_per_width < std::max(above, below) + 1e-6);
-            CHECK(step.tangent == Approx(2 * 10 * step.tangent_per_width).epsilon(1e-14));
-            ++(step.stick_count == 0 ? slid : step.stick_count == 20 ? stuck : mixed);
-            std::swap(now, next);
-        }
-        CAPTURE(slid, stuck, mixed);
-        CHECK(std::min({slid, stuck, mixed}) > 5);
-    }
-}
-
 TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]") {
     for (const double force : {-0.4, 0.75}) {
         std::vector<double> sizes, errors;
@@ -142,84 +104,6 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
         }
         CHECK(std::abs(errors[1]) < 5e-4);
         CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.3);
-    }
-}
-
-TEST_CASE("Rolling at constant creepage tends to the steady solution", "[friction]") {
-    const Scene scene(cosine_mesh<double>(40), half, 1, 10);
-    const FrictionModel<> model = scene.transient();
-    const FrictionStep<> steady = from_scratch(scene.steady(), creepage(0.6));
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionWorkspace<> workspace = model.workspace();
-    // from rest, and from a shift larger than that of steady rolling
-    for (const double shift : {0.0, 4.0}) {
-        now = model.at_rest();
-        FrictionStep<> step = model.shift(now, shift * peak, next, workspace);
-        std::swap(now, next);
-        for (int k = 0; k < 2000; ++k) {
-            step = model.advance(now, 0.1, creepage(0.6), next, workspace);
-            std::swap(now, next);
-        }
-        CAPTURE(shift);
-        CHECK(step.force_per_width == Approx(steady.force_per_width).epsilon(1e-10));
-        CHECK(step.stick_count == steady.stick_count);
-        CHECK(step.slip_work_per_width / 0.1 == Approx(steady.slip_work_per_width).epsilon(1e-9));
-    }
-    FrictionState<> ready = model.at_rest();
-    const FrictionStep<> found = model.steady(next, creepage(0.6), ready, workspace);
-    CHECK(found.status == StepStatus::ok);
-    CHECK(found.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
-    CHECK(model.force(ready) == Approx(found.force).epsilon(1e-14));
-    CHECK((ready.traction - now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak);
-    const FrictionStep<> stays = model.advance(ready, 0.3, creepage(0.6), next, workspace);
-    CHECK(stays.force_per_width == Approx(steady.force_per_width).epsilon(1e-12));
-    // a workspace used by steady() serves for a rigid shift, and one used by a shift for steady()
-    FrictionWorkspace<> fresh = model.workspace();
-    const double shifted = model.shift(now, 0.3 * peak, ready, fresh).force_per_width;
-    REQUIRE(model.steady(now, creepage(0.6), ready, workspace).status == StepStatus::ok);
-    CHECK(model.shift(now, 0.3 * peak, ready, workspace).force_per_width == shifted);
-    CHECK(model.steady(now, creepage(0.6), ready, fresh).force_per_width ==
-          Approx(steady.force_per_width).epsilon(1e-12));
-}
-
-// Results at q = 2 by steps of equal length. The creepage rises, so that elements begin to slip one after another.
-struct History {
-    double force_ratio, work;
-};
-History roll_to_two(const Scene& scene, Integrator integrator, int steps) {
-    const FrictionModel<> model = scene.transient(integrator);
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionStep<> step;
-    const double dq = 2.0 / steps;
-    const auto xi = [&](int k) { return creepage(0.9 * std::sin(dq * k)); };
-    double work = 0;
-    for (int k = 0; k < steps; ++k) {
-        step = model.advance(now, dq, RigidMotion<double>::linear(xi(k), xi(k + 1)), next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        work += step.slip_work_per_width;
-        std::swap(now, next);
-    }
-    return {force_ratio(step), work};
-}
-
-TEST_CASE("Force and slip work converge in dq at the order of the integrator", "[friction]") {
-    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
-    const History reference = roll_to_two(scene, Integrator::sdirk2, 3200);
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        std::vector<double> sizes, forces, works;
-        for (const int steps : {20, 40, 80, 160}) {
-            const History history = roll_to_two(scene, integrator, steps);
-            sizes.push_back(steps);
-            forces.push_back(history.force_ratio - reference.force_ratio);
-            works.push_back(history.work / reference.work - 1);
-        }
-        const double order = integrator == Integrator::sdirk2 ? 2 : 1;
-        CAPTURE(name(integrator), forces, works);
-        CHECK(std::abs(support::observed_order(sizes, forces) - order) < 0.1 * order);
-        CHECK(std::abs(support::observed_order(sizes, works) - order) < 0.15 * order);
-        // a step of a tenth of the half-length is accurate to 1e-3, or 2e-2 with implicit Euler
-        CHECK(std::abs(forces[0]) < (integrator == Integrator::sdirk2 ? 1e-3 : 2e-2));
     }
 }
 
@@ -529,45 +413,6 @@ TEST_CASE("Invalid input to friction is rejected by name or reported by the stat
     const FrictionModel<> gap = scene.transient();
     CHECK(gap.advance(gap.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::ok);
     CHECK(next.traction[5] == 0);
-}
-
-TEST_CASE("A used workspace does not reuse the matrix of a step of nearly the same length", "[friction]") {
-    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<> model = scene.transient(integrator);
-        for (const double change : {5e-7, -5e-7, 1e-9}) {
-            FrictionState<> now = model.at_rest(), next = now;
-            FrictionWorkspace<> used = model.workspace(), fresh = used;
-            REQUIRE(model.advance(now, 0.1, creepage(0.4), next, used).status == StepStatus::ok);
-            const FrictionStep<> again = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, used);
-            const FrictionStep<> first = model.advance(now, 0.1 * (1 + change), creepage(0.4), next, fresh);
-            CAPTURE(name(integrator), change, again.force_per_width / first.force_per_width - 1);
-            CHECK(again.force_per_width == first.force_per_width);
-            CHECK(again.tangent_per_width == first.tangent_per_width);
-        }
-    }
-}
-
-TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction]") {
-    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<> model = scene.transient(integrator);
-        FrictionState<> rest = model.at_rest(), rolled = rest, next = rest, expected = rest, after = rest;
-        FrictionWorkspace<> workspace = model.workspace(), fresh = workspace;
-        REQUIRE(model.advance(rest, 1.0, creepage(0.7), rolled, workspace).status == StepStatus::ok);
-        REQUIRE(rolled.zones != rest.zones);
-        const FrictionStep<> failed = model.advance(rolled, 1e3, 1e308, next, workspace);
-        CHECK(failed.status == StepStatus::not_finite);
-        CHECK(std::isnan(failed.force));
-        CHECK(next.traction == rolled.traction);
-        CHECK(next.zones == rolled.zones);
-        CHECK(next.system == rolled.system);
-        CHECK(workspace.slip().isZero(0));  // nothing slid
-        // a step from it is a step from the state itself, in the same workspace
-        const double force = model.advance(rolled, 0.1, creepage(-0.3), expected, fresh).force_per_width;
-        CHECK(model.advance(next, 0.1, creepage(-0.3), after, workspace).force_per_width == force);
-        CHECK(after.traction == expected.traction);
-    }
 }
 
 }  // namespace
