@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -20,6 +19,7 @@
 
 #include "friction/any_law.hpp"
 #include "friction/falling_scene.hpp"
+#include "friction/same_bits.hpp"
 
 namespace any_model {
 
@@ -31,6 +31,7 @@ using State = FrictionState<2>;
 using Step = FrictionStep<2>;
 using Motion = RigidMotion<Creepage<double>>;
 using Load = NormalLoad<double>;
+using same_bits::same;
 
 /// The wheel of falling_scene.hpp, whose law is one of its members, and how it is solved.
 struct Setup {
@@ -149,9 +150,26 @@ public:
     }
     Step solve_steady(const State& from, const Creepage<double>& creepage, double V, State& to,
                       Workspace& workspace) const override {
-        if (!steady_) steady_ = make_steady();
+        if (!steady_) steady_.emplace(make_steady(setup_, law_));
         return call(from, to, workspace, [&](const auto& start, auto& end, auto& scratch) {
             return steady_->steady(start, own(creepage), V, end, scratch);
+        });
+    }
+
+    static Steady make_steady(const Setup& setup, const Law& own_law) {
+        return setup.with_kernel(setup.across, [&]<class Kernel>(const Kernel& kernel) -> Steady {
+            const Contact<double> contact = setup.contact();
+            if constexpr (directions == 1) {
+                return {contact, setup.mesh, setup.scheme, kernel, setup.friction(own_law), unchecked};
+            } else {
+                return {contact,
+                        setup.mesh,
+                        setup.scheme,
+                        Kernel::longitudinal(contact),
+                        Kernel::lateral(contact),
+                        setup.friction(own_law),
+                        unchecked};
+            }
         });
     }
 
@@ -167,23 +185,6 @@ private:
                     setup.integrator};
         }
     }
-    Steady make_steady() const {
-        return setup_.with_kernel(setup_.across, [&]<class Kernel>(const Kernel& kernel) -> Steady {
-            const Contact<double> contact = setup_.contact();
-            if constexpr (directions == 1) {
-                return {contact, setup_.mesh, setup_.scheme, kernel, setup_.friction(law_), unchecked};
-            } else {
-                return {contact,
-                        setup_.mesh,
-                        setup_.scheme,
-                        Kernel::longitudinal(contact),
-                        Kernel::lateral(contact),
-                        setup_.friction(law_),
-                        unchecked};
-            }
-        });
-    }
-
     auto own(const Creepage<double>& value) const {
         if constexpr (directions == 1) {
             return setup_.across ? value.lateral : value.longitudinal;
@@ -272,15 +273,24 @@ private:
     mutable std::optional<Steady> steady_;
 };
 
-inline std::unique_ptr<Model> make(const Setup& setup) {
-    const auto of = [&](const auto& each) -> std::unique_ptr<Model> {
-        using Of = std::decay_t<decltype(each)>;
-        if (setup.directions == 1) return std::make_unique<ModelOf<Of, 1>>(setup, each);
-        return std::make_unique<ModelOf<Of, 2>>(setup, each);
+/// What `of`, called with the type ModelOf of a setup and its law, returns.
+template <class Of>
+auto with_model(const Setup& setup, const Of& of) {
+    const auto choose = [&]<class Own>(const Own& each) {
+        return setup.directions == 1 ? of(std::type_identity<ModelOf<Own, 1>>(), each)
+                                     : of(std::type_identity<ModelOf<Own, 2>>(), each);
     };
-    if (setup.any) return of(*setup.any);
-    if (setup.falls) return of(setup.falling);
-    return of(ConstantFriction<double>{setup.constant});
+    if (setup.any) return choose(*setup.any);
+    return setup.falls ? choose(setup.falling) : choose(ConstantFriction<double>{setup.constant});
+}
+inline std::unique_ptr<Model> make(const Setup& setup) {
+    return with_model(setup, [&]<class Of>(std::type_identity<Of>, const auto& each) -> std::unique_ptr<Model> {
+        return std::make_unique<Of>(setup, each);
+    });
+}
+/// Makes the SteadyFrictionModel alone, which may throw.
+inline void make_steady(const Setup& setup) {
+    with_model(setup, [&]<class Of>(std::type_identity<Of>, const auto& each) { Of::make_steady(setup, each); });
 }
 
 /// A model with its state and workspace. Distances are in a, and the speed of rolling is `speed`; what takes no way
@@ -360,33 +370,5 @@ inline Eigen::Matrix2d matrix(const CreepageTangent<double>& tangent) {
 }
 /// Forces over mu_0 N.
 inline Eigen::Vector2d ratios(const Step& step) { return -vector(step.force_per_width) / full_force; }
-
-/// Equality to the last bit, including NaN and the sign of zero.
-template <class Derived>
-bool same(const Eigen::DenseBase<Derived>& one, const Eigen::DenseBase<Derived>& other) {
-    const auto bits = [](const auto& plain) { return static_cast<std::size_t>(plain.size()) * sizeof(double); };
-    const typename Derived::PlainObject x = one, y = other;
-    return x.size() == y.size() && std::memcmp(x.data(), y.data(), bits(x)) == 0;
-}
-inline bool same(double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }
-inline bool same(const State& one, const State& other) {
-    return same(one.traction, other.traction) && one.zones == other.zones &&
-           same(one.normal_pressure, other.normal_pressure) && same(one.half_length, other.half_length) &&
-           one.system == other.system && same(one.friction_coefficient, other.friction_coefficient) &&
-           same(one.solver.stage_coefficient, other.solver.stage_coefficient) &&
-           one.solver.unchanged_steps == other.solver.unchanged_steps &&
-           same(one.solver.unchanged_distance, other.solver.unchanged_distance);
-}
-inline bool same(const Step& one, const Step& other) {
-    const auto numbers = [](const Step& step) {
-        Eigen::Matrix<double, 15, 1> all;
-        all << vector(step.force), vector(step.force_per_width), matrix(step.tangent).reshaped(),
-            vector(step.tangent_by_load), vector(step.tangent_by_half_length), step.slip_work_per_width,
-            step.jump_work_per_width, step.complementarity_residual;
-        return all;
-    };
-    return same(numbers(one), numbers(other)) && one.rounds == other.rounds && one.pivots == other.pivots &&
-           one.stick_count == other.stick_count && one.status == other.status;
-}
 
 }  // namespace any_model
