@@ -14,9 +14,9 @@
 #include "support/draw.hpp"
 #include "support/refusal.hpp"
 
+namespace any_model {
 namespace {
 
-using namespace any_model;
 using support::Draw;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
@@ -453,3 +453,4 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 }
 
 }  // namespace
+}  // namespace any_model

@@ -11,9 +11,8 @@
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
 
+namespace falling_tests {
 namespace {
-
-using namespace falling_tests;
 
 TEST_CASE("Laws fall from mu_0 at rest to mu_k, halfway at their half velocity", "[friction]") {
     const auto check = [](const auto& falling, double late, double rest) {
@@ -289,3 +288,4 @@ TEST_CASE("A law may rise from nothing", "[friction]") {
 }
 
 }  // namespace
+}  // namespace falling_tests

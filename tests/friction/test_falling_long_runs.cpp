@@ -8,9 +8,9 @@
 #include "friction/same_bits.hpp"
 #include "support/catch.hpp"
 
+namespace falling_tests {
 namespace {
 
-using namespace falling_tests;
 using same_bits::same;
 
 TEST_CASE("Long runs do not depend on the workspace, even if two laws share it", "[friction]") {
@@ -89,3 +89,4 @@ TEST_CASE("The tangent of a step that changes nothing agrees with central differ
 }
 
 }  // namespace
+}  // namespace falling_tests

@@ -14,9 +14,9 @@
 #include "support/catch.hpp"
 #include "support/draw.hpp"
 
+namespace friction_tests {
 namespace {
 
-using namespace friction_tests;
 using State = FrictionState<>;
 using Step = FrictionStep<>;
 using Workspace = FrictionWorkspace<>;
@@ -320,3 +320,4 @@ TEST_CASE("Friction in time requires of its system what full adhesion requires",
 }
 
 }  // namespace
+}  // namespace friction_tests

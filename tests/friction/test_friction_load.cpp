@@ -9,9 +9,9 @@
 #include "load_scene.hpp"
 #include "support/catch.hpp"
 
+namespace friction_tests {
 namespace {
 
-using namespace friction_tests;
 using State = FrictionState<>;
 using Step = FrictionStep<>;
 using Workspace = FrictionWorkspace<>;
@@ -157,3 +157,4 @@ TEST_CASE("A state belongs to the model with the pressure of its first load", "[
 }
 
 }  // namespace
+}  // namespace friction_tests

@@ -13,9 +13,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace friction_tests {
 namespace {
-
-using namespace friction_tests;
 
 TEST_CASE("The steady force converges to Carter's", "[friction]") {
     // known errors of a mesh that is not fitted to the border, at a creepage ratio of 0.5
@@ -159,3 +158,4 @@ TEST_CASE("A creep curve is concave, has the right tangents and does not depend 
 }
 
 }  // namespace
+}  // namespace friction_tests

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,12 +16,13 @@
 
 #include "scene.hpp"
 #include "support/catch.hpp"
+#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
+namespace friction_tests {
 namespace {
 
-using namespace friction_tests;
 using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("Small creepage or high friction gives the linear solutions", "[friction]") {
@@ -128,8 +128,7 @@ VectorX<double> lawful_work(const Scene& scene, const VectorX<double>& traction,
 }
 
 TEST_CASE("Every step satisfies Coulomb's law, whatever the history", "[friction]") {
-    std::mt19937 generator(11);
-    std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+    support::Draw draw(11);
     for (const Collocation& scheme : {half, Collocation{.alpha_L = 0, .alpha_T = 0.5}}) {
         const Scene scene(cosine_mesh<double>(24), scheme, 1, 10);
         const ElementSystem<double> system = scene.system();
@@ -140,7 +139,7 @@ TEST_CASE("Every step satisfies Coulomb's law, whatever the history", "[friction
             FrictionState<> now = model.at_rest(), next = now;
             FrictionWorkspace<> workspace = model.workspace();
             for (int k = 0; k < 300; ++k) {
-                const double xi = creepage(uniform(generator)), dq = k % 7 == 0 ? 0.4 : k % 11 == 0 ? 0.01 : 0.1;
+                const double xi = creepage(draw.uniform(-1.5, 1.5)), dq = k % 7 == 0 ? 0.4 : k % 11 == 0 ? 0.01 : 0.1;
                 const FrictionStep<> step = model.advance(now, dq, xi, next, workspace);
                 CAPTURE(name(integrator), k, step.rounds, step.pivots, step.complementarity_residual);
                 REQUIRE(step.status == StepStatus::ok);
@@ -178,10 +177,9 @@ TEST_CASE("Every step satisfies Coulomb's law, whatever the history", "[friction
 TEST_CASE("The residual of a step is that of the worse of its two stages", "[friction]") {
     // The rows of G are equal up to round-off, so whether a right-hand side has a solution to round-off is chance. The
     // first stage from rest is a step of implicit Euler.
-    std::mt19937 generator(5);
-    std::normal_distribution<double> normal;
+    support::Draw draw(5);
     const auto random = [&](Eigen::Index columns) {
-        return MatrixX<double>(MatrixX<double>::NullaryExpr(3, columns, [&] { return normal(generator); }));
+        return MatrixX<double>(MatrixX<double>::NullaryExpr(3, columns, [&] { return draw.normal(); }));
     };
     const Contact<double> contact = Contact<double>::dimensionless(10, nu);
     const double gamma = 1 - std::numbers::sqrt2 / 2;
@@ -196,7 +194,7 @@ TEST_CASE("The residual of a step is that of the worse of its two stages", "[fri
             FrictionWorkspace<> workspace = model.workspace();
             return model.advance(rest, dq, xi, to, workspace);
         };
-        const double xi = normal(generator);
+        const double xi = draw.normal();
         const FrictionStep<> first = step(Integrator::implicit_euler, gamma * 0.1, xi);
         const FrictionStep<> whole = step(Integrator::sdirk2, 0.1, xi);
         CAPTURE(trial, first.complementarity_residual, whole.complementarity_residual);
@@ -354,3 +352,4 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
 }
 
 }  // namespace
+}  // namespace friction_tests
