@@ -348,6 +348,7 @@ TEST_CASE("Forces and work converge in dq at the order of the integrator", "[fri
 
 TEST_CASE("Tangents by creepage, shift, load and half-length agree with central differences", "[friction]") {
     for (Setup setup : every_setup_in_time(10e-6)) {
+        setup.least = 0;  // where mu has no derivative
         for (const bool breathes : {true, false}) {
             INFO(words(setup));
             CAPTURE(breathes);

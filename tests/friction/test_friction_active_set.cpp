@@ -1,6 +1,8 @@
 // rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp, stick_transform.hpp
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <rollbem/friction/detail/active_set.hpp>
@@ -48,10 +50,24 @@ TEST_CASE("A solution is found whatever the matrix", "[friction]") {
     CHECK(fallbacks > 100);
 }
 
+// An eigenvalue of the circulant matrix with this first row vanishes.
+bool is_singular_circulant(const VectorX<double>& first) {
+    const Eigen::Index n = first.size();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        std::complex<double> eigenvalue = 0;
+        for (Eigen::Index k = 0; k < n; ++k) {
+            eigenvalue += first[k] * std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(j * k % n) /
+                                                         static_cast<double>(n));
+        }
+        if (std::abs(eigenvalue) < 1e-12) return true;
+    }
+    return false;
+}
+
 TEST_CASE("A solution is found if all elements are alike", "[friction]") {
     // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
     support::Draw draw(1);
-    int fallbacks = 0;
+    int fallbacks = 0, unsolved = 0;
     for (int trial = 0; trial < 20000; ++trial) {
         const Eigen::Index n = 2 + trial % 9;
         const VectorX<double> first =
@@ -67,7 +83,13 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         const auto outcome =
             solver.solve(VectorX<double>::Ones(n), std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick));
         CAPTURE(trial, n, outcome.rounds, outcome.pivots, outcome.residual);
-        REQUIRE(outcome.status == StepStatus::ok);
+        if (outcome.status != StepStatus::ok) {
+            REQUIRE(outcome.status == StepStatus::no_solution);
+            REQUIRE(outcome.residual > 1e-3);
+            REQUIRE(is_singular_circulant(first));
+            ++unsolved;
+            continue;
+        }
         if (outcome.pivots > 0) ++fallbacks;
         // the conditions, from the definition
         const VectorX<double> slip = (matrix * solver.traction()).array() + constant;
@@ -79,6 +101,7 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         }
     }
     CHECK(fallbacks > 1000);
+    CHECK(unsolved <= 2);
 }
 
 TEST_CASE("Results of a solver do not depend on earlier problems, singular matrices included", "[friction]") {
