@@ -160,6 +160,11 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
             }
             forces(static_cast<Eigen::Index>(k), column) = *force;
         }
+        const double force = std::hypot(forces(0, column), forces(1, column));
+        if (!(force <= 1 + 1e-6)) {
+            throw study::BadInput(where(i) + ": force over mu N = " + study::Cell(force).text(12) +
+                                  " must be at most 1");
+        }
     }
     return forces;
 }

@@ -129,8 +129,8 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
     study::require_steppable(options, scene, system);
     if (load && load->breathing && !system.log_strength()) {
         throw study::BadInput(
-            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation or "
-            "knothe-bc, lambda = 1, no --layer");
+            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
+            "or knothe-bc, lambda = 1, no --layer");
     }
     std::optional<rollbem::HertzLoad<double>> hertz;
     if (load) hertz = hertz_load(*load, *scene.mesh);
