@@ -160,10 +160,9 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
             }
             forces(static_cast<Eigen::Index>(k), column) = *force;
         }
-        const double force = std::hypot(forces(0, column), forces(1, column));
-        if (!(force <= 1 + 1e-6)) {
-            throw study::BadInput(where(i) + ": force over mu N = " + study::Cell(force).text(12) +
-                                  " must be at most 1");
+        if (!(std::hypot(forces(0, column), forces(1, column)) <= 1 + 1e-6)) {
+            throw study::BadInput(where(i) + ": longitudinal_force, lateral_force = " + cells[7] + ", " + cells[8] +
+                                  " must be a force of at most mu N");
         }
     }
     return forces;

@@ -43,7 +43,7 @@ bad 'line 7: spin_moment must be a number; status = no_solution' \
     "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
 for force in nan 1.5; do
     awk -F, -v OFS=, -v force="$force" 'NR == 7 { $9 = force } { print }' rows.csv >broken.csv
-    bad "line 7: force over mu N = $force" "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
+    bad "$force must be a force of at most mu N" "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
 done
 
 # --- a run that was interrupted: its rows are kept (one is marked), a row cut short is not
