@@ -191,7 +191,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
     if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
 
-    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
+    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
     const std::vector<std::string> apart = study::all_setting_columns();
     study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
     const std::size_t cases = argand.series.size();
@@ -208,12 +208,12 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
         return exact.size() > 1 ? "exact, " + contact : std::string("exact");
     };
     for (const auto& [contact, response] : exact) {
-        study::Series curve{.label = exact_label(contact), .points = {}, .markers = false, .reference = true};
+        study::Series curve{.label = exact_label(contact), .markers = false, .reference = true};
         for (const auto& [omega, c11] : response) curve.points.emplace_back(c11.real(), c11.imag());
         argand.series.push_back(std::move(curve));
     }
 
-    study::Plot parts{.title = "", .x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .series = {}};
+    study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}"};
     for (const bool real : {true, false}) {
         const std::string name = real ? "Re" : "Im";
         study::Plot part;
@@ -226,8 +226,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
             parts.series.push_back(std::move(series));
         }
         for (const auto& [contact, response] : exact) {
-            study::Series curve{
-                .label = name + ", " + exact_label(contact), .points = {}, .markers = false, .reference = true};
+            study::Series curve{.label = name + ", " + exact_label(contact), .markers = false, .reference = true};
             for (const auto& [omega, c11] : response) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
             parts.series.push_back(std::move(curve));
         }
@@ -247,12 +246,8 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     parts.log_x = lowest > 0 && highest > 20 * lowest;
 
     // the curves coincide: show their differences
-    study::Plot errors{.title = "",
-                       .x_label = parts.x_label,
-                       .y_label = "|c_{11} / c_{11,exact} - 1|",
-                       .log_x = parts.log_x,
-                       .log_y = true,
-                       .series = {}};
+    study::Plot errors{
+        .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = parts.log_x, .log_y = true};
     study::add_series(errors, columns, rows,
                       {.by = by, .x = "omega", .y = "relative_error", .absolute = true, .apart = apart});
     for (std::size_t k = 0; k < cases; ++k) {

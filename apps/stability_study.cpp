@@ -83,8 +83,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                                     : x == "n"              ? scenes.front().n_label()
                                                             : study::shown_name(x),
                          .y_label = "share of unstable eigenvalues",
-                         .log_x = x == "n",
-                         .series = {}};
+                         .log_x = x == "n"};
         study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
         for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {
             const bool follows = equal && x == "alpha_T" && name == std::string("alpha_L");
@@ -139,8 +138,7 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
         study::Plot plot{.title = "Smallest unstable α_T",
                          .x_label = "number of elements n",
                          .y_label = "critical α_T",
-                         .log_x = true,
-                         .series = {}};
+                         .log_x = true};
         study::add_series(plot, critical_columns, rows,
                           {.by = {"method", "derivative", "mesh", "alpha_L", "lambda"},
                            .x = "n",
@@ -195,8 +193,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     const std::string mesh = scenes.front().mesh_name;
     study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
                      .x_label = "Re(ν a)",
-                     .y_label = "Im(ν a)",
-                     .series = {}};
+                     .y_label = "Im(ν a)"};
     study::add_series(
         plot, spectrum_columns, rows,
         {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
@@ -210,7 +207,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
             right = std::max(right, std::min(re, height));
         }
     }
-    study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
+    study::Series exact{.label = "exact", .line = false, .open = true, .style = 2, .reference = true};
     for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
         const stability::ExactSpectrum known(contact, {Complex(0, height)});
         for (const Complex& nu : known.upper_half()) {

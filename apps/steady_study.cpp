@@ -93,8 +93,7 @@ study::Plot draw_errors(const std::vector<study::Scene>& scenes, const std::vect
                      .x_label = scenes.front().n_label(),
                      .y_label = "|c_{11} / c_{11,exact} - 1|",
                      .log_x = !over_alpha,
-                     .log_y = true,
-                     .series = {}};
+                     .log_y = true};
     study::Selection selection{.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
                                .x = "n",
                                .y = "relative_error",

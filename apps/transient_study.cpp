@@ -188,8 +188,7 @@ study::Plot draw_force(const History& history, const std::vector<std::string>& c
                        const std::vector<study::Row>& rows) {
     study::Plot plot{.title = "Rolling from rest, " + shown_creepage(history),
                      .x_label = "distance rolled q/a",
-                     .y_label = "-F / (a G ξ_{ref})",
-                     .series = {}};
+                     .y_label = "-F / (a G ξ_{ref})"};
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows,
                       {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});
@@ -213,12 +212,8 @@ study::Plot draw_force(const History& history, const std::vector<std::string>& c
         const std::optional<double> force = cell.number(), known = row[index_of(columns, "exact")].number();
         cell = force && known ? study::Cell(*force - *known) : study::Cell();
     }
-    study::Plot beside{.title = "",
-                       .x_label = plot.x_label,
-                       .y_label = "|F - F_{exact}| / (a G ξ_{ref})",
-                       .log_y = true,
-                       .x_range = plot.x_range,
-                       .series = {}};
+    study::Plot beside{
+        .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
     study::add_series(
         beside, columns, errors,
         {.by = schemes, .x = "q_over_a", .y = "force", .absolute = true, .apart = study::setting_columns()});

@@ -21,7 +21,7 @@ enum class Shape { curve, rectangles, arrows };
 /// point gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
 struct Series {
     std::string label;
-    std::vector<std::pair<double, double>> points;
+    std::vector<std::pair<double, double>> points{};
     bool markers = true;  ///< in addition to the line
     bool line = true;
     bool open = false;                   ///< markers, which then show what lies below them
@@ -44,12 +44,12 @@ struct PlotRange {
 };
 
 struct Plot {
-    std::string title, x_label, y_label;
+    std::string title{}, x_label{}, y_label{};
     bool log_x = false, log_y = false;
     int log_base = 10;                              ///< of the marks on a logarithmic x axis
     std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
     bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
-    std::vector<Series> series;
+    std::vector<Series> series{};
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };
 

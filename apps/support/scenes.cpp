@@ -318,7 +318,7 @@ void add_model_differences(
     const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
     for (const rollbem::Contact<double>& contact : contacts) {
         const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
-        Series line{.label = "strip against plane", .points = {}, .markers = false, .reference = true};
+        Series line{.label = "strip against plane", .markers = false, .reference = true};
         if (contacts.size() > 1) {
             line.label +=
                 ", b/a = " + Cell(contact.aspect()).text(6) + ", ν = " + Cell(contact.poisson_ratio()).text(6);
