@@ -62,22 +62,9 @@ Job make_job(const study::Options& options) {
 // --- rows ----------------------------------------------------------------------------------------------------------
 
 const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names{"a_over_b",
-                                                "poisson",
-                                                "n",
-                                                "strips",
-                                                "longitudinal",
-                                                "lateral",
-                                                "spin",
-                                                "longitudinal_force",
-                                                "lateral_force",
-                                                "spin_moment",
-                                                "stick_count",
-                                                "rounds",
-                                                "complementarity_residual",
-                                                "time_us",
-                                                "status",
-                                                "nodes"};
+    static const std::vector<std::string> names = study::cells_of(
+        "a_over_b,poisson,n,strips,longitudinal,lateral,spin,longitudinal_force,lateral_force,spin_moment,stick_count,"
+        "rounds,complementarity_residual,time_us,status,nodes");
     return names;
 }
 

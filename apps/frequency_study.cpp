@@ -197,11 +197,10 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     const std::size_t cases = argand.series.size();
     if (cases == 1) argand.series[0].label = "computed";
     std::map<std::string, std::map<double, Complex>> exact;  // of every contact
-    const auto aspect = std::find(columns.begin(), columns.end(), "aspect") - columns.begin();
+    const std::size_t aspect = study::index_of(columns, "aspect");
     for (const study::Row& row : rows) {
         const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
-        const auto cell = row.begin() + aspect;
-        const std::string contact = "b/a = " + cell->text(6) + ", ν = " + std::next(cell)->text(6);
+        const std::string contact = "b/a = " + row[aspect].text(6) + ", ν = " + row[aspect + 1].text(6);
         if (omega && re && im) exact[contact][*omega] = {*re, *im};
     }
     const auto exact_label = [&](const std::string& contact) {

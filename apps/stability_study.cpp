@@ -61,10 +61,7 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
 }
 
 study::Table count_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
-    study::Table table;
-    table.columns = count_columns;
-    table.rows_of_task.assign(scenes.size(), 1);
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
+    study::Table table = study::table_of(count_columns, scenes);
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         emit(count_row(options, scenes[task]));
     };
@@ -121,10 +118,7 @@ std::optional<double> critical_alpha_T(const study::Scene& scene) {
 }
 
 study::Table critical_table(const std::vector<study::Scene>& scenes) {
-    study::Table table;
-    table.columns = critical_columns;
-    table.rows_of_task.assign(scenes.size(), 1);
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
+    study::Table table = study::table_of(critical_columns, scenes);
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         const study::Scene& scene = scenes[task];
         const bool finite = study::system_if_finite(scene).has_value();

@@ -156,10 +156,7 @@ with few states in narrow strips (4 at b/a = 0.3), status is not_converged and c
         // 2. One row for each scene.
         const std::vector<study::Scene> scenes =
             study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
-        study::Table table;
-        table.columns = columns;
-        table.rows_of_task.assign(scenes.size(), 1);
-        table.label = [&](std::size_t task) { return scenes[task].label(); };
+        study::Table table = study::table_of(columns, scenes);
         table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
             emit(steady_row(given, scenes[task]));
         };

@@ -189,9 +189,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         if (plot.series.size() == 1 && plot.series[0].label.empty()) plot.series[0].label = "computed";
     };
     const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
-        return !row[std::size_t(std::find(columns.begin(), columns.end(), "lateral_ratio") - columns.begin())]
-                    .text(3)
-                    .empty();
+        return !row[study::index_of(columns, "lateral_ratio")].text().empty();
     });
     study::Plot plot{.title = "Rolling with friction" + shown.scene,
                      .x_label = "distance rolled q/a",
@@ -201,13 +199,8 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
     add(plot, "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
     if (lateral) add(plot, "lateral_force_ratio", "lateral");
     if (shown.load_changes) {
-        study::Plot load;
         selection.y = "load_ratio";
-        study::add_series(load, columns, rows, selection);
-        load.series.front().label = "load N/N_0";
-        load.series.front().markers = false;
-        load.series.front().reference = true;
-        plot.series.push_back(std::move(load.series.front()));
+        study::add_reference(plot, columns, rows, selection, "load N/N_0");
     }
     if (shown.creepage_changes) {
         selection.x = "creepage_ratio";

@@ -85,9 +85,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
     study::Series slip{.label = "slip", .style = 4, .shape = study::Shape::rectangles};
     study::Series arrows{.reference = true, .shape = study::Shape::arrows};
     const auto number = [&](const study::Row& row, const char* name) {
-        return row[std::size_t(std::find(traction_columns().begin(), traction_columns().end(), name) -
-                               traction_columns().begin())]
-            .number();
+        return row[study::index_of(traction_columns(), name)].number();
     };
     const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
     double longest = 0, area = 0;
@@ -139,7 +137,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
 
 study::Plot draw_coefficients(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     const bool over_ratio = values(rows, 0).size() > 1;
-    study::Plot first;
+    std::vector<study::Plot> panels;
     const std::array<const char*, 4> names{"c11", "c22", "c23", "c33"};
     for (std::size_t k = 0; k < 4; ++k) {
         const std::string name = names[k];
@@ -157,17 +155,13 @@ study::Plot draw_coefficients(const std::vector<std::string>& columns, const std
             add_table(panel, k, rows);
         }
         if (k > 0) panel.title.clear();
-        if (k == 0) {
-            first = std::move(panel);
-        } else if (can_be_drawn(panel)) {
-            first.beside.push_back(std::move(panel));
-        }
+        if (k == 0 || can_be_drawn(panel)) panels.push_back(std::move(panel));
     }
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_responses(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    study::Plot first;
+    std::vector<study::Plot> panels;
     for (const std::string name : {"c11", "c22", "c23", "c33"}) {
         study::Plot panel{.x_label = "ω a / V",
                           .y_label = "Re c_{" + name.substr(1) + "}, Im c_{" + name.substr(1) + "}"};
@@ -185,16 +179,11 @@ study::Plot draw_responses(const std::vector<std::string>& columns, const std::v
                 series.markers = series.points.size() <= 30;
                 panel.series.push_back(std::move(series));
             }
-            panel.title = part.title;
+            if (panels.empty()) panel.title = part.title;
         }
-        if (name == "c11") {
-            first = std::move(panel);
-        } else {
-            panel.title.clear();
-            first.beside.push_back(std::move(panel));
-        }
+        panels.push_back(std::move(panel));
     }
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_friction(const std::vector<study::Row>& rows) {
@@ -203,8 +192,7 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
                                             "elements of a strip n", "number of strips m", "Poisson's ratio ν"};
     std::vector<std::size_t> counts;
     for (const std::string& name : given) {
-        const auto column = std::find(friction_columns().begin(), friction_columns().end(), name);
-        counts.push_back(values(rows, std::size_t(column - friction_columns().begin())).size());
+        counts.push_back(values(rows, study::index_of(friction_columns(), name)).size());
     }
     // a creepage if any varies
     const auto creepages = counts.begin() + 3;
@@ -217,7 +205,7 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
     for (std::size_t k = 0; k < given.size(); ++k) {
         if (k != most && !(given[most] == "n" && given[k] == "strips" && as_many_strips)) by.emplace_back(given[k]);
     }
-    study::Plot first;
+    std::vector<study::Plot> panels;
     const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
     const std::array<const char*, 3> axes{"- F_x / (μ N)", "- F_y / (μ N)", "- M_z / (μ N c)"};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -227,13 +215,9 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
                           .log_x = most == 3};
         study::add_series(panel, friction_columns(), rows, {.by = by, .x = given[most], .y = forces[k]});
         if (k > 0) panel.title.clear();
-        if (k == 0) {
-            first = std::move(panel);
-        } else {
-            first.beside.push_back(std::move(panel));
-        }
+        panels.push_back(std::move(panel));
     }
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point, const Tractions& tractions) {
@@ -243,10 +227,7 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
             panels.push_back(std::move(panel));
         }
     }
-    if (panels.empty()) return {};
-    study::Plot first = std::move(panels.front());
-    for (std::size_t k = 1; k < panels.size(); ++k) first.beside.push_back(std::move(panels[k]));
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
@@ -275,12 +256,7 @@ study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vec
     }
     if (one_patch) first.y_label = "force over " + load + ", moment over " + load + (load_varies ? " c_0" : " c");
     if (load_varies && !rows.empty()) {
-        study::Plot loads;
-        study::add_series(loads, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"});
-        loads.series.front().label = "load N/N_0";
-        loads.series.front().markers = false;
-        loads.series.front().reference = true;
-        first.series.push_back(std::move(loads.series.front()));
+        study::add_reference(first, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"}, "load N/N_0");
     }
     return std::move(first);
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csv.hpp"
@@ -39,6 +40,16 @@ struct Table {
     /// If set, called with all rows, as lines of CSV, when the file of the rows has its name.
     std::function<void(const std::vector<std::string>& lines)> finish{};
 };
+
+/// A table with a task of `rows` rows for each of `cases`, which have a label() and must outlive it.
+template <class Case>
+Table table_of(std::vector<std::string> columns, const std::vector<Case>& cases, std::size_t rows = 1) {
+    Table table;
+    table.columns = std::move(columns);
+    table.rows_of_task.assign(cases.size(), rows);
+    table.label = [&cases](std::size_t task) { return cases[task].label(); };
+    return table;
+}
 
 /// Rows of one task that are asked for.
 struct Task {
