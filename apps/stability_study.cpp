@@ -270,7 +270,8 @@ time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spe
 the smallest. Both are empty if an eigenvalue is infinite. status: ok; inconsistent if steady rolling shows that
 the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
 coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev
-states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is not finite.
+states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is
+not finite.
 --critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable eigenvalue whose
 sign rounding cannot change; it is empty, with the status all_stable, if there is none. Above it the scheme can
 be stable again. n = 320 takes half a minute.

@@ -145,12 +145,4 @@ void require_steppable(const Options& options, const Scene& scene, const rollbem
     if (!flaw.empty()) throw BadInput(scheme + flaw + ", or --unchecked be given");
 }
 
-rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene) {
-    rollbem::ElementSystem<double> system = scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::rolling_system(mesh, scheme, kernel);
-    });
-    require_steppable(options, scene, system);
-    return system;
-}
-
 }  // namespace study
