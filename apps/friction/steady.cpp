@@ -67,10 +67,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
 
     study::Table table = study::table_of(creep_columns(), scenes, curve.points.size());
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        (fits            ? border_rows
-         : both          ? combined_rows
-         : curve.falling ? falling_rows
-                         : element_rows)(curve, scenes[task], task, range, emit);
+        (fits ? border_rows : element_rows)(curve, scenes[task], task, range, emit);
     };
     table.written = [&] {
         if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);

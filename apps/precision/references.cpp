@@ -18,8 +18,6 @@ using rollbem::Mesh;
 
 Values reference(const Contact<double>& contact, const Quantity& quantity) {
     const double nu = contact.poisson_ratio();
-    const Scene scene{contact, true, 1, 1};
-    const Elements cosine = *elements("richardson-cosine");
     switch (quantity.problem) {
         case Problem::steady: break;
         case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
@@ -30,11 +28,15 @@ Values reference(const Contact<double>& contact, const Quantity& quantity) {
             return forces;
         }
         case Problem::friction: return {rollbem::carter_force_ratio(creepage_ratio)};
-        case Problem::combined_friction: return values(scene, cosine, 640, quantity);
-        case Problem::varying_load:
+        case Problem::combined_friction:
+            return values({contact, true, 1, 1}, *elements("richardson-cosine"), 640, quantity);
+        case Problem::varying_load: {
+            const Scene scene{contact, true, 1, 1};
+            const Elements cosine = *elements("richardson-cosine");
             return extrapolated(scene, cosine, 320, [&](const Mesh<double>& mesh) {
                 return load_forces(scene, cosine, mesh, Cover::breathing, 4);
             });
+        }
     }
     return {rollbem::steady_c11(nu)};
 }
