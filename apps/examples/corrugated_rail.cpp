@@ -5,7 +5,7 @@
 //     ./examples/corrugated_rail
 //
 //      n    least F N  largest F N     heat J  elastic J   gap/heat, slip sum  gap/heat, by energy
-//     40      7316.00     14468.03    10.1226    0.03188             1.93e-03             1.75e-09
+//     40      7316.00     14468.03    10.1226    0.03188             1.93e-03             8.51e-10
 //     wear of the rail over a wave, relative to its mean; the load peaks between the second and third:
 //         1.217    1.316    1.220    1.038    0.855    0.725    0.709    0.922
 #include <algorithm>
