@@ -6,15 +6,14 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -248,37 +247,59 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     return script;
 }
 
-/// The output of gnuplot for `script`. Not into the file of the picture: gnuplot does not report a failure to write.
+/// The output of gnuplot for `script`. It goes through a pipe, not into the file: gnuplot does not report a failure to
+/// write.
 std::string run_gnuplot(std::string_view script, const std::string& path) {
     const auto fail = [&](const std::string& why) -> void {
         throw PlotError("--plot = " + path + why + "; the rows are written");
     };
-    using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-    const File input(std::tmpfile(), std::fclose), output(std::tmpfile(), std::fclose);
-    if (!input || !output || std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
-        std::fseek(input.get(), 0, SEEK_SET) != 0) {
-        fail(std::string(": no temporary file for gnuplot: ") + std::strerror(errno));
+    std::array<int, 2> input{}, output{};
+    if (::pipe2(input.data(), O_CLOEXEC) != 0) fail(std::string(": no pipe to gnuplot: ") + std::strerror(errno));
+    if (::pipe2(output.data(), O_CLOEXEC) != 0) {
+        const int error = errno;
+        for (const int end : input) ::close(end);
+        fail(std::string(": no pipe from gnuplot: ") + std::strerror(error));
     }
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ::fileno(input.get()), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ::fileno(output.get()), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, input[0], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     std::string program = "gnuplot";
     std::array<char*, 2> arguments{program.data(), nullptr};
     pid_t child = 0;
     const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) fail(std::string(" needs gnuplot, which cannot be started (") + std::strerror(error) + ")");
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail(": gnuplot failed");
+    ::close(input[0]);
+    ::close(output[1]);
+    if (error != 0) {
+        ::close(input[1]);
+        ::close(output[0]);
+        fail(std::string(" needs gnuplot, which cannot be started (") + std::strerror(error) + ")");
+    }
+    std::thread writer([script, to = input[1]] {  // gnuplot may draw before it has read everything
+        std::string_view rest = script;
+        while (!rest.empty()) {  // if gnuplot dies early, its status says so
+            const ssize_t written = ::write(to, rest.data(), rest.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) break;
+            rest.remove_prefix(static_cast<std::size_t>(written));
+        }
+        ::close(to);
+    });
     std::string picture;
     std::array<char, 65536> buffer;
-    std::rewind(output.get());
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), output.get())) {
-        picture.append(buffer.data(), count);
+    ssize_t count = 0;
+    while ((count = ::read(output[0], buffer.data(), buffer.size())) != 0) {
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) break;
+        picture.append(buffer.data(), static_cast<std::size_t>(count));
     }
+    ::close(output[0]);
+    writer.join();
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    if (count < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) fail(": gnuplot failed");
     return picture;
 }
 
