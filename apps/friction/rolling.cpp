@@ -97,27 +97,6 @@ private:
     rollbem::NormalLoad<double> load_;
 };
 
-template <class Model>
-class MakerOf : public RollingMaker {
-public:
-    MakerOf(Model model, std::optional<rollbem::HertzLoad<double>> hertz, double first_load_ratio, double unit,
-            double dq)
-        : model_(std::move(model)),
-          hertz_(std::move(hertz)),
-          first_load_ratio_(first_load_ratio),
-          unit_(unit),
-          dq_(dq) {}
-
-    std::unique_ptr<Rolling> start() const override {
-        return std::make_unique<RollingOf<Model>>(model_, hertz_ ? &*hertz_ : nullptr, first_load_ratio_, unit_, dq_);
-    }
-
-private:
-    Model model_;
-    std::optional<rollbem::HertzLoad<double>> hertz_;
-    double first_load_ratio_, unit_, dq_;
-};
-
 // On a mesh that breathes b/a falls as the load grows. The kernel is the plane's.
 void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, bool both_directions) {
     const double nu = scene.contact.poisson_ratio(), longest = largest_half_length(load);
@@ -132,10 +111,9 @@ void require_plane_model(const study::Scene& scene, const study::LoadHistory& lo
 
 }  // namespace
 
-std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
-                                           const Pressure& pressure, const std::optional<study::LoadHistory>& load,
-                                           bool both_directions, const std::optional<FallingLaw>& falling,
-                                           rollbem::Integrator integrator, double dq) {
+StartRolling make_rolling(const study::Options& options, const study::Scene& scene, const Pressure& pressure,
+                          const std::optional<study::LoadHistory>& load, bool both_directions,
+                          const std::optional<FallingLaw>& falling, rollbem::Integrator integrator, double dq) {
     const bool fixed = load && !load->breathing;
     const Surface surface{scene, read_layer(options), fixed ? largest_half_length(*load) : 1};
     const rollbem::ElementSystem<double> system = surface.system(Direction::longitudinal);
@@ -152,8 +130,11 @@ std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const 
     const double largest = surface.half_length * surface.half_length;
     const Eigen::ArrayXd means = load ? hertz->at(largest * mu_N).normal_pressure : pressure(*scene.mesh);
     const double first_load_ratio = load ? load->at(0) : 1, unit = creepage(scene, 1);
-    const auto make = [&](auto model) -> std::unique_ptr<RollingMaker> {
-        return std::make_unique<MakerOf<decltype(model)>>(std::move(model), hertz, first_load_ratio, unit, dq);
+    const auto make = [&](auto model) -> StartRolling {
+        return [=, shared = std::make_shared<const decltype(model)>(std::move(model))] {
+            return std::make_unique<RollingOf<decltype(model)>>(*shared, hertz ? &*hertz : nullptr, first_load_ratio,
+                                                                unit, dq);
+        };
     };
     const auto make_of = [&](const auto& of) {
         const rollbem::Contact<double> contact = surface.contact();

@@ -313,6 +313,16 @@ double Options::number(const std::string& name, const Rule& rule) const {
     return to_number(name, text(name), "one number", rule);
 }
 
+std::optional<std::pair<double, double>> Options::pair(const std::string& name) const {
+    const std::string value = text(name);
+    const std::size_t comma = std::min(value.find(','), value.size());
+    const auto read = [](std::string_view part) { return detail::parse_number<double>(detail::trim(part)); };
+    const auto first = read(std::string_view(value).substr(0, comma));
+    const auto second = comma < value.size() ? read(std::string_view(value).substr(comma + 1)) : std::nullopt;
+    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) return std::nullopt;
+    return std::pair(*first, *second);
+}
+
 std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
     return to_integer(name, text(name), low, high);
 }

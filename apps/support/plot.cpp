@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -341,9 +341,7 @@ bool can_be_drawn(const Plot& plot) {
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
                 const Selection& selection) {
-    const auto column = [&](const std::string& name) {
-        return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
-    };
+    const auto column = [&](const std::string& name) { return index_of(columns, name); };
     std::vector<std::string> names = selection.by;
     names.insert(names.end(), selection.apart.begin(), selection.apart.end());
     std::map<std::vector<std::string>, std::size_t> found;
@@ -383,6 +381,24 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     }
     if (series.size() == 1) series[0].label = plot.y_label;
     plot.series.insert(plot.series.end(), series.begin(), series.end());
+}
+
+void add_reference(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
+                   const Selection& selection, const std::string& label) {
+    Plot own;
+    add_series(own, columns, rows, selection);
+    Series& series = own.series.front();
+    series.label = label;
+    series.markers = false;
+    series.reference = true;
+    plot.series.push_back(std::move(series));
+}
+
+Plot side_by_side(std::vector<Plot> panels) {
+    if (panels.empty()) return {};
+    Plot first = std::move(panels.front());
+    first.beside.assign(std::make_move_iterator(panels.begin() + 1), std::make_move_iterator(panels.end()));
+    return first;
 }
 
 bool plot_is_png(const Options& options) {
