@@ -147,6 +147,10 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
             }
             forces(static_cast<Eigen::Index>(k), column) = *force;
         }
+        if (!(std::hypot(forces(0, column), forces(1, column)) <= 1 + 1e-6)) {
+            throw study::BadInput(where(i) + ": longitudinal_force, lateral_force = " + cells[7] + ", " + cells[8] +
+                                  " must be a force of at most mu N");
+        }
     }
     return forces;
 }

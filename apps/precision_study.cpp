@@ -61,7 +61,10 @@ void add_options(study::Options& options) {
                      "(dimensionless)");
     options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
     options.set_help("poisson", "Poisson's ratio, one value, 0 to 0.5 (dimensionless)");
-    options.add("schemes", "LIST", "all, or some of " + study::join(precision::scheme_names(), ","), "all");
+    options.add("schemes", "LIST",
+                "all, or some of " + study::join(precision::scheme_names(), ", ") +
+                    "; or, for quantities of patches, of " + study::join(precision::patch_scheme_names(), ", "),
+                "all");
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force,"
                 "combined_force,load_force; or some of " +
@@ -75,7 +78,8 @@ void add_options(study::Options& options) {
         "quantities of patches: strips along the rolling direction; default: --n, see below for uniform-strips");
     options.add_input(
         "front",
-        "compute nothing: read rows written before (shards, concatenated), fill on_front, and draw or search them");
+        "compute nothing: read rows written before (shards, concatenated), fill on_front, and draw or search them; not "
+        "of patches");
     options.add_output(
         "cheapest",
         "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "

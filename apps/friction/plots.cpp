@@ -104,6 +104,7 @@ std::string scene_in_title(const study::Options& options) {
         say("creepage-ratio", delta);
         say("sine", delta, " sin(", " q/a)");
         say("lateral-ratio", "δ_y = ");
+        say("spin-ratio", "δ_φ = ");
         say("shift", "shift ");
         say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
         if (options.given("load")) title += ", load of a table";
@@ -152,11 +153,12 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
     const auto panel = [&](const std::string& title, const char* force, const char* y) {
         study::Plot plot{
             .title = title, .x_label = creepage_label(falling, true), .y_label = force_label(falling, force)};
-        study::add_series(plot, columns, rows,
-                          {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
-                           .x = "creepage_ratio",
-                           .y = y,
-                           .apart = study::setting_columns()});
+        study::add_series(
+            plot, columns, rows,
+            {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio", "spin_ratio"},
+             .x = "creepage_ratio",
+             .y = y,
+             .apart = study::setting_columns()});
         plot.y_range = force_range(plot);
         return plot;
     };

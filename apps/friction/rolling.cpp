@@ -1,5 +1,6 @@
 #include "rolling.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
@@ -96,6 +97,18 @@ private:
     rollbem::NormalLoad<double> load_;
 };
 
+// On a mesh that breathes b/a falls as the load grows. The kernel is the plane's.
+void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, bool both_directions) {
+    const double nu = scene.contact.poisson_ratio(), longest = largest_half_length(load);
+    const double least = longest * std::exp(both_directions ? nu : -nu / (1 - nu)) / 4;
+    if (scene.contact.aspect() > least) return;
+    throw study::BadInput("--aspect = " + study::Cell(scene.contact.aspect()).text(6) + " must be larger than " +
+                          study::Cell(least).text(4) + " with --breathing, as a grows to " +
+                          study::Cell(longest).text(4) + " a_0: Lambda = ln(4b/a) " +
+                          (both_directions ? "- nu" : "+ nu/(1-nu)") +
+                          " must be positive, or the plane model itself is unstable in time");
+}
+
 }  // namespace
 
 StartRolling make_rolling(const study::Options& options, const study::Scene& scene, const Pressure& pressure,
@@ -107,9 +120,10 @@ StartRolling make_rolling(const study::Options& options, const study::Scene& sce
     study::require_steppable(options, scene, system);
     if (load && load->breathing && !system.log_strength()) {
         throw study::BadInput(
-            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation or "
-            "knothe-bc, lambda = 1, no --layer");
+            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
+            "or knothe-bc, lambda = 1, no --layer");
     }
+    if (load && load->breathing) require_plane_model(scene, *load, both_directions);
     std::optional<rollbem::HertzLoad<double>> hertz;
     if (load) hertz = hertz_load(*load, *scene.mesh);
     // the law is that of the largest load; what a run starts under is in its state

@@ -214,6 +214,11 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
                           .y_label = axes[k],
                           .log_x = most == 3};
         study::add_series(panel, friction_columns(), rows, {.by = by, .x = given[most], .y = forces[k]});
+        const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
+            return std::all_of(series.points.begin(), series.points.end(),
+                               [](const auto& point) { return std::abs(point.second) < 1e-13; });
+        });
+        if (rounding) panel.y_range = study::PlotRange{-1, 1};
         if (k > 0) panel.title.clear();
         panels.push_back(std::move(panel));
     }

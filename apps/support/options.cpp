@@ -221,7 +221,7 @@ void Options::footer(const std::string& text, std::vector<Topic> topics) {
     }
     app_->footer(
         text + listed +
-        "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
+        "\nExit codes: 0 done; 1 a run or the program failed; 2 bad input or output that cannot be written; "
         "3 no picture, as gnuplot\nis missing or fails or no row has a point to draw (the CSV is written); 4 error "
         "while writing; 130 interrupted.");
 }

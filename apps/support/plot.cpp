@@ -325,9 +325,9 @@ void keep_spaces(std::string& svg) {
 
 std::string shown_name(const std::string& column) {
     static const std::map<std::string, std::string> names{
-        {"alpha_L", "α_L"},          {"alpha_T", "α_T"}, {"lambda", "λ"},  {"epsilon", "ε"},
-        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},  {"poisson", "ν"}, {"lateral_ratio", "δ_y"},
-        {"creepage_ratio", "δ"},     {"a_over_b", "a/b"}};
+        {"alpha_L", "α_L"},          {"alpha_T", "α_T"},      {"lambda", "λ"},    {"epsilon", "ε"},
+        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},       {"poisson", "ν"},   {"lateral_ratio", "δ_y"},
+        {"spin_ratio", "δ_φ"},       {"creepage_ratio", "δ"}, {"a_over_b", "a/b"}};
     const auto found = names.find(column);
     return found == names.end() ? column : found->second;
 }
