@@ -21,7 +21,7 @@ function(compile_headers name)
     set(${name}_source "${source}" PARENT_SCOPE)
 endfunction()
 compile_headers(steady assembly steady)
-compile_headers(line balanced_reduction chebyshev frequency polynomial stability transient)
+compile_headers(line balanced_reduction chebyshev frequency polynomial rolling_system stability transient)
 compile_headers(friction friction)
 compile_headers(patch patch)
 

@@ -10,6 +10,7 @@
 #include "friction.hpp"
 #include "patch.hpp"
 #include "polynomial.hpp"
+#include "rolling_system.hpp"
 #include "stability.hpp"
 #include "steady.hpp"
 #include "transient.hpp"

@@ -6,7 +6,7 @@
 
 #include "../adhesion/stability.hpp"
 #include "../adhesion/stability_count.hpp"
-#include "assembly.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 
