@@ -6,6 +6,7 @@
 #include "assembly.hpp"
 #include "balanced_reduction.hpp"
 #include "chebyshev.hpp"
+#include "decompositions.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
 #include "patch.hpp"

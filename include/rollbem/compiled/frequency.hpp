@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include "../adhesion/frequency.hpp"
+#include "decompositions.hpp"
 #include "rolling_system.hpp"
 
 namespace rollbem {

@@ -6,6 +6,7 @@
 
 #include "../adhesion/stability.hpp"
 #include "../adhesion/stability_count.hpp"
+#include "decompositions.hpp"
 #include "rolling_system.hpp"
 
 namespace rollbem {
