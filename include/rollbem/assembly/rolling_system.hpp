@@ -157,7 +157,8 @@ private:
 };
 
 template <class Scalar, int directions>
-ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
+ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime,
+                                                 const ArrayX<Scalar>& widths)
     : RollingSystem<Scalar>(std::move(G), std::move(G_prime), widths), element_count_(this->size()) {
     this->unknowns_are_tractions_ = true;
     elements_.areas = widths;

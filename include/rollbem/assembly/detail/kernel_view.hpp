@@ -63,9 +63,7 @@ KernelView<Scalar>::KernelView(const Kernel& kernel)
           return k.H_integral(x);
       }) {
     if constexpr (SplitKernel<Kernel>) {
-        log_split_ = [](const void* self, Scalar reach) {
-            return static_cast<const Kernel*>(self)->log_split(reach);
-        };
+        log_split_ = [](const void* self, Scalar reach) { return static_cast<const Kernel*>(self)->log_split(reach); };
     }
     if constexpr (TaylorKernel<Kernel>) {
         taylor_ = [](const void* self, const Array& x, Eigen::Index order) -> Table {
