@@ -18,8 +18,8 @@
 
 namespace rollbem {
 
-/// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are the
-/// forces of the linear law over those that friction allows,
+/// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are
+/// the forces of the linear law over those that friction allows,
 ///
 ///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = (c33 - c23 c32/c22) mu N c/M,
 ///
