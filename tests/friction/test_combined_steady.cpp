@@ -142,17 +142,7 @@ TEST_CASE("Slip work equals the power lost by the rigid bodies to second order",
     CHECK(std::abs(support::observed_order(counts, errors) - 2) < 0.15);
 }
 
-TEST_CASE("Few elements, no friction and elements without pressure are solved", "[friction]") {
-    for (const Eigen::Index n : {1, 2, 3}) {
-        const Scene scene(uniform_mesh<double>(n));
-        const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
-        for (const double ratio : {0.0, 0.1, 0.4, 3.0}) {
-            const Step step = from_scratch(model, scene.creepage(ratio, 33));
-            CAPTURE(n, ratio);
-            CHECK(step.status == StepStatus::ok);
-            CHECK(std::hypot(ratios(step).longitudinal, ratios(step).lateral) <= 1 + 1e-12);
-        }
-    }
+TEST_CASE("No friction, and elements without pressure, are solved", "[friction]") {
     const Scene scene(cosine_mesh<double>(12));
     const SteadyFrictionModel<ConstantFriction<>, 2> smooth(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
                                                             scene.lateral, {0, scene.friction.normal_pressure});

@@ -346,6 +346,45 @@ TEST_CASE("Forces and work converge in dq at the order of the integrator", "[fri
     }
 }
 
+TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic energy, to second order", "[friction]") {
+    for_each(every_setup(20e-6), [](Setup setup) {
+        setup.half_width = 50 * a;
+        std::vector<double> counts, gaps;
+        double jumps = 0, spent = 0;
+        for (const int n : {20, 40, 80}) {
+            setup.mesh = cosine_mesh<double>(n);
+            Ride ride(setup);
+            const int steps = 10 * n;
+            const double dq = 4.0 / steps;
+            const auto rolled = [&](int k) {
+                return setup.directions == 1 ? creepage(1.2 * std::sin(dq * k) * std::cos(0.7 * dq * k))
+                                             : creepage(1.2 * std::sin(dq * k), 40 * dq * k);
+            };
+            double slips = 0;
+            jumps = spent = 0;
+            Vector2d before = Vector2d::Zero();
+            for (int k = 0; k < steps; ++k) {
+                const Load load = breathing(setup, a * std::sqrt(1 + 0.3 * std::sin(0.8 * dq * (k + 1))));
+                const Step step = ride.step(dq, Motion::linear(rolled(k), rolled(k + 1)), &load);
+                REQUIRE(step.status == StepStatus::ok);
+                const Vector2d force = vector(step.force_per_width);
+                spent -= dq * a / 2 * (vector(rolled(k)).dot(before) + vector(rolled(k + 1)).dot(force));
+                slips += step.slip_work_per_width;
+                jumps += step.jump_work_per_width;
+                before = force;
+            }
+            counts.push_back(n);
+            gaps.push_back((spent - slips - jumps - ride.model->elastic_energy_per_width(ride.now)) / spent);
+        }
+        CAPTURE(gaps, jumps / spent, support::observed_order(counts, gaps));
+        CHECK(std::abs(support::observed_order(counts, gaps) - 1.95) < 0.15);
+        CHECK(std::abs(gaps.back()) < 1.5e-3);
+        // without memory the forces jump, with constant friction nothing does
+        if (!setup.falls) CHECK(jumps == 0);
+        CHECK((jumps > 0.01 * spent) == (setup.falls && setup.distance == 0));
+    });
+}
+
 TEST_CASE("Tangents by creepage, shift, load and half-length agree with central differences", "[friction]") {
     for (Setup setup : every_setup_in_time(10e-6)) {
         setup.least = 0;  // where mu has no derivative
@@ -383,6 +422,11 @@ TEST_CASE("Tangents by creepage, shift, load and half-length agree with central 
                 }
                 CHECK((matrix(step.tangent) - 2 * setup.half_width * matrix(step.tangent_per_width)).norm() <=
                       1e-14 * matrix(step.tangent).norm());
+                CHECK((vector(step.force) - 2 * setup.half_width * vector(step.force_per_width)).norm() <=
+                      1e-14 * vector(step.force).norm());
+                CHECK((vector(ride.model->force(ride.next)) - vector(step.force)).norm() <=
+                      1e-14 * vector(step.force).norm());
+                CHECK(step.slip_work == Approx(2 * setup.half_width * step.slip_work_per_width).epsilon(1e-14));
                 const State solved = ride.next;
                 const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent_per_width);
                 const auto compare = [&](std::size_t what, const Vector2d& own, const auto& moved) {

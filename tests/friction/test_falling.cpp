@@ -168,23 +168,6 @@ TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
     }
 }
 
-TEST_CASE("Elements without pressure lose their memory", "[friction]") {
-    const Scene scene(uniform_mesh<double>(20), 10e-6);
-    const FrictionModel<Law> model = scene.transient();
-    auto workspace = model.workspace();
-    State now = model.at_rest(), next = now;
-    for (int k = 0; k < 40; ++k) {
-        REQUIRE(model.advance(now, {0.1 * a, 0.1 * a / speed}, 5e-3, next, workspace).status == StepStatus::ok);
-        std::swap(now, next);
-    }
-    CHECK(now.friction_coefficient.minCoeff() < 0.27);
-    NormalLoad<double> load{scene.pressure(), a, {}};
-    load.normal_pressure.head(10).setZero();
-    REQUIRE(model.advance(now, {0.1 * a, 0.1 * a / speed}, 5e-3, load, next, workspace).status == StepStatus::ok);
-    CHECK((next.friction_coefficient.head(10) == 0.3).all());
-    CHECK(next.friction_coefficient.tail(10).minCoeff() < 0.29);
-}
-
 // Least and largest force over the last 10 a of a run over 20 a in steps of 0.02 a from steady rolling, disturbed in
 // its first step by a part of the creepage.
 std::pair<double, double> swing(const FrictionModel<Law>& model, double disturbance) {

@@ -81,54 +81,22 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
     }
 }
 
-TEST_CASE("A half-length that the mesh cannot follow is reported as needs_fixed_mesh", "[friction][load]") {
+TEST_CASE("Ready matrices and Galerkin's method know a single half-length", "[friction][load]") {
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12));
-    const FrictionModel<> model = scene.model(), strip = scene.strip_model();
-    Workspace workspace = model.workspace();
-    State now = model.at_rest(), next = now;
-    Load load = scene.hertz.at(full_force);
-    const auto status = [&](const FrictionModel<>& of, const State& from, double dq, double half_length) {
-        load.half_length = half_length;
-        State start = from;
-        start.system = of.fingerprint();
-        const State kept = next;
-        const Step step = of.advance(start, dq, Motion::shift(1e-4), load, next, workspace);
-        if (step.status != StepStatus::ok) {
-            CHECK(next.traction == kept.traction);
-            CHECK(std::isnan(step.force));
-            CHECK(std::isnan(step.tangent_by_half_length));
-        }
-        return step.status;
-    };
-    // a state at another half-length, and steps that keep it
-    State longer = now;
-    longer.half_length = 1.1;
-    CHECK(status(model, longer, 0.1, 1.1) == StepStatus::ok);
-    CHECK(status(model, longer, 0, 1.1) == StepStatus::ok);
-    CHECK(status(strip, longer, 0.1, 1.1) == StepStatus::needs_fixed_mesh);
-    CHECK(status(strip, longer, 0.2, 1) == StepStatus::needs_fixed_mesh);
-    CHECK(model.advance(longer, 0.1, 1e-4, next, workspace).status == StepStatus::ok);
-    CHECK(model.steady(longer, 1e-4, next, workspace).status == StepStatus::ok);
-    longer.system = strip.fingerprint();
-    CHECK(strip.advance(longer, 0.1, 1e-4, next, workspace).status == StepStatus::needs_fixed_mesh);
-    CHECK(strip.shift(longer, 1e-4, next, workspace).status == StepStatus::needs_fixed_mesh);
-    CHECK(strip.steady(longer, 1e-4, next, workspace).status == StepStatus::needs_fixed_mesh);
-    const SteadyFrictionModel<> steady(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.law());
-    longer.system = steady.fingerprint();
-    State point = steady.at_rest();
-    CHECK(steady.steady(longer, 1e-4, point, workspace).status == StepStatus::needs_fixed_mesh);
-
-    // systems with a single half-length: user-supplied matrices, and Galerkin's method
     const ElementSystem<double> system = scene.system();
-    const FrictionModel<> ready(scene.contact, ElementSystem<double>(system.G(), system.G_prime(), system.weights()),
-                                unchecked, scene.law());
-    CHECK(status(ready, now, 0.1, 1.01) == StepStatus::needs_fixed_mesh);
-    CHECK(status(ready, now, 0.1, 1) == StepStatus::ok);
-    const FrictionModel<> galerkin(scene.contact,
-                                   rolling_system(scene.mesh, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}, scene.kernel),
-                                   unchecked, scene.law());
-    CHECK(status(galerkin, now, 0.1, 1.01) == StepStatus::needs_fixed_mesh);
-    CHECK(status(galerkin, now, 0.1, 1) == StepStatus::ok);
+    for (const ElementSystem<double>& single :
+         {ElementSystem<double>(system.G(), system.G_prime(), system.weights()),
+          rolling_system(scene.mesh, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}, scene.kernel)}) {
+        const FrictionModel<> model(scene.contact, single, unchecked, scene.law());
+        Workspace workspace = model.workspace();
+        State next = model.at_rest();
+        Load load = scene.hertz.at(full_force);
+        CHECK(model.advance(model.at_rest(), 0.1, 1e-4, load, next, workspace).status == StepStatus::ok);
+        load.half_length = 1.01;
+        const Step step = model.advance(model.at_rest(), 0.1, 1e-4, load, next, workspace);
+        CHECK(step.status == StepStatus::needs_fixed_mesh);
+        CHECK(next.half_length == 1);
+    }
 }
 
 TEST_CASE("A state belongs to the model with the pressure of its first load", "[friction][load]") {

@@ -270,33 +270,6 @@ TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[fr
     CHECK(std::abs(checks - steps / 64) <= 1);
 }
 
-TEST_CASE("A problem in SI units is the dimensionless one, scaled", "[friction]") {
-    const double a = 6e-3, G = 8e10, b = 0.06, mu = 0.3;
-    const Contact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = nu});
-    const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
-    const Mesh<double> mesh = cosine_mesh<double>(20);
-    const ArrayX<double> shape = mean_hertz_pressure(mesh);
-    const ElementSystem<double> system = rolling_system(mesh, half, kernel);
-    const FrictionModel<> model(contact, system, unchecked, {mu, peak * G / mu * shape});
-    const FrictionModel<> plain(Contact<double>::dimensionless(b / a, nu), system, unchecked, {1.0, peak * shape});
-    FrictionState<> now = model.at_rest(), next = now, plain_now = plain.at_rest(), plain_next = plain_now;
-    FrictionWorkspace<> workspace = model.workspace(), plain_workspace = plain.workspace();
-    for (int k = 0; k < 10; ++k) {
-        const FrictionStep<> step = k == 3 ? model.shift(now, a * peak, next, workspace)
-                                           : model.advance(now, 0.2 * a, creepage(0.7), next, workspace);
-        const FrictionStep<> same = k == 3 ? plain.shift(plain_now, peak, plain_next, plain_workspace)
-                                           : plain.advance(plain_now, 0.2, creepage(0.7), plain_next, plain_workspace);
-        CHECK(step.force_per_width == Approx(a * G * same.force_per_width).epsilon(1e-12));
-        CHECK(step.force == Approx(2 * b * step.force_per_width).epsilon(1e-14));
-        CHECK(model.force(next) == Approx(step.force).epsilon(1e-14));
-        CHECK(step.tangent_per_width == Approx((k == 3 ? G : a * G) * same.tangent_per_width).epsilon(1e-11));
-        CHECK(step.slip_work_per_width == Approx(a * a * G * same.slip_work_per_width).epsilon(1e-11));
-        CHECK((workspace.slip() - a * plain_workspace.slip()).cwiseAbs().maxCoeff() < 1e-13 * a * peak);
-        std::swap(now, next);
-        std::swap(plain_now, plain_next);
-    }
-}
-
 TEST_CASE("Steps and steady rolling with friction agree in every scalar type", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
     const auto ratios = [&]<class Scalar>(Scalar) {

@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include "../adhesion/balanced_reduction.hpp"
+#include "decompositions.hpp"
 
 namespace rollbem {
 

@@ -4,7 +4,8 @@
 #include "../detail/language.hpp"
 
 #include "../adhesion/frequency.hpp"
-#include "assembly.hpp"
+#include "decompositions.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 

@@ -4,6 +4,7 @@
 #include "../detail/language.hpp"
 
 #include "../spectral/polynomial.hpp"
+#include "decompositions.hpp"
 
 namespace rollbem {
 

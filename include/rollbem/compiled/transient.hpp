@@ -4,7 +4,7 @@
 #include "../detail/language.hpp"
 
 #include "../adhesion/transient.hpp"
-#include "assembly.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 
