@@ -127,7 +127,7 @@ void patch_creep_curve(benchmark::State& state) {
 
 /// A look-up in the default table's size, tangent included; forces are those of full sliding, approached linearly.
 void creep_table(benchmark::State& state) {
-    constexpr int shapes = 14, levels = 12;
+    constexpr int shapes = 13, levels = 17;
     const CreepCoefficients<double> c{4.1, 3.7, 1.5, -1.5, 1.2};
     const CreepForceGrid grid(0.28, 0.1, 10, levels, std::vector<CreepCoefficients<double>>(shapes, c));
     Eigen::Array3Xd forces(3, grid.nodes() * shapes);

@@ -253,7 +253,7 @@ def test_table_is_near_the_patch():
         patch.close()
     table.close()
     print(f"    differences over mu N: mean {np.mean(errors):.1e}, largest {max(errors):.1e}")
-    assert np.mean(errors) < 3e-3 and max(errors) < 3e-2
+    assert np.mean(errors) < 3e-3 and max(errors) < 2e-2
 
 
 def test_table_at_its_limits():

@@ -18,11 +18,18 @@
 
 namespace rollbem {
 
-/// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. With
-/// X = (xi s_x, eta s_y, phi c s_phi) G a b/(mu N), where the scales s make |X| = 1 the beginning of saturation, nodes
-/// lie on a cubic lattice of u = X/(1 + |X|/2). So they are denser where forces are nearly linear, and follow
-/// saturation: |u| < 2, where 2 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and
-/// F_x change sign alone, and so do eta, phi, F_y and M_z together.
+/// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are
+/// the forces of the linear law over those that friction allows,
+///
+///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = (c33 - c23 c32/c22) mu N c/M,
+///
+/// where the third is the moment when no lateral force acts, and M that of spin alone in full sliding. Forces reach
+/// full sliding at |X| = 1 to 3, where the lateral force under spin has a sharp bend. Nodes lie on a cubic lattice of
+///
+///     u = X (1/(1 + |X|) + 2/(4 + |X|))/3,
+///
+/// whose steps are nearly uniform up to there; |u| < 1, where 1 is full sliding, at infinite creepage. By symmetry
+/// xi >= 0 and phi >= 0 suffice: xi and F_x change sign alone, and so do eta, phi, F_y and M_z together.
 ///
 /// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
 /// c11, c22, c23, -c32, c33 > 0.
@@ -45,15 +52,15 @@ public:
                         "be finite and above the smallest");
         detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
         detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
-        scales_.resize(3, shapes());
+        scales_.resize(4, shapes());
         for (Eigen::Index i = 0; i < shapes(); ++i) {
             const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];
             for (const double one : {c.c11, c.c22, c.c23, -c.c32, c.c33}) {
                 detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
                                 "be positive and finite");
             }
-            // spin saturates by its lateral force (long ellipses) or by its moment (wide ones)
-            scales_.col(i) << c.c11, c.c22, std::hypot(c.c23, c.c33 / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment);
+            scales_.col(i) << c.c11, c.c22, c.c23,
+                (c.c33 - c.c23 * c.c32 / c.c22) / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment;
         }
         for (int i = 0; i < levels_; ++i) {
             for (int j = -levels_ + 1; j < levels_; ++j) {
@@ -72,7 +79,8 @@ public:
     Eigen::Index shapes() const { return static_cast<Eigen::Index>(coefficients_.size()); }  ///< number of ellipses
     Eigen::Index nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }  ///< number of nodes of an ellipse
     const std::vector<CreepCoefficients<double>>& coefficients() const { return coefficients_; }
-    const Eigen::Array3Xd& scales() const { return scales_; }  ///< s_x, s_y, s_phi in a column for each ellipse
+    /// dX_1/d xi, dX_2/d eta, dX_2/d(phi c), dX_3/d(phi c), over G a b/(mu N), in a column for each ellipse.
+    const Eigen::Array4Xd& scales() const { return scales_; }
 
     /// a/b of ellipse i; the last is the largest.
     double a_over_b(Eigen::Index i) const { return a_over_b_of(i, shapes(), smallest_, largest_); }
@@ -85,11 +93,26 @@ public:
     /// which the spin grows.
     Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
         const Place& place = nodes_[static_cast<std::size_t>(node)];
-        const double n = levels_;
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
-        const double factor = limit / (n - size);  // X/lattice coordinates: u = X/(1 + |X|/limit) = limit place/n
-        return {factor * place.x / scales_(0, i), factor * place.y / scales_(1, i),
-                factor * place.spin / scales_(2, i)};
+        // |u| as a function of |X| solved for |X|
+        const double g = size / levels_, half = 1 - 2.5 * g;
+        const double level = (std::sqrt(half * half + 4 * g * (1 - g)) - half) / (1 - g);
+        return creepage(i, level / size * Eigen::Array3d(place.x, place.y, place.spin));
+    }
+    /// The same at X.
+    Creepage<double> creepage(Eigen::Index i, const Eigen::Array3d& X) const {
+        const double spin = X[2] / scales_(3, i);
+        return {X[0] / scales_(0, i), (X[1] - scales_(2, i) * spin) / scales_(1, i), spin};
+    }
+
+    /// How u follows from w = X unit, |w| = size.
+    struct Stretch {
+        double factor;  ///< u/w
+        double radial;  ///< du = factor (dw - radial d|w| w/|w|)
+    };
+    static Stretch stretch(double unit, double size) {
+        const double near = 1 / (unit + size), far = 2 / (4 * unit + size);
+        return {(near + far) / 3, (size / (unit + size) * near + size / (4 * unit + size) * far) / (near + far)};
     }
     /// Whether a node begins a line of growing spin.
     bool begins_line(Eigen::Index node) const {
@@ -104,15 +127,13 @@ public:
     };
     const Place& place(Eigen::Index node) const { return nodes_[static_cast<std::size_t>(node)]; }
 
-    static constexpr double limit = 2;  ///< |u| in full sliding
-
 private:
     static constexpr const char* name = "CreepForceGrid";
 
     double nu_, smallest_, largest_;
     int levels_;
     std::vector<CreepCoefficients<double>> coefficients_;
-    Eigen::Array3Xd scales_;
+    Eigen::Array4Xd scales_;
     std::vector<Place> nodes_;
 };
 

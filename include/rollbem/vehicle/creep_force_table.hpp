@@ -65,7 +65,7 @@ public:
     /// not agree with their checksum.
     static CreepForceTable read(std::istream& stream);
 
-    /// Little-endian, version 1: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
+    /// Little-endian, version 2: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
     /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients of
     /// the splines (32 bits each), and the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
@@ -81,7 +81,7 @@ public:
 private:
     static constexpr const char* name = "CreepForceTable";
     static constexpr const char* magic = "rollbem creep forces";
-    static constexpr std::uint32_t version = 1;
+    static constexpr std::uint32_t version = 2;
     static constexpr double most = 100;
 
     /// Bytes with their checksum.
@@ -152,7 +152,7 @@ public:
     /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative by 1/|X| is continuous in full sliding. What lies
     /// inside depends on the spline, hence the iteration; a step of 2/3 leaves about a third of the error, also at nodes that
     /// are nearly their own mirror image, where a whole one would only change its sign.
-    void complete(double a_over_b, const Eigen::Array3d& scale) {
+    void complete(const CreepForceGrid& grid, Eigen::Index shape) {
         struct Outer {
             int x, y, spin;
             double size;
@@ -164,7 +164,8 @@ public:
                 for (int spin = 0; spin <= m_; ++spin) {
                     const double size = std::sqrt(double(x * x + y * y + spin * spin));
                     if (size < n_ || size > n_ + 3 || (spin == 0 && y < 0)) continue;
-                    const auto full = full_sliding(a_over_b, x / scale[0], y / scale[1], spin / scale[2]);
+                    const Creepage<double> v = grid.creepage(shape, Eigen::Array3d(x, y, spin));
+                    const auto full = full_sliding(grid.a_over_b(shape), v.longitudinal, v.lateral, v.spin);
                     outer.push_back({x, y, spin, size, {full.longitudinal, full.lateral, full.moment}});
                 }
             }
@@ -286,7 +287,7 @@ inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<co
             const CreepForceGrid::Place& place = grid_.place(node);
             cube.set(place.x, place.y, place.spin, forces.col(shape * nodes + node));
         }
-        cube.complete(grid_.a_over_b(shape), grid_.scales().col(shape));
+        cube.complete(grid_, shape);
         Eigen::Index row = 0;
         for (int x = -1; x <= n_ + 1; ++x) {
             for (int y = -static_cast<int>(n_) - 1; y <= n_ + 1; ++y) {
@@ -309,14 +310,17 @@ inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<co
 }
 
 inline void CreepForceTable::meet_linear_law() {
-    const double step = CreepForceGrid::limit / static_cast<double>(n_);
+    const double step = 2 / static_cast<double>(n_);  // of X, where u is X/2
     Eigen::ArrayXXd lacking(5, grid_.shapes());
     for (Eigen::Index i = 0; i < grid_.shapes(); ++i) {
         const CreepCoefficients<double>& c = grid_.coefficients()[static_cast<std::size_t>(i)];
-        const Eigen::Array3d scale = step / grid_.scales().col(i);
         const Sample at = sample(static_cast<double>(i), 0, 0, 0);
-        lacking.col(i) << c.c11 * scale[0] - at.by_x[0], c.c22 * scale[1] - at.by_y[1],
-            c.c23 * scale[2] - at.by_spin[1], c.c32 * scale[1] - at.by_y[2], c.c33 * scale[2] - at.by_spin[2];
+        const Creepage<double> x = grid_.creepage(i, Eigen::Array3d(step, 0, 0)),
+                               y = grid_.creepage(i, Eigen::Array3d(0, step, 0)),
+                               spin = grid_.creepage(i, Eigen::Array3d(0, 0, step));
+        lacking.col(i) << c.c11 * x.longitudinal - at.by_x[0], c.c22 * y.lateral - at.by_y[1],
+            c.c22 * spin.lateral + c.c23 * spin.spin - at.by_spin[1], c.c32 * y.lateral - at.by_y[2],
+            c.c32 * spin.lateral + c.c33 * spin.spin - at.by_spin[2];
     }
     linear_ = with_ends(std::move(lacking));
 }
@@ -385,21 +389,21 @@ inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& conta
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
     const auto cell = std::min(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
     const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
-    Eigen::Array3d unit = Eigen::Array3d::Zero();  // of creepages in coordinates X mu N/(G a b)
+    Eigen::Array4d unit = Eigen::Array4d::Zero();  // of creepages in coordinates X mu N/(G a b)
     for (Eigen::Index k = 0; k < 4; ++k) {
-        unit += by_shape.value[static_cast<std::size_t>(k)] * scales_.col(cell + k).head<3>();
+        unit += by_shape.value[static_cast<std::size_t>(k)] * scales_.col(cell + k).head<4>();
     }
-    unit[2] *= c;
-    const Eigen::Array3d w = unit * Eigen::Array3d(creepage.longitudinal, creepage.lateral, creepage.spin);
+    unit.tail<2>() *= c;
+    const Eigen::Array3d w(unit[0] * creepage.longitudinal, unit[1] * creepage.lateral + unit[2] * creepage.spin,
+                           unit[3] * creepage.spin);
     const double size = w.matrix().stableNorm();
     if (bound == 0) {
         result.force = {0, 0, 0};
         result.tangent = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
         return ended(StepStatus::ok);
     }
-    // u = X/(1 + |X|/2) in lattice coordinates, written so that no bound is too small
-    const double denominator = bound / stiffness + size / CreepForceGrid::limit;
-    const Eigen::Array3d u = w / denominator * (static_cast<double>(n_) / CreepForceGrid::limit);
+    const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
+    const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
     const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
@@ -431,14 +435,15 @@ inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& conta
     by_u.col(0) = at.by_x * Eigen::Array3d(1, both, both);
     by_u.col(1) = at.by_y * Eigen::Array3d(both, 1, 1);
     by_u.col(2) = at.by_spin * Eigen::Array3d(both, 1, 1);
-    const double scale = -bound / denominator * (static_cast<double>(n_) / CreepForceGrid::limit);
-    Eigen::Matrix3d slope = scale * by_u;
+    Eigen::Matrix3d slope = (-bound * stretch.factor * static_cast<double>(n_)) * by_u;
     if (size > 0) {
         const Eigen::Vector3d direction = w / size;
         const Eigen::Vector3d radial = slope * direction;
-        slope -= radial * direction.transpose() * (size / CreepForceGrid::limit / denominator);
+        slope -= radial * direction.transpose() * stretch.radial;
     }
-    slope.array().rowwise() *= unit.transpose();
+    slope.col(2) = unit[2] * slope.col(1) + unit[3] * slope.col(2);
+    slope.col(1) *= unit[1];
+    slope.col(0) *= unit[0];
     slope.row(2) *= c;
     const auto column = [&](Eigen::Index k) { return TangentialForce<double>{slope(0, k), slope(1, k), slope(2, k)}; };
     result.force = {0 - bound * force[0], 0 - bound * force[1], 0 - bound * c * force[2]};
@@ -528,7 +533,7 @@ inline CreepForceTable CreepForceTable::read(std::istream& stream) {
     if (text != magic)
         throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
     const auto found = reader.integer<std::uint32_t>();
-    detail::require(found == version, name, "version", found, "be 1");
+    detail::require(found == version, name, "version", found, "be 2");
     const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
     detail::require(levels <= 64, name, "levels", levels, "be at most 64");
     detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
