@@ -2,8 +2,6 @@
 // force. Independent of meshes and matrices.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <complex>
 #include <cstddef>

@@ -2,8 +2,6 @@
 // unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -2,8 +2,6 @@
 // One LU per frequency, or for sweeps one reduction to Hessenberg form and then O(n^2) per frequency.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>

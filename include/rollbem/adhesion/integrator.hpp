@@ -1,8 +1,6 @@
 // Time integrators, and the check of a scheme's eigenvalues that they require.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstddef>
 #include <limits>
 #include <vector>

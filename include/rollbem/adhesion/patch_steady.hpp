@@ -2,8 +2,6 @@
 // mirrored.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <type_traits>

@@ -2,8 +2,6 @@
 // All coefficients of a patch and its frequency response come from here.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -2,8 +2,6 @@
 // linearisation or controller design: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <limits>
 #include <string>
 #include <type_traits>

@@ -2,8 +2,6 @@
 // Builds G' alone and factorises it in place.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -3,8 +3,6 @@
 // allocation in a step.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

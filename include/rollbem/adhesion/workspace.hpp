@@ -1,8 +1,6 @@
 // Matrix factors and scratch memory of full adhesion in time. They make steps fast and never change a result.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <type_traits>
 
 #include <Eigen/Core>

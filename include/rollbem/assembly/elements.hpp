@@ -2,8 +2,6 @@
 // patch alike.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstddef>
 #include <vector>
 

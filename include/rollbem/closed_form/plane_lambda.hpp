@@ -2,8 +2,6 @@
 // discretisation. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <concepts>
 #include <numbers>

@@ -1,8 +1,6 @@
 // Steady rolling compiled for double. Replaces adhesion/steady.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/steady.hpp"
 #include "assembly.hpp"
 

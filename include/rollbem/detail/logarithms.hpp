@@ -2,8 +2,6 @@
 // Internal.
 #pragma once
 
-#include "language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // estimate for all problems.
 #pragma once
 
-#include "language.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -2,8 +2,6 @@
 // Used where objects are constructed; never in a time loop.
 #pragma once
 
-#include "language.hpp"
-
 #include <cstddef>
 #include <cstdio>
 #include <stdexcept>

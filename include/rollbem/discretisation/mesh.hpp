@@ -3,8 +3,6 @@
 // the trailing edge (index 0) to the leading edge (index n-1).
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -3,8 +3,6 @@
 // and strip by strip from small to large y.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <type_traits>
 #include <utility>
 

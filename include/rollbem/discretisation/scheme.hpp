@@ -3,8 +3,6 @@
 // nodes; any other type that defines its rows can serve as a scheme.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>

@@ -2,8 +2,6 @@
 // assembly requires of a kernel that is the sum of a smooth one and a delta function.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <concepts>
 #include <limits>

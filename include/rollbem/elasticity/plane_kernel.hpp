@@ -1,8 +1,6 @@
 // PlaneKernel: the line kernel of a contact far wider than long, b >> a.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -2,8 +2,6 @@
 // equal elastic half-spaces.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>

@@ -1,8 +1,6 @@
 // StripKernel: the line kernel of a contact of finite half-width b.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

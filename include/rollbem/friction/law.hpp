@@ -2,8 +2,6 @@
 // once or, with a memory, gradually. SI units.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>

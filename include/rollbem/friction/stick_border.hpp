@@ -2,8 +2,6 @@
 // border, force and tractions exactly, by series instead of elements.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>

@@ -2,8 +2,6 @@
 // direction of creepage or two. s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstdint>
 #include <type_traits>
 #include <utility>

@@ -2,8 +2,6 @@
 // of a friction problem; in SI units.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <numbers>
 

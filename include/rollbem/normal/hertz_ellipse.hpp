@@ -2,8 +2,6 @@
 // pressures of rectangular elements under the same or another load. In SI units.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

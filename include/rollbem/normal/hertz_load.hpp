@@ -2,8 +2,6 @@
 // breathes with the contact, or on a fixed mesh on which the contact grows and shrinks.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,8 +1,6 @@
 // Hertz's pressure on the elements of a patch, for friction.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <type_traits>
 #include <vector>
 

@@ -1,8 +1,6 @@
 // A normal pressure given on a grid over a contact patch, and its mean over rectangular elements.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>

@@ -2,8 +2,6 @@
 // not that of Hertz.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

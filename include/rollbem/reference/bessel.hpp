@@ -2,8 +2,6 @@
 // GSL; includes nothing of the discretised problem, so that the two cannot share errors. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

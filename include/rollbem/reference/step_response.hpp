@@ -3,8 +3,6 @@
 // independent check.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>

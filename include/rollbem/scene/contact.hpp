@@ -2,8 +2,6 @@
 // shear modulus G and Poisson's ratio nu, checked once on construction.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <limits>
 
 #include "../detail/finite.hpp"

@@ -2,8 +2,6 @@
 // leading edge at some y, and straight between them.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <string>
 #include <utility>

@@ -2,8 +2,6 @@
 // modulus G and Poisson's ratio nu, checked once on construction.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <memory>
 #include <numbers>

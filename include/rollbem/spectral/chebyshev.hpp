@@ -3,8 +3,6 @@
 // on it unchanged.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <limits>
 #include <numbers>

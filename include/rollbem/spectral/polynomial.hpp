@@ -2,8 +2,6 @@
 // Chebyshev polynomials, where it costs O(order) and is accurate to rounding. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>

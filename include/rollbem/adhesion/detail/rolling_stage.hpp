@@ -2,8 +2,6 @@
 // assembled again. Independent of friction and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cmath>
 
 #include <Eigen/Core>

@@ -2,8 +2,6 @@
 // steady rolling at any semi-axes.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>

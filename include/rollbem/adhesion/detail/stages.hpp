@@ -1,8 +1,6 @@
 // One step in full adhesion by the stages of its integrator, of a contact whose length may change during the step.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstdint>
 
 #include <Eigen/Core>

@@ -2,8 +2,6 @@
 // all ways of computing an entry.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // neighbours in a row share the values of the antiderivatives.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

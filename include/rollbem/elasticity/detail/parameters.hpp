@@ -2,8 +2,6 @@
 // Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../scene/contact.hpp"

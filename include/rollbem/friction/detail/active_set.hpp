@@ -2,8 +2,6 @@
 // Core of the steady and the non-steady friction problem, independent of rolling and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

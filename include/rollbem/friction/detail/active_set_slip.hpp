@@ -1,8 +1,6 @@
 // The slip of the elements of an ActiveSet and its dependence on the bounds: for FallingSet in one direction.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>

@@ -1,8 +1,6 @@
 // Points of the midpoint rule in an angle, doubled from level to level. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>

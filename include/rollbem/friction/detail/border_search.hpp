@@ -1,8 +1,6 @@
 // The border at a given creepage, and the resolution that it needs. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // slip and is found together with the tractions.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 

@@ -1,8 +1,6 @@
 // Slip of the elements of a CombinedSolver and its derivatives by their bounds, for FallingSet in two directions.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <vector>

@@ -2,8 +2,6 @@
 // with a scheme that does not; in full adhesion it shows.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>

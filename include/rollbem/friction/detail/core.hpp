@@ -2,8 +2,6 @@
 // and dimensionless equations s = M p + c.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

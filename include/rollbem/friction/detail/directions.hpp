@@ -1,8 +1,6 @@
 // What distinguishes one direction of creepage from two: the solver for stick and slip, and the blocks of the matrices.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cstddef>
 #include <type_traits>

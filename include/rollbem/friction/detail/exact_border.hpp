@@ -2,8 +2,6 @@
 // Dimensionless, a = G = 1. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <limits>

@@ -1,8 +1,6 @@
 // Scratch memory for friction that falls with slip, in addition to that of constant friction.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cstddef>
 

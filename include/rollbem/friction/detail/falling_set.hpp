@@ -2,8 +2,6 @@
 // bounds. Independent of rolling and of the origin of the equations.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,8 +1,6 @@
 // Where and by how much the tractions and slip of a stick zone violate Coulomb's law. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,8 +1,6 @@
 // Properties of a pressure known at every point: its load, and whether it jumps. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,8 +1,6 @@
 // The memory behind a workspace: factors and everything that a solution needs besides the states.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
