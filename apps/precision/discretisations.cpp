@@ -114,12 +114,12 @@ RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
         scene, [&](const auto& kernel) -> RollingSystem<double> { return rollbem::rolling_system(method, kernel); });
 }
 
-rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
 }
 
 double steady_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::UnitSteadySolution<double> solution = steady(scene, elements, mesh);
+    const rollbem::SteadySolution<double> solution = steady(scene, elements, mesh);
     return solution.status == rollbem::Status::ok ? solution.c11 : nan;
 }
 

@@ -44,7 +44,7 @@ rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& ele
                                          const rollbem::Mesh<double>& mesh);
 rollbem::RollingSystem<double> system_of(const Scene& scene, const rollbem::Chebyshev& method);
 
-rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements,
+rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements,
                                            const rollbem::Mesh<double>& mesh);
 rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
 

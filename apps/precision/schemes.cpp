@@ -174,7 +174,7 @@ std::optional<double> Case::relative_error(const Quantity& quantity) const {
         return if_finite(std::abs(exact_c11(scene_, quantity) / other - 1.0));
     }
     if (quantity.name == "traction") {
-        const auto solution = rollbem::solve_chebyshev(Complex(0), nu, aspect, n_);
+        const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, n_);
         return if_finite(traction_error(nu, [&](double x) { return solution.traction(x); }));
     }
     if (quantity.problem == Problem::step) {
@@ -246,7 +246,7 @@ double Case::run(const Quantity& quantity) const {
     }
     if (quantity.name == "traction") {
         return closed ? rollbem::carter_traction(0.5, nu)
-                      : rollbem::solve_chebyshev(s, nu, aspect, n_).traction(0.5).real();
+                      : rollbem::solve_polynomial(s, nu, aspect, n_).traction(0.5).real();
     }
     return closed ? rollbem::steady_c11(nu) : rollbem::polynomial_c11(s, nu, aspect, n_).c11.real();
 }

@@ -521,13 +521,6 @@ private:
     static Shape shape_of(const Shaped& system, const Stage& stage) {
         return Shape(*system.shapes(), system.a_over_b(), stage);
     }
-    // A stage that takes `part` of a step and ends when `progress` of it is done.
-    static Stage stage_of(Scalar part, Scalar progress, Scalar dq, const Axes& from, const Axes& to) {
-        if constexpr (directions == 2) return Stage::of_patch(part, progress, dq, from, to);
-        return progress < 1 ? Stage::within(part, dq, from.half_length, to.half_length)
-                            : Stage::last(part, dq, from.half_length, to.half_length);
-    }
-
     // `factor` times the sum of area times vector; the moment also times `arm`.
     Force total(const Vectors& vectors, Scalar factor, const Arms& arm) const {
         if constexpr (directions == 1) {
@@ -699,7 +692,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     Progress progress;
     Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
     if (two_stages) {
-        enter(system, {part, part}, stage_of(part, part, dq, start, end), bounds, scratch);
+        enter(system, {part, part}, Stage::of(part, part, dq, start, end), bounds, scratch);
         if (load.pressure_rate != nullptr) {
             set_bounds(from.normal_pressure, load.pressure, part, scratch);
         } else {
@@ -715,7 +708,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
         find_displacements(system, axes_of(scratch.stage), scratch.start, scratch.change);
         scratch.displacement += ratio * (scratch.change - scratch.displacement);
     }
-    enter(system, {part, 1}, stage_of(part, 1, dq, start, end), bounds, scratch);
+    enter(system, {part, 1}, Stage::of(part, Scalar(1), dq, start, end), bounds, scratch);
     if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
     solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
                 axes_of(scratch.stage), scratch, progress);
