@@ -1,5 +1,5 @@
-/* cost LIBRARY DESCRIPTION: the overhead of fmi2DoStep over the library's step, of a patch over its look-up. At most
-   0.3 us. */
+/* cost LIBRARY DESCRIPTION: prints the times of fmi2DoStep and of the library's step, for a patch of its look-up. Fails
+   if their forces differ. */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>
 #include <stdio.h>
@@ -49,10 +49,9 @@ int main(int count, char **arguments) {
         fmu_time = fmin(fmu_time, (now_us() - start) / steps);
     }
     const double fmu_force = get_real(&fmu, instance, adhesion ? "force" : "longitudinal_force");
-    printf("library %.3f us, fmi2DoStep %.3f us, difference %.3f us (at most 0.3)\n", library_time, fmu_time,
-           fmu_time - library_time);
+    printf("library %.3f us, fmi2DoStep %.3f us, difference %.3f us\n", library_time, fmu_time, fmu_time - library_time);
     printf("forces %.17g and %.17g N\n", force, fmu_force);
     fmu.free_instance(instance);
     free(fmu.description);
-    return !(fmu_time - library_time <= 0.3) || !(fabs(force - fmu_force) <= 1e-12 * fabs(force));
+    return !(fabs(force - fmu_force) <= 1e-12 * fabs(force));
 }
