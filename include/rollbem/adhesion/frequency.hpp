@@ -62,7 +62,7 @@ Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
 /// has several inputs. For other growth, e^{st}, and several inputs see solve_response.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
-    detail::require(detail::is_finite(z), "solve_harmonic", "omega a/V", z, "be finite");
+    detail::require_finite("solve_harmonic", "omega a/V", z);
     detail::require_single_input("solve_harmonic", system);
     const Response<std::complex<Scalar>> response = solve_response(system, std::complex<Scalar>(0, z));
     HarmonicSolution<Scalar> solution{response.unknowns.col(0), response.coefficients(0, 0), response.residual,
@@ -99,7 +99,7 @@ public:
 
     /// Response at z = omega a/V, of either sign. Throws std::invalid_argument if z is not finite.
     SweepPoint<Scalar> operator()(Scalar z) const {
-        detail::require(detail::is_finite(z), "FrequencySweep", "omega a/V", z, "be finite");
+        detail::require_finite("FrequencySweep", "omega a/V", z);
         return at(Complex(0, z));
     }
 

@@ -352,7 +352,7 @@ template <int inputs_, class Scalar_>
 auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> State {
     const Inputs value = Values::vector(creepage);
     for (const Scalar component : value) {
-        detail::require(detail::is_finite(component), name, "creepage", component, "be finite");
+        detail::require_finite(name, "creepage", component);
     }
     State state = at_rest();
     state.traction.noalias() = steady_ * value;

@@ -160,8 +160,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
                                                Eigen::Index fallback_elements) {
     constexpr const char* who = "solve_stick_border";
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
-    detail::require(detail::is_finite(friction_coefficient) && friction_coefficient >= 0, who, "friction_coefficient",
-                    friction_coefficient, "be finite and not negative");
+    detail::require_not_negative(who, "friction_coefficient", friction_coefficient);
     // of one type for all pressures, so that what follows is compiled once a kernel
     const std::function<Scalar(Scalar)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
                                                     Scalar x) -> Scalar { return scale * pressure(x); };

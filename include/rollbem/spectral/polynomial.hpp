@@ -113,8 +113,8 @@ namespace detail {
 template <std::floating_point Scalar>
 Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
                          Eigen::Index order) {
-    require(is_finite(s.real()), who, "Re s", s.real(), "be finite");
-    require(is_finite(s.imag()), who, "Im s", s.imag(), "be finite");
+    require_finite(who, "Re s", s.real());
+    require_finite(who, "Im s", s.imag());
     require(order >= 1, who, "order", order, "be at least 1");
     return s == std::complex<Scalar>(0) ? plane_lambda(poisson_ratio, aspect)
                                         : stable_plane_lambda(who, poisson_ratio, aspect);

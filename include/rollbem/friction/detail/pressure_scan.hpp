@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "angular_points.hpp"
 
@@ -33,8 +32,7 @@ PressureScan<Scalar> scan_pressure(const Bound& bound, PointsOfLevels<Scalar>& l
         Scalar load = 0;
         for (Eigen::Index j = 0; j < points.size(); ++j) {
             const Scalar value = bound(points.cosine[j]);
-            require(is_finite(value) && value >= 0, "solve_stick_border", "mu p_n / G", value,
-                    "be finite and not negative");
+            require_not_negative("solve_stick_border", "mu p_n / G", value);
             scan.largest = std::max(scan.largest, value);
             load += 2 * points.weight(j) * value;
         }
