@@ -19,7 +19,6 @@
 #include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
 #include "detail/consistency.hpp"
-#include "detail/pencil.hpp"
 #include "response.hpp"
 
 namespace rollbem {

@@ -12,7 +12,6 @@
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
-#include "detail/pencil.hpp"
 
 namespace rollbem {
 

@@ -109,4 +109,7 @@ typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Fa
     return std::min<Scalar>(estimate, std::abs(lu.matrixLU()(last, last)) / norm);
 }
 
+/// Below this rcond(G') no result is taken from G'^-1 G: it could have lost more than four digits.
+inline constexpr double least_rcond_of_G_prime = 1e-4;
+
 }  // namespace rollbem::detail

@@ -8,7 +8,6 @@
 
 #include "../closed_form/plane_lambda.hpp"
 #include "../detail/array_functions.hpp"
-#include "../detail/logarithms.hpp"
 #include "../scene/contact.hpp"
 #include "../types.hpp"
 #include "detail/parameters.hpp"

@@ -11,7 +11,6 @@
 
 #include "../detail/array_functions.hpp"
 #include "../detail/finite.hpp"
-#include "../detail/logarithms.hpp"
 #include "../scene/contact.hpp"
 #include "../types.hpp"
 #include "detail/parameters.hpp"

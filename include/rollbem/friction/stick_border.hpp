@@ -23,7 +23,6 @@
 #include "../types.hpp"
 #include "detail/angular_points.hpp"
 #include "detail/exact_border.hpp"
-#include "detail/pressure_scan.hpp"
 #include "detail/stick_zone.hpp"
 #include "steady.hpp"
 

@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
-#include "../../detail/logarithms.hpp"
 #include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"

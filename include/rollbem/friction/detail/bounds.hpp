@@ -13,9 +13,9 @@
 #include "../law.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
-#include "falling_scratch.hpp"
 #include "falling_set.hpp"
 #include "rolling_stage.hpp"
+#include "scratch.hpp"
 
 namespace rollbem::detail {
 

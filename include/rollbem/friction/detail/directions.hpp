@@ -13,9 +13,8 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "active_set.hpp"
-#include "active_set_slip.hpp"
-#include "combined_slip.hpp"
 #include "combined_solver.hpp"
+#include "falling_slip.hpp"
 
 namespace rollbem::detail {
 

@@ -10,12 +10,12 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
-#include "same_bits.hpp"
 
 namespace rollbem::detail {
 
