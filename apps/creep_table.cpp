@@ -62,22 +62,9 @@ Job make_job(const study::Options& options) {
 // --- rows ----------------------------------------------------------------------------------------------------------
 
 const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names{"a_over_b",
-                                                "poisson",
-                                                "n",
-                                                "strips",
-                                                "longitudinal",
-                                                "lateral",
-                                                "spin",
-                                                "longitudinal_force",
-                                                "lateral_force",
-                                                "spin_moment",
-                                                "stick_count",
-                                                "rounds",
-                                                "complementarity_residual",
-                                                "time_us",
-                                                "status",
-                                                "nodes"};
+    static const std::vector<std::string> names = study::cells_of(
+        "a_over_b,poisson,n,strips,longitudinal,lateral,spin,longitudinal_force,lateral_force,spin_moment,stick_count,"
+        "rounds,complementarity_residual,time_us,status,nodes");
     return names;
 }
 
@@ -160,6 +147,10 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
             }
             forces(static_cast<Eigen::Index>(k), column) = *force;
         }
+        if (!(std::hypot(forces(0, column), forces(1, column)) <= 1 + 1e-6)) {
+            throw study::BadInput(where(i) + ": longitudinal_force, lateral_force = " + cells[7] + ", " + cells[8] +
+                                  " must be a force of at most mu N");
+        }
     }
     return forces;
 }
@@ -233,6 +224,34 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
     output.commit();
 }
 
+/// The table of rows, which `from` names in messages.
+CreepForceTable table_of(const Job& job, const std::vector<std::string>& rows, const std::string& from) {
+    return {job.grid, read_forces(job, rows, [&](std::size_t i) {
+                return from + (i < rows.size() ? ": line " + std::to_string(i + 2) : "");
+            })};
+}
+
+/// 4. The file of the table, and its check in `scenes` scenes.
+void finish(const study::Options& options, const Job& job, const CreepForceTable& table, std::size_t scenes) {
+    write_binary(options, table);
+    if (scenes > 0) check(options, job, table, scenes);
+}
+
+/// The lines of --rows below its header.
+std::vector<std::string> read_rows(const study::Options& options) {
+    const std::string header = study::join(columns(), ",");
+    std::vector<std::string> rows;
+    study::Lines file(options, "rows");
+    while (file.next()) {
+        if (file.number() > 1) {
+            rows.push_back(file.text());
+        } else if (file.text() != header) {
+            throw study::BadInput(file.where() + " must be " + header);
+        }
+    }
+    return rows;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -266,8 +285,8 @@ int main(int argc, char** argv) {
 
 Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
 G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
-CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves FILE.unfinished;
-the same command goes on from there.
+CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves
+FILE.unfinished; the same command goes on from there.
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each is
 solved by one mesh: extrapolation from two has larger errors where spin is large. --check: log(a/b) uniform, direction
 of (xi C11, eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the
@@ -277,51 +296,28 @@ difference of a scene is the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Te
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The grid.
         const bool whole = !given.given("shard");
-        const std::ptrdiff_t scenes = given.given("check") ? given.integer("check", 1, 10'000'000) : 0;
+        const auto scenes = given.given("check") ? static_cast<std::size_t>(given.integer("check", 1, 10'000'000)) : 0;
         if (!whole && scenes > 0) given.ignored("check", "with --shard: a part is no table");
         const bool to_file = given.given("output") && given.text("output") != "-";
         if (scenes > 0 && !to_file) given.ignored("check", "without --output FILE");
         if (given.given("rows")) given.ignored("shard", "with --rows");
         const Job job = make_job(given);
 
-        // 3. Its rows: computed, or read.
-        std::vector<std::string> lines;
+        // 3. Its rows: read, or computed.
+        if (given.given("rows")) {
+            const std::vector<std::string> rows = read_rows(given);
+            if (!to_file) throw study::BadInput("--rows = " + given.text("rows") + " must go with --output FILE");
+            const CreepForceTable made = table_of(job, rows, given.said("rows"));
+            study::TableFile file(given, "output");
+            file.rows().write(study::join(columns(), ",") + "\n");
+            for (const std::string& line : rows) file.rows().write(line + "\n");
+            file.commit();
+            finish(given, job, made, scenes);
+            return study::exit_ok;
+        }
         const std::vector<Slab> slabs = slabs_of(job.grid);
         study::Table table;
         table.columns = columns();
-        if (given.given("rows")) {
-            study::Lines file(given, "rows");
-            std::vector<std::size_t> numbers;
-            while (file.next()) {
-                if (file.number() == 1) {
-                    if (file.text() != study::join(columns(), ",")) {
-                        throw study::BadInput(file.where() + " must be " + study::join(columns(), ","));
-                    }
-                    continue;
-                }
-                lines.push_back(file.text());
-            }
-        }
-        const auto finish = [&](const std::vector<std::string>& rows, const std::string& from) {
-            // 4. The table.
-            const CreepForceTable made(job.grid, read_forces(job, rows, [&](std::size_t i) {
-                                           return from + (i < rows.size() ? ": line " + std::to_string(i + 2) : "");
-                                       }));
-            write_binary(given, made);
-            if (scenes > 0) check(given, job, made, static_cast<std::size_t>(scenes));
-        };
-        if (given.given("rows")) {
-            if (!to_file) throw study::BadInput("--rows = " + given.text("rows") + " must go with --output FILE");
-            read_forces(job, lines, [&](std::size_t i) {
-                return given.said("rows") + (i < lines.size() ? ": line " + std::to_string(i + 2) : "");
-            });
-            study::TableFile file(given, "output");
-            file.rows().write(study::join(columns(), ",") + "\n");
-            for (const std::string& line : lines) file.rows().write(line + "\n");
-            file.commit();
-            finish(lines, given.said("rows"));
-            return study::exit_ok;
-        }
         for (const Slab& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
         table.label = [&](std::size_t task) {
             return "a/b = " + study::Cell(job.grid.a_over_b(slabs[task].shape)).text(3);
@@ -331,7 +327,9 @@ difference of a scene is the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Te
         };
         table.resumable = to_file;
         if (whole && to_file) {
-            table.finish = [&](const std::vector<std::string>& rows) { finish(rows, given.said("output")); };
+            table.finish = [&](const std::vector<std::string>& rows) {
+                finish(given, job, table_of(job, rows, given.said("output")), scenes);
+            };
         }
         study::write_table(given, table);
         return study::exit_ok;

@@ -56,13 +56,16 @@ std::string status(const Outcome& outcome) {
     return outcome.told.empty() ? "ok" : "not_converged";
 }
 
-std::vector<Case> all_cases(bool large) {
-    std::vector<Case> cases = extremes::steady_cases(large);
-    for (const auto& more :
-         {extremes::harmonic_cases(), extremes::time_cases(), extremes::chebyshev_cases(large),
-          extremes::friction_cases(), extremes::load_cases(), extremes::direction_cases(), extremes::patch_cases()}) {
-        cases.insert(cases.end(), more.begin(), more.end());
-    }
+extremes::Cases all_cases(bool large) {
+    extremes::Cases cases;
+    extremes::steady_cases(cases, large);
+    extremes::harmonic_cases(cases);
+    extremes::time_cases(cases);
+    extremes::chebyshev_cases(cases, large);
+    extremes::friction_cases(cases);
+    extremes::load_cases(cases);
+    extremes::direction_cases(cases);
+    extremes::patch_cases(cases);
     // the first two of the series where slip turned by its full angles has no solution
     for (const std::uint64_t seed : {7148, 88205}) cases.push_back(extremes::patch_scene(seed));
     return cases;
@@ -98,7 +101,7 @@ its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow mu
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
-        std::vector<Case> cases;
+        extremes::Cases cases;
         if (given.given("patches")) {
             given.ignored("large", "with --patches");
             const auto count = static_cast<std::uint64_t>(given.integer("patches", 1, 10'000'000));

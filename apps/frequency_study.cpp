@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -185,52 +184,58 @@ std::vector<study::Row> polynomial_rows(const study::Options& options, const std
 
 // --- the plot ------------------------------------------------------------------------------------------------------
 
+using Responses = std::map<std::string, std::map<double, Complex>>;  // over the frequency, of every contact
+
+Responses exact_responses(const std::vector<study::Row>& rows) {
+    Responses exact;
+    const std::size_t aspect = study::index_of(columns, "aspect");
+    for (const study::Row& row : rows) {
+        const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
+        const std::string contact = "b/a = " + row[aspect].text(6) + ", ν = " + row[aspect + 1].text(6);
+        if (omega && re && im) exact[contact][*omega] = {*re, *im};
+    }
+    return exact;
+}
+
+/// The lines of exact responses, whose points are point(omega, c11).
+void add_exact(study::Plot& plot, const Responses& exact, const std::string& prefix, const auto& point) {
+    for (const auto& [contact, response] : exact) {
+        study::Series curve{.label = prefix + (exact.size() > 1 ? "exact, " + contact : std::string("exact")),
+                            .markers = false,
+                            .reference = true};
+        for (const auto& [omega, c11] : response) curve.points.push_back(point(omega, c11));
+        plot.series.push_back(std::move(curve));
+    }
+}
+
 /// The Argand diagram, and beside it both parts over the frequency.
 study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
                           const std::vector<study::Scene>& scenes, const std::vector<double>& omegas) {
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
     if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
-
-    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}", .series = {}};
     const std::vector<std::string> apart = study::all_setting_columns();
+    const Responses exact = exact_responses(rows);
+
+    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
     study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
     const std::size_t cases = argand.series.size();
     if (cases == 1) argand.series[0].label = "computed";
-    std::map<std::string, std::map<double, Complex>> exact;  // of every contact
-    const auto aspect = std::find(columns.begin(), columns.end(), "aspect") - columns.begin();
-    for (const study::Row& row : rows) {
-        const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
-        const auto cell = row.begin() + aspect;
-        const std::string contact = "b/a = " + cell->text(6) + ", ν = " + std::next(cell)->text(6);
-        if (omega && re && im) exact[contact][*omega] = {*re, *im};
-    }
-    const auto exact_label = [&](const std::string& contact) {
-        return exact.size() > 1 ? "exact, " + contact : std::string("exact");
-    };
-    for (const auto& [contact, response] : exact) {
-        study::Series curve{.label = exact_label(contact), .points = {}, .markers = false, .reference = true};
-        for (const auto& [omega, c11] : response) curve.points.emplace_back(c11.real(), c11.imag());
-        argand.series.push_back(std::move(curve));
-    }
+    add_exact(argand, exact, "", [](double, Complex c11) { return std::pair(c11.real(), c11.imag()); });
 
-    study::Plot parts{.title = "", .x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .series = {}};
+    study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}"};
     for (const bool real : {true, false}) {
-        const std::string name = real ? "Re" : "Im";
+        const std::string prefix = real ? "Re, " : "Im, ";
         study::Plot part;
         study::add_series(part, columns, rows,
                           {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im", .apart = apart});
         for (std::size_t k = 0; k < cases; ++k) {
             study::Series& series = part.series[k];
-            series.label = name + ", " + argand.series[k].label;
+            series.label = prefix + argand.series[k].label;
             series.style = k;
             parts.series.push_back(std::move(series));
         }
-        for (const auto& [contact, response] : exact) {
-            study::Series curve{
-                .label = name + ", " + exact_label(contact), .points = {}, .markers = false, .reference = true};
-            for (const auto& [omega, c11] : response) curve.points.emplace_back(omega, real ? c11.real() : c11.imag());
-            parts.series.push_back(std::move(curve));
-        }
+        add_exact(parts, exact, prefix,
+                  [&](double omega, Complex c11) { return std::pair(omega, real ? c11.real() : c11.imag()); });
     }
 
     // markers if there are few points, a logarithmic axis if the frequencies span several orders
@@ -247,12 +252,8 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     parts.log_x = lowest > 0 && highest > 20 * lowest;
 
     // the curves coincide: show their differences
-    study::Plot errors{.title = "",
-                       .x_label = parts.x_label,
-                       .y_label = "|c_{11} / c_{11,exact} - 1|",
-                       .log_x = parts.log_x,
-                       .log_y = true,
-                       .series = {}};
+    study::Plot errors{
+        .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = parts.log_x, .log_y = true};
     study::add_series(errors, columns, rows,
                       {.by = by, .x = "omega", .y = "relative_error", .absolute = true, .apart = apart});
     for (std::size_t k = 0; k < cases; ++k) {

@@ -196,10 +196,8 @@ int main(int argc, char** argv) {
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (given.given("state-space")) state_space = state_space_files(given, patches);
 
-        study::Table table;
-        table.columns = harmonic ? response_columns() : steady_columns(given);
-        table.rows_of_task.assign(patches.size(), harmonic ? omegas.size() : 1);
-        table.label = [&](std::size_t task) { return patches[task].label(); };
+        study::Table table = study::table_of(harmonic ? response_columns() : steady_columns(given), patches,
+                                             harmonic ? omegas.size() : 1);
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
             emit(steady_row(given, patches[task]));

@@ -203,8 +203,7 @@ J = 80 kg m^2, 6000 kg.
                              .x_label = "number of elements n",
                              .y_label = "relative error",
                              .log_x = true,
-                             .log_y = true,
-                             .series = {}};
+                             .log_y = true};
             if (rows.empty()) return plot;  // of a shard
             for (const std::string name : {"frequency", "decay", "response"}) {
                 study::add_series(plot, table.columns, rows,

@@ -61,10 +61,7 @@ study::Row count_row(const study::Options& options, const study::Scene& scene) {
 }
 
 study::Table count_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
-    study::Table table;
-    table.columns = count_columns;
-    table.rows_of_task.assign(scenes.size(), 1);
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
+    study::Table table = study::table_of(count_columns, scenes);
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         emit(count_row(options, scenes[task]));
     };
@@ -83,8 +80,7 @@ study::Table count_table(const study::Options& options, const std::vector<study:
                                     : x == "n"              ? scenes.front().n_label()
                                                             : study::shown_name(x),
                          .y_label = "share of unstable eigenvalues",
-                         .log_x = x == "n",
-                         .series = {}};
+                         .log_x = x == "n"};
         study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
         for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {
             const bool follows = equal && x == "alpha_T" && name == std::string("alpha_L");
@@ -122,10 +118,7 @@ std::optional<double> critical_alpha_T(const study::Scene& scene) {
 }
 
 study::Table critical_table(const std::vector<study::Scene>& scenes) {
-    study::Table table;
-    table.columns = critical_columns;
-    table.rows_of_task.assign(scenes.size(), 1);
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
+    study::Table table = study::table_of(critical_columns, scenes);
     table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
         const study::Scene& scene = scenes[task];
         const bool finite = study::system_if_finite(scene).has_value();
@@ -139,8 +132,7 @@ study::Table critical_table(const std::vector<study::Scene>& scenes) {
         study::Plot plot{.title = "Smallest unstable α_T",
                          .x_label = "number of elements n",
                          .y_label = "critical α_T",
-                         .log_x = true,
-                         .series = {}};
+                         .log_x = true};
         study::add_series(plot, critical_columns, rows,
                           {.by = {"method", "derivative", "mesh", "alpha_L", "lambda"},
                            .x = "n",
@@ -195,8 +187,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     const std::string mesh = scenes.front().mesh_name;
     study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
                      .x_label = "Re(ν a)",
-                     .y_label = "Im(ν a)",
-                     .series = {}};
+                     .y_label = "Im(ν a)"};
     study::add_series(
         plot, spectrum_columns, rows,
         {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
@@ -210,7 +201,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
             right = std::max(right, std::min(re, height));
         }
     }
-    study::Series exact{.label = "exact", .points = {}, .line = false, .open = true, .style = 2, .reference = true};
+    study::Series exact{.label = "exact", .line = false, .open = true, .style = 2, .reference = true};
     for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
         const stability::ExactSpectrum known(contact, {Complex(0, height)});
         for (const Complex& nu : known.upper_half()) {
@@ -279,7 +270,8 @@ time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spe
 the smallest. Both are empty if an eigenvalue is infinite. status: ok; inconsistent if steady rolling shows that
 the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
 coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev
-states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is not finite.
+states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is
+not finite.
 --critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable eigenvalue whose
 sign rounding cannot change; it is empty, with the status all_stable, if there is none. Above it the scheme can
 be stable again. n = 320 takes half a minute.

@@ -93,8 +93,7 @@ study::Plot draw_errors(const std::vector<study::Scene>& scenes, const std::vect
                      .x_label = scenes.front().n_label(),
                      .y_label = "|c_{11} / c_{11,exact} - 1|",
                      .log_x = !over_alpha,
-                     .log_y = true,
-                     .series = {}};
+                     .log_y = true};
     study::Selection selection{.by = {"method", "derivative", "mesh", "alpha_L", "alpha_T"},
                                .x = "n",
                                .y = "relative_error",
@@ -142,12 +141,12 @@ One row per scheme and n. c11_exact = pi/(2(1-nu)) is the plane limit b >> a, wh
 strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000);
 --aspect inf has none. c11_ratio = c11/c11_exact, relative_error = c11_ratio - 1. residual is what the solution p
 leaves of its equations, max|G' p - xi| / (|G'| max|p| + |xi|) with the largest row sum |G'|: near 1e-16 the
-equations are solved to rounding, whatever the error of the discretisation. assembly_us and solve_us [microseconds] are medians of at least 5 runs. If status is
-not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to working
-precision; inconsistent if tractions assist the creepage, so that the scheme does not converge to full
-adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 elements
-is wrong by more than half (plane kernel, or strip with b/a >= 10). The columns kernel to quadrature identify
-rows; they are empty if they do not apply to mesh or method.
+equations are solved to rounding, whatever the error of the discretisation. assembly_us and solve_us
+[microseconds] are medians of at least 5 runs. If status is not ok, c11 and all that follows from it are empty:
+ill_conditioned or not_finite if G' is singular to working precision; inconsistent if tractions assist the
+creepage, so that the scheme does not converge to full adhesion: alpha at or below 0 (near 0 on coarse meshes), or
+above 1; coarse if c11 of fewer than 10 elements is wrong by more than half (plane kernel, or strip with
+b/a >= 10). The columns kernel to quadrature identify rows; they are empty if they do not apply to mesh or method.
 --method chebyshev: columns that apply to elements only are empty, residual among them; solve_us includes
 assembly. error_estimate (relative, of c11) estimates what more states would change. If it is above 1e-2, as
 with few states in narrow strips (4 at b/a = 0.3), status is not_converged and c11 empty.
@@ -157,10 +156,7 @@ with few states in narrow strips (4 at b/a = 0.3), status is not_converged and c
         // 2. One row for each scene.
         const std::vector<study::Scene> scenes =
             study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
-        study::Table table;
-        table.columns = columns;
-        table.rows_of_task.assign(scenes.size(), 1);
-        table.label = [&](std::size_t task) { return scenes[task].label(); };
+        study::Table table = study::table_of(columns, scenes);
         table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
             emit(steady_row(given, scenes[task]));
         };

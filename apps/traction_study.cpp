@@ -76,10 +76,8 @@ void emit_states(const study::Scene& scene, study::RowRange points, const study:
 
 /// Carter's traction as far as its absolute value is at most `largest`.
 study::Series carter_line(double nu, bool several, double largest) {
-    study::Series line{.label = several ? "Carter, ν = " + study::Cell(nu).text(6) : "Carter",
-                       .points = {},
-                       .markers = false,
-                       .reference = true};
+    study::Series line{
+        .label = several ? "Carter, ν = " + study::Cell(nu).text(6) : "Carter", .markers = false, .reference = true};
     constexpr int points = 400;
     for (int i = 1; i <= points; ++i) {  // dense near the trailing edge
         const double x = 2 * std::pow(double(i) / points, 3) - 1;
@@ -94,8 +92,7 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
     study::Plot plot{.title = "Traction in steady rolling",
                      .x_label = "x / a (leading edge at 1)",
                      .y_label = "p / (G ξ)",
-                     .x_range = study::PlotRange{-1, 1},
-                     .series = {}};
+                     .x_range = study::PlotRange{-1, 1}};
     study::add_series(
         plot, columns, rows,
         {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction", .apart = study::all_setting_columns()});

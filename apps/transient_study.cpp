@@ -156,14 +156,10 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
     }
 }
 
-std::size_t index_of(const std::vector<std::string>& columns, const char* name) {
-    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
-}
-
 /// The first row of each contact and distance.
 std::vector<study::Row> first_of_contacts(const std::vector<std::string>& columns,
                                           const std::vector<study::Row>& rows) {
-    const std::size_t aspect = index_of(columns, "aspect"), poisson = index_of(columns, "poisson");
+    const std::size_t aspect = study::index_of(columns, "aspect"), poisson = study::index_of(columns, "poisson");
     std::set<std::vector<std::string>> seen;
     std::vector<study::Row> first;
     for (const study::Row& row : rows) {
@@ -188,8 +184,7 @@ study::Plot draw_force(const History& history, const std::vector<std::string>& c
                        const std::vector<study::Row>& rows) {
     study::Plot plot{.title = "Rolling from rest, " + shown_creepage(history),
                      .x_label = "distance rolled q/a",
-                     .y_label = "-F / (a G ξ_{ref})",
-                     .series = {}};
+                     .y_label = "-F / (a G ξ_{ref})"};
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows,
                       {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});
@@ -209,16 +204,12 @@ study::Plot draw_force(const History& history, const std::vector<std::string>& c
     // the curves coincide: show their differences
     std::vector<study::Row> errors = rows;
     for (study::Row& row : errors) {
-        study::Cell& cell = row[index_of(columns, "force")];
-        const std::optional<double> force = cell.number(), known = row[index_of(columns, "exact")].number();
+        study::Cell& cell = row[study::index_of(columns, "force")];
+        const std::optional<double> force = cell.number(), known = row[study::index_of(columns, "exact")].number();
         cell = force && known ? study::Cell(*force - *known) : study::Cell();
     }
-    study::Plot beside{.title = "",
-                       .x_label = plot.x_label,
-                       .y_label = "|F - F_{exact}| / (a G ξ_{ref})",
-                       .log_y = true,
-                       .x_range = plot.x_range,
-                       .series = {}};
+    study::Plot beside{
+        .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
     study::add_series(
         beside, columns, errors,
         {.by = schemes, .x = "q_over_a", .y = "force", .absolute = true, .apart = study::setting_columns()});
@@ -304,13 +295,11 @@ OMEGA --dq > 1: fewer than six steps in a period of --sine.
             responses.emplace(std::pair(nu, contact.aspect()), Response(nu, contact.aspect()));
         }
 
-        study::Table table;
-        table.columns =
+        study::Table table = study::table_of(
             study::joined({"q_over_a", "creepage", "force", "exact", "relative_error", "method", "derivative", "mesh",
                            "n", "alpha_L", "alpha_T", "lambda", "integrator", "status"},
-                          study::setting_columns());
-        table.rows_of_task.assign(scenes.size(), steps.count);
-        table.label = [&](std::size_t task) { return scenes[task].label(); };
+                          study::setting_columns()),
+            scenes, steps.count);
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             const rollbem::Contact<double>& contact = scenes[task].contact;
             const auto exact = responses.find({contact.poisson_ratio(), contact.aspect()});

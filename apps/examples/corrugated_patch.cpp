@@ -1,6 +1,6 @@
-// A wheel with spin over a corrugated rail, in SI units: the load varies by half, the ellipse grows and shrinks with it,
-// and so does the mesh. The slip work of the elements is a map of the wear over the patch. Over a whole wave it is the
-// work of the forces, to second order in 1/n.
+// A wheel with spin over a corrugated rail, in SI units: the load varies by half, the ellipse grows and shrinks with
+// it, and so does the mesh. The slip work of the elements is a map of the wear over the patch. Over a whole wave it is
+// the work of the forces, to second order in 1/n.
 //
 //     ./examples/corrugated_patch
 #include <algorithm>
@@ -22,7 +22,8 @@ constexpr double mean_load = 8e4, wave = 50e-3, modulus = 2.1e11, poisson = 0.28
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Creepage<double> creepage{1e-3, 5e-4, 0.15};  // spin [1/m]
 
-/// The share of the heat that the work of the forces does not account for, with n x n elements; infinite if a step fails.
+/// The share of the heat that the work of the forces does not account for, with n x n elements; infinite if a step
+/// fails.
 double ride(Eigen::Index n, int steps_per_wave) {
     // 1. The ellipse under the mean load, and a system that breathes: a/b stays
     const ElasticBody<double> steel{modulus, poisson};

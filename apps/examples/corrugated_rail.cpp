@@ -1,11 +1,11 @@
-// A driven wheel on a corrugated rail, in SI units: the normal load varies by 50 % over each wave, and with it the
+// A driven wheel (wheel.hpp) on a corrugated rail, in SI units: the normal load varies by 50 % over each wave, and with it the
 // length of the contact and the force it can transfer. Integrated implicitly; the slip work of the elements maps the
 // wear of the rail over the wave. Every joule is accounted for; the varying load does no work on the contact.
 //
 //     ./examples/corrugated_rail
 //
 //      n    least F N  largest F N     heat J  elastic J   gap/heat, slip sum  gap/heat, by energy
-//     40      7316.00     14468.03    10.1226    0.03188             1.93e-03             1.75e-09
+//     40      7316.00     14468.03    10.1226    0.03188             1.93e-03             8.51e-10
 //     wear of the rail over a wave, relative to its mean; the load peaks between the second and third:
 //         1.217    1.316    1.220    1.038    0.855    0.725    0.709    0.922
 #include <algorithm>
@@ -17,22 +17,21 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/friction/friction.hpp>
+
+#include "wheel.hpp"
 
 namespace {
 
 using Model = rollbem::FrictionModel<>;
 
-// 1. The wheel, what it carries, and the rail. The rail force drives the vehicle: m dV/dt = F - D, J d(omega)/dt =
-// T - R F.
-constexpr double mass = 6000, inertia = 80, radius = 0.46;          // m [kg], J [kg m^2], R [m]
-constexpr double resistance = 11000, torque = radius * resistance;  // D [N], T [N m]: keep the mean speed
-constexpr double friction_coefficient = 0.3, half_width = 12e-3;    // mu, b [m]
-constexpr double mean_load = 60e3, variation = 0.5;                 // [N], [-]
-constexpr double wave = 50e-3;                                      // length of the corrugation [m]
+// 1. The wheel, what it carries, and the rail.
+constexpr Wheel wheel{.resistance = 11000};
+constexpr double torque = wheel.radius * wheel.resistance;        // [N m], keeps the mean speed
+constexpr double friction_coefficient = 0.3, half_width = 12e-3;  // mu, b [m]
+constexpr double mean_load = 60e3, variation = 0.5;               // [N], [-]
+constexpr double wave = 50e-3;                                    // length of the corrugation [m]
 constexpr rollbem::ElasticBody<double> steel{2.1e11, 0.28};
 
 // Load per width [N/m] after a distance rolled [m]: largest a quarter of a wave after the start.
@@ -40,47 +39,7 @@ double load_per_width(double distance) {
     return mean_load / (2 * half_width) * (1 + variation * std::sin(2 * std::numbers::pi * distance / wave));
 }
 
-double creepage(double speed, double rotation) { return 1 - radius * rotation / speed; }
-
-struct State {
-    double speed, rotation;  // V [m/s], omega [rad/s]
-    double force;            // F [N]
-    Model::State contact;
-
-    double kinetic_energy() const { return (mass * speed * speed + inertia * rotation * rotation) / 2; }
-};
-
-// 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method; `load` is that at the end
-// of the step. The status is not ok if the contact refuses the step or Newton's method does not converge.
-rollbem::FrictionStep<> advance(const Model& model, double dq, const rollbem::NormalLoad<double>& load,
-                                const State& now, State& next, Model::Workspace& workspace) {
-    next.speed = now.speed;
-    next.rotation = now.rotation;
-    const double start = creepage(now.speed, now.rotation);
-    for (int trial = 0; trial < 20; ++trial) {
-        const auto motion = rollbem::RigidMotion<double>::linear(start, creepage(next.speed, next.rotation));
-        const auto step = model.advance(now.contact, dq, motion, load, next.contact, workspace);
-        if (step.status != rollbem::StepStatus::ok) return step;
-        next.force = step.force;
-
-        const double dt = 2 * dq / (now.speed + next.speed), dt_by_speed = -dt / (now.speed + next.speed);
-        const double force = (now.force + next.force) / 2;
-        const Eigen::Vector2d residual(mass * (next.speed - now.speed) - dt * (force - resistance),
-                                       inertia * (next.rotation - now.rotation) - dt * (torque - radius * force));
-        const double by_speed = step.tangent / 2 * radius * next.rotation / (next.speed * next.speed);
-        const double by_rotation = -step.tangent / 2 * radius / next.speed;
-        Eigen::Matrix2d jacobian;
-        jacobian << mass - dt * by_speed - dt_by_speed * (force - resistance), -dt * by_rotation,
-            dt * radius * by_speed - dt_by_speed * (torque - radius * force), inertia + dt * radius * by_rotation;
-        const Eigen::Vector2d change = -jacobian.inverse() * residual;
-        next.speed += change[0];
-        next.rotation += change[1];
-        if (std::abs(change[0]) + radius * std::abs(change[1]) < 1e-13 * now.speed) return step;
-    }
-    return {};
-}
-
-// 3. The ride over 20 waves and a quarter, after 10 that let it settle, and its energies [J].
+// 2. The ride over 20 waves and a quarter, after 10 that let it settle, and its energies [J].
 struct Account {
     double driven = 0, resisted = 0, kinetic = 0, elastic = 0;
     double heat = 0;   // slip times traction, summed over elements and steps
@@ -96,7 +55,7 @@ struct Account {
 
 Account ride(Eigen::Index n, int steps_per_wave) {
     const rollbem::HertzLine<double> line(
-        {.load_per_width = load_per_width(0), .combined_radius = radius, .body_1 = steel, .body_2 = steel});
+        {.load_per_width = load_per_width(0), .combined_radius = wheel.radius, .body_1 = steel, .body_2 = steel});
     const rollbem::Contact<double> contact = line.contact(half_width);
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
     const auto system = rollbem::rolling_system(mesh, rollbem::NodeDifference{rollbem::Nodes::chebyshev},
@@ -106,23 +65,23 @@ Account ride(Eigen::Index n, int steps_per_wave) {
     const auto hertz = rollbem::HertzLoad<double>::breathing(line, mesh);
     rollbem::NormalLoad<double> load = hertz.at(line.load_per_width());
 
-    State now{20, 20 / radius, 0, model.at_rest()}, next = now;
+    State<Model> now{20, 20 / wheel.radius, 0, model.at_rest()}, next = now;
     Model::Workspace workspace = model.workspace();
     const double dq = wave / steps_per_wave;
     Account account;
     for (int k = 1; k <= 30 * steps_per_wave + steps_per_wave / 4; ++k) {
         if (k == 10 * steps_per_wave + 1) {
-            account.kinetic = -now.kinetic_energy();
+            account.kinetic = -kinetic_energy(wheel, now);
             account.elastic = -model.elastic_energy(now.contact);
         }
         if (hertz.set(load_per_width(k * dq), load) != rollbem::StepStatus::ok) return {};
-        const rollbem::FrictionStep<> step = advance(model, dq, load, now, next, workspace);
+        const rollbem::FrictionStep<> step = advance(wheel, model, torque, dq, now, next, workspace, load);
         if (step.status != rollbem::StepStatus::ok) return {};
         if (k > 10 * steps_per_wave) {
             const double dt = 2 * dq / (now.speed + next.speed), angle = (now.rotation + next.rotation) / 2 * dt;
             account.driven += torque * angle;
-            account.resisted += resistance * dq;
-            account.spent -= (now.force + next.force) / 2 * (dq - radius * angle);
+            account.resisted += wheel.resistance * dq;
+            account.spent -= (now.force + next.force) / 2 * (dq - wheel.radius * angle);
             account.heat += 2 * half_width * step.slip_work_per_width;
             account.least_force = std::min(account.least_force, next.force);
             account.largest_force = std::max(account.largest_force, next.force);
@@ -133,7 +92,7 @@ Account ride(Eigen::Index n, int steps_per_wave) {
         }
         std::swap(now, next);
     }
-    account.kinetic += now.kinetic_energy();
+    account.kinetic += kinetic_energy(wheel, now);
     account.elastic += model.elastic_energy(now.contact);
     account.complete = true;
     return account;
@@ -153,7 +112,7 @@ int main() {
         const double by_energy = std::abs(account.gap_by_energy() / account.heat);
         std::printf("%3d %12.2f %12.2f %10.4f %10.5f %20.2e %20.2e\n", int(n), account.least_force,
                     account.largest_force, account.heat, account.elastic, gap, by_energy);
-        // 4. Slip times traction, summed over the elements, balances to second order in 1/n; with the elastic energy
+        // 3. Slip times traction, summed over the elements, balances to second order in 1/n; with the elastic energy
         // the heat balances to the round-off of the wheel's energies, which are a million times as large.
         balanced = balanced && account.complete && (n != 40 || gap < 3e-3) && (before == 0 || gap < before / 3) &&
                    by_energy < 1e-7;

@@ -1,5 +1,5 @@
-// A wheelset with coned wheels hunts: Klingel's wave, the speed at which it becomes unstable, and the limit cycle above,
-// with longitudinal, lateral and spin creepage on elliptic contacts, in SI units.
+// A wheelset with coned wheels hunts: Klingel's wave, the speed at which it becomes unstable, and the limit cycle
+// above, with longitudinal, lateral and spin creepage on elliptic contacts, in SI units.
 //
 //     ./examples/hunting [number of speeds]
 //

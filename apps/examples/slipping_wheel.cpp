@@ -53,10 +53,6 @@ private:
     double gap(double heat_by_either) const { return torque - resistance - kinetic - elastic - heat_by_either; }
 };
 
-double kinetic_energy(const Wheel& wheel, const State<Model>& state) {
-    return (wheel.mass * state.speed * state.speed + wheel.inertia * state.rotation * state.rotation) / 2;
-}
-
 /// T [N m] at a time [s]: enough to keep the speed, then too much, none until the wheel grips, then enough again.
 double torque(const Wheel& wheel, double time) {
     const double steady = wheel.radius * wheel.resistance;
@@ -100,8 +96,9 @@ int main() {
     const auto kernel = rollbem::PlaneKernel<double>::longitudinal(contact);
     const double load = 9.81 * wheel.mass, limit = friction_coefficient * load;  // N, mu N [N]
 
-    // 1. Differences between nodes. While the wheel slips, the rail pulls with mu N; afterwards with the resistance again. Slip times
-    // traction balances to second order in 1/n; with the elastic energy, the balance holds to round-off on any mesh.
+    // 1. Differences between nodes. While the wheel slips, the rail pulls with mu N; afterwards with the resistance
+    // again. Slip times traction balances to second order in 1/n; with the elastic energy, the balance holds to
+    // round-off on any mesh.
     bool slips = true, recovers = true, balanced = true;
     double before = 0;
     for (const Eigen::Index n : {20, 40, 80}) {

@@ -1,6 +1,6 @@
 // A driven wheel on a rail, with the contact as its force element, integrated implicitly in steps of equal distance
 // rolled, in SI units. For any model whose advance() takes a RigidMotion: without friction in driven_wheel.cpp, with it
-// in slipping_wheel.cpp.
+// in slipping_wheel.cpp, and under a load that varies in corrugated_rail.cpp.
 #pragma once
 
 #include <cmath>
@@ -26,6 +26,11 @@ struct State {
     typename Model::State contact;
 };
 
+template <class Model>
+double kinetic_energy(const Wheel& wheel, const State<Model>& state) {
+    return (wheel.mass * state.speed * state.speed + wheel.inertia * state.rotation * state.rotation) / 2;
+}
+
 /// Creepage xi = (V - R omega)/V is negative while the wheel drives, F then positive.
 inline double creepage(const Wheel& wheel, double speed, double rotation) {
     return (speed - wheel.radius * rotation) / speed;
@@ -34,17 +39,17 @@ inline double creepage(const Wheel& wheel, double speed, double rotation) {
 /// One step of the trapezoidal rule under a torque T [N m] while the wheel rolls on by dq [m], solved by Newton's
 /// method. Each trial advances the contact from the same state; the next one overwrites what it leaves in `next`.
 /// If the contact refuses the step, its status says why; if Newton's method does not converge, the status is
-/// not_finite.
-template <class Model>
+/// not_finite. `load` is the NormalLoad at the end of the step if it varies.
+template <class Model, class... Load>
 typename Model::Step advance(const Wheel& wheel, const Model& model, double torque, double dq, const State<Model>& now,
-                             State<Model>& next, typename Model::Workspace& workspace) {
+                             State<Model>& next, typename Model::Workspace& workspace, const Load&... load) {
     next.speed = now.speed;
     next.rotation = now.rotation;
     const double start = creepage(wheel, now.speed, now.rotation);
     for (int trial = 0; trial < 20; ++trial) {
         const double end = creepage(wheel, next.speed, next.rotation);
-        const typename Model::Step step =
-            model.advance(now.contact, dq, rollbem::RigidMotion<double>::linear(start, end), next.contact, workspace);
+        const auto motion = rollbem::RigidMotion<double>::linear(start, end);
+        const typename Model::Step step = model.advance(now.contact, dq, motion, load..., next.contact, workspace);
         if (step.status != rollbem::StepStatus::ok) {
             std::fprintf(stderr, "the contact refuses a step: %s\n", rollbem::name(step.status));
             return step;

@@ -1,6 +1,6 @@
-// A wheel on the outer rail of a curve, in SI units: ellipse, spin and creep forces while it shifts across the rail. Its
-// tread is hollow, an arc little flatter than the head of the rail, so that the contact angle grows with the shift, and
-// with it spin and the larger radius that drives the wheel on.
+// A wheel on the outer rail of a curve, in SI units: ellipse, spin and creep forces while it shifts across the rail.
+// Its tread is hollow, an arc little flatter than the head of the rail, so that the contact angle grows with the shift,
+// and with it spin and the larger radius that drives the wheel on.
 //
 //     ./examples/wheel_in_curve
 //

@@ -2,13 +2,18 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include <rollbem/closed_form/estimated_c11.hpp>
 #include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/status.hpp>
 
 namespace extremes {
@@ -20,6 +25,10 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Defaults of the cases: Poisson's ratio and the scheme.
 inline constexpr double steel = 0.28;
 inline constexpr rollbem::Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
+
+/// Kernels of unit modulus and half-length.
+inline rollbem::PlaneKernel<double> plane(double aspect, double nu = steel) { return {aspect, 1 - nu, nu}; }
+inline rollbem::StripKernel<double> strip(double aspect, double nu = steel) { return {aspect, 1 - nu, nu}; }
 
 /// The result of a case. Cells without a meaning are not numbers.
 struct Outcome {
@@ -39,6 +48,15 @@ struct Case {
     std::string says{};
 };
 
+struct Cases : std::vector<Case> {
+    void right(std::string name, std::string quantity, std::function<Outcome()> run) {
+        told(std::move(name), std::move(quantity), "", std::move(run));
+    }
+    void told(std::string name, std::string quantity, std::string says, std::function<Outcome()> run) {
+        push_back({std::move(name), std::move(quantity), std::move(run), std::move(says)});
+    }
+};
+
 /// The text of a Status or StepStatus, empty for ok.
 template <class AnyStatus>
 std::string told_by(AnyStatus status) {
@@ -48,14 +66,47 @@ std::string told_by(AnyStatus status) {
 /// 1e-06, 1000, inf: for the names of cases.
 std::string shown(double number);
 
-std::vector<Case> steady_cases(bool large);
-std::vector<Case> harmonic_cases();
-std::vector<Case> time_cases();
-std::vector<Case> chebyshev_cases(bool large);
-std::vector<Case> friction_cases();
-std::vector<Case> load_cases();
-std::vector<Case> direction_cases();
-std::vector<Case> patch_cases();
+inline Outcome compare(Outcome computed, double reference, double bound) {
+    computed.reference = reference;
+    computed.error = computed.value / reference - 1;
+    computed.bound = bound;
+    return computed;
+}
+inline Outcome compare(double value, double reference, double bound, const std::string& told = {}) {
+    return compare(Outcome{.value = value, .told = told}, reference, bound);
+}
+inline Outcome compare(std::complex<double> value, std::complex<double> reference, double bound) {
+    return {.value = std::abs(value),
+            .reference = std::abs(reference),
+            .error = std::abs(value / reference - 1.0),
+            .bound = bound};
+}
+
+/// The same with what else is known of the solution that the value is from.
+template <class Solution, class Value>
+Outcome compare(const Solution& solution, Value value, std::type_identity_t<Value> reference, double bound) {
+    Outcome outcome = compare(value, reference, bound);
+    if constexpr (requires { solution.residual; }) outcome.residual = solution.residual;
+    if constexpr (requires { solution.rcond; }) outcome.condition = static_cast<double>(1 / solution.rcond);
+    if constexpr (requires { solution.complementarity_residual; }) outcome.residual = solution.complementarity_residual;
+    outcome.told = told_by(solution.status);
+    return outcome;
+}
+
+/// An outcome that is told if its reference has not converged.
+inline Outcome against_estimate(Outcome outcome, const rollbem::EstimatedC11<double>& reference) {
+    if (!(reference.error_estimate < 1e-11)) outcome.told = "the reference has not converged";
+    return outcome;
+}
+
+void steady_cases(Cases& cases, bool large);
+void harmonic_cases(Cases& cases);
+void time_cases(Cases& cases);
+void chebyshev_cases(Cases& cases, bool large);
+void friction_cases(Cases& cases);
+void load_cases(Cases& cases);
+void direction_cases(Cases& cases);
+void patch_cases(Cases& cases);
 
 /// A random patch with friction, steady and in time.
 Case patch_scene(std::uint64_t seed);

@@ -42,42 +42,39 @@ Solution on_strip(double aspect, double ratio) {
                                        HertzPressure<double>{peak}, creepage(ratio));
 }
 
-Outcome compare(const Solution& solution, double value, double reference, double bound) {
-    return {.value = value,
-            .reference = reference,
-            .error = value / reference - 1,
-            .residual = solution.complementarity_residual,
-            .bound = bound,
-            .told = solution.exact ? told_by(solution.status) : "elements took over"};
+/// The same, but told where elements took the border's place.
+Outcome against(const Solution& solution, double value, double reference, double bound) {
+    Outcome outcome = compare(solution, value, reference, bound);
+    if (!solution.exact) outcome.told = "elements took over";
+    return outcome;
 }
 
-void add_carter(std::vector<Case>& cases) {
+void add_carter(Cases& cases) {
     const HertzPressure<double> hertz{peak};
     for (const double ratio : {1e-12, 1e-6, 0.5, -0.5, 0.99, 0.999999, 1.0, 1e6}) {
         const std::string name = "stick border, delta = " + shown(ratio);
-        cases.push_back({name, "force against Carter", [=] {
-                             const Solution solution = on_plane(hertz, ratio);
-                             return compare(solution, -solution.force_per_width / full_force,
-                                            rollbem::carter_force_ratio(ratio), 32 * rounding);
-                         }});
+        cases.right(name, "force against Carter", [=] {
+            const Solution solution = on_plane(hertz, ratio);
+            return against(solution, -solution.force_per_width / full_force, rollbem::carter_force_ratio(ratio),
+                           32 * rounding);
+        });
         // rounding of x/a = -1 + 2 delta
-        cases.push_back({name, "slip zone against Carter", [=] {
-                             const Solution solution = on_plane(hertz, ratio);
-                             const double reference = 1 + rollbem::carter_stick_border(ratio);
-                             return compare(solution, 1 + solution.border, reference,
-                                            16 * rounding * (1 + 2 / reference));
-                         }});
+        cases.right(name, "slip zone against Carter", [=] {
+            const Solution solution = on_plane(hertz, ratio);
+            const double reference = 1 + rollbem::carter_stick_border(ratio);
+            return against(solution, 1 + solution.border, reference, 16 * rounding * (1 + 2 / reference));
+        });
         if (std::abs(ratio) >= 1) continue;
-        cases.push_back({name, "tangent against Carter", [=] {
-                             const Solution solution = on_plane(hertz, ratio);
-                             const double stick = 1 - std::abs(ratio);
-                             return compare(solution, -solution.tangent_per_width / rollbem::steady_c11(steel), stick,
-                                            64 * rounding / stick);
-                         }});
+        cases.right(name, "tangent against Carter", [=] {
+            const Solution solution = on_plane(hertz, ratio);
+            const double stick = 1 - std::abs(ratio);
+            return against(solution, -solution.tangent_per_width / rollbem::steady_c11(steel), stick,
+                           64 * rounding / stick);
+        });
     }
 }
 
-void add_strips(std::vector<Case>& cases) {
+void add_strips(Cases& cases) {
     const auto named = [](double aspect, double ratio) {
         return "stick border, strip, b/a = " + shown(aspect) + ", delta = " + shown(ratio);
     };
@@ -85,18 +82,15 @@ void add_strips(std::vector<Case>& cases) {
         // Hardly any slip: full adhesion but for a part of order delta, delta/2 on the plane and up to eight times as
         // much on narrow strips. The solution's own estimate, in units of mu N, is added.
         for (const double ratio : {1e-9, 1e-6}) {
-            cases.push_back({named(aspect, ratio), "force against the spectral solution in adhesion", [=] {
-                                 const Solution solution = on_strip(aspect, ratio);
-                                 const auto reference = rollbem::reference::strip_c11(0, steel, aspect);
-                                 const double force = -solution.force_per_width;
-                                 const double estimate = solution.force_error + 64 * rounding * full_force;
-                                 Outcome outcome = compare(solution, force / creepage(ratio), reference.c11.real(),
-                                                           4 * ratio + estimate / force);
-                                 if (!(reference.error_estimate < 1e-11)) {
-                                     outcome.told = "the reference has not converged";
-                                 }
-                                 return outcome;
-                             }});
+            cases.right(named(aspect, ratio), "force against the spectral solution in adhesion", [=] {
+                const Solution solution = on_strip(aspect, ratio);
+                const auto reference = rollbem::reference::strip_c11(0, steel, aspect);
+                const double force = -solution.force_per_width;
+                const double estimate = solution.force_error + 64 * rounding * full_force;
+                return against_estimate(
+                    against(solution, force / creepage(ratio), reference.c11.real(), 4 * ratio + estimate / force),
+                    reference);
+            });
         }
     }
     // In between: elements, whose error is of second order.
@@ -106,11 +100,8 @@ void add_strips(std::vector<Case>& cases) {
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(320);
         const rollbem::SteadyFrictionModel<> model(own, mesh, equal, StripKernel<double>::longitudinal(own),
                                                    {1, HertzPressure<double>{peak}(mesh)});
-        const rollbem::FrictionState<> rest = model.at_rest();
-        rollbem::FrictionState<> state = rest;
-        rollbem::FrictionWorkspace<> workspace = model.workspace();
-        const auto elements = model.steady(rest, creepage(ratio), state, workspace);
-        Outcome outcome = compare(solution, solution.force_per_width, elements.force_per_width, 1e-4);
+        const auto elements = steady_from_rest(model, creepage(ratio));
+        Outcome outcome = against(solution, solution.force_per_width, elements.force_per_width, 1e-4);
         if (elements.status != rollbem::StepStatus::ok) outcome.told = "the reference has not converged";
         return outcome;
     };
@@ -124,25 +115,23 @@ void add_strips(std::vector<Case>& cases) {
                                         {10.0, 0.3},
                                         {10.0, 0.99},
                                         {1e3, 0.3}}) {
-        cases.push_back({named(aspect, ratio), "force against elements, n = 320",
-                         [=, aspect = aspect, ratio = ratio] { return against_elements(aspect, ratio); }});
+        cases.right(named(aspect, ratio), "force against elements, n = 320",
+                    [=, aspect = aspect, ratio = ratio] { return against_elements(aspect, ratio); });
     }
     for (const double ratio : {1e-9, 0.02}) {
-        cases.push_back(
-            {named(0.01, ratio), "force", [=] { return against_elements(0.01, ratio); }, "elements took over"});
+        cases.told(named(0.01, ratio), "force", "elements took over", [=] { return against_elements(0.01, ratio); });
     }
     // So wide a strip is the plane.
     for (const double ratio : {1e-6, 0.5, 0.99, 0.999999}) {
-        cases.push_back({named(1e8, ratio), "force against Carter", [=] {
-                             const Solution solution = on_strip(1e8, ratio);
-                             return compare(solution, -solution.force_per_width / full_force,
-                                            rollbem::carter_force_ratio(ratio), 1e-12);
-                         }});
+        cases.right(named(1e8, ratio), "force against Carter", [=] {
+            const Solution solution = on_strip(1e8, ratio);
+            return against(solution, -solution.force_per_width / full_force, rollbem::carter_force_ratio(ratio), 1e-12);
+        });
     }
-    cases.push_back({named(0.05, 1e6), "force against full sliding", [] {
-                         const Solution solution = on_strip(0.05, 1e6);
-                         return compare(solution, -solution.force_per_width, full_force, 16 * rounding);
-                     }});
+    cases.right(named(0.05, 1e6), "force against full sliding", [] {
+        const Solution solution = on_strip(0.05, 1e6);
+        return against(solution, -solution.force_per_width, full_force, 16 * rounding);
+    });
 }
 
 PressureTable<double> table(const std::vector<std::pair<double, double>>& points) {
@@ -183,55 +172,47 @@ double ramp_force(double kink, double xi) {
     return integrals(low)[1];
 }
 
-void add_pressures(std::vector<Case>& cases) {
+void add_pressures(Cases& cases) {
     // A uniform pressure, which never slides fully: -F = mu N tanh.
     for (const double ratio : {1e-3, 0.3, 2.0}) {
-        cases.push_back(
-            {"stick border, uniform pressure, delta = " + shown(ratio), "force against tanh(pi delta/2)", [=] {
-                 const Solution solution = on_plane(table({{-1, 1}, {1, 1}}), ratio);
-                 return compare(solution, -solution.force_per_width / (2 * peak), std::tanh(pi / 2 * ratio), 1e-6);
-             }});
+        cases.right("stick border, uniform pressure, delta = " + shown(ratio), "force against tanh(pi delta/2)", [=] {
+            const Solution solution = on_plane(table({{-1, 1}, {1, 1}}), ratio);
+            return against(solution, -solution.force_per_width / (2 * peak), std::tanh(pi / 2 * ratio), 1e-6);
+        });
     }
     // A kink in the slip zone, and in stick, where it has no effect.
     for (const double ratio : {0.1, 0.5, 1.0}) {
-        cases.push_back({"stick border, kinked pressure, delta = " + shown(ratio), "force against quadrature", [=] {
-                             const Solution solution = on_plane(table({{-1, 0}, {-0.4, 1}, {1, 1}}), ratio);
-                             return compare(solution, -solution.force_per_width, ramp_force(-0.4, creepage(ratio)),
-                                            2e-6);
-                         }});
+        cases.right("stick border, kinked pressure, delta = " + shown(ratio), "force against quadrature", [=] {
+            const Solution solution = on_plane(table({{-1, 0}, {-0.4, 1}, {1, 1}}), ratio);
+            return against(solution, -solution.force_per_width, ramp_force(-0.4, creepage(ratio)), 2e-6);
+        });
     }
     // What has no single border, or a jump.
     const auto refused = [&](const std::string& what, const PressureTable<double>& pressure, double ratio) {
-        cases.push_back({"stick border, " + what, "force",
-                         [=] {
-                             const Solution solution = on_plane(pressure, ratio);
-                             return compare(solution, solution.force_per_width, 1, 0);
-                         },
-                         "elements took over"});
+        cases.told("stick border, " + what, "force", "elements took over", [=] {
+            const Solution solution = on_plane(pressure, ratio);
+            return against(solution, solution.force_per_width, 1, 0);
+        });
     };
     refused("a jump in slip", table({{-1, 1}, {-0.6, 1}, {-0.6, 0.5}, {1, 0.5}}), 0.4);
     refused("a jump in stick", table({{-1, 1}, {0.5, 1}, {0.5, 2}, {1, 2}}), 0.1);
     refused("no pressure in the middle", table({{-1, 2}, {-0.2, 2}, {-0.2, 0}, {0.2, 0}, {0.2, 2}, {1, 2}}), 0.3);
     refused("a line to zero at the leading edge", table({{-1, 0}, {0.3, 1}, {1, 0}}), 0.5);
     refused("two humps", table({{-1, 0}, {-0.5, 1}, {0, 0}, {0.5, 1}, {1, 0}}), 0.3);
-    cases.push_back({"stick border, delta = nan", "force",
-                     [] {
-                         const Solution solution = on_plane(HertzPressure<double>{peak}, nothing);
-                         Outcome outcome = compare(solution, solution.force_per_width, 1, 0);
-                         outcome.told = told_by(solution.status);
-                         return outcome;
-                     },
-                     "not_finite"});
+    cases.told("stick border, delta = nan", "force", "not_finite", [] {
+        const Solution solution = on_plane(HertzPressure<double>{peak}, nothing);
+        Outcome outcome = against(solution, solution.force_per_width, 1, 0);
+        outcome.told = told_by(solution.status);
+        return outcome;
+    });
 }
 
 }  // namespace
 
-std::vector<Case> friction_cases() {
-    std::vector<Case> cases;
+void friction_cases(Cases& cases) {
     add_carter(cases);
     add_strips(cases);
     add_pressures(cases);
-    return cases;
 }
 
 }  // namespace extremes

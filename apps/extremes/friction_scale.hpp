@@ -2,7 +2,6 @@
 #pragma once
 
 #include <numbers>
-#include <string>
 
 #include "cases.hpp"
 
@@ -15,8 +14,13 @@ inline constexpr double full_force = peak * pi / 2;  // mu N under Hertz's press
 /// The creepage of a creepage ratio.
 inline double creepage(double ratio, double nu = steel) { return 2 * (1 - nu) * peak * ratio; }
 
-inline Outcome compare(double value, double reference, double bound, const std::string& told = {}) {
-    return {.value = value, .reference = reference, .error = value / reference - 1, .bound = bound, .told = told};
+/// The step of a steady model from rest.
+template <class Model, class Creepage>
+auto steady_from_rest(const Model& model, const Creepage& creepage) {
+    const auto rest = model.at_rest();
+    auto state = rest;
+    auto workspace = model.workspace();
+    return model.steady(rest, creepage, state, workspace);
 }
 
 }  // namespace extremes

@@ -40,13 +40,6 @@ PatchContact<double> outlined(const std::vector<double>& y, const std::vector<do
     return {Outline<double>(array(y), array(trailing), array(leading)), 1, nu};
 }
 
-Outcome against(const Solution& solution, double value, double reference, double bound) {
-    Outcome outcome = compare(value, reference, bound, told_by(solution.status));
-    outcome.residual = solution.residual;
-    outcome.condition = 1 / solution.rcond;
-    return outcome;
-}
-
 /// c11 and c22 of an infinitely slender ellipse, a/b -> inf, to terms of order 1/ln(a/b)^2 (Kalker 1990, appendix E).
 std::pair<double, double> slender(double a_over_b, double nu) {
     const double log = std::log(16 * a_over_b * a_over_b), rest = 3 - std::log(4.0);
@@ -65,7 +58,7 @@ Case halves(const std::string& name, double a_over_b, Index n, Index m) {
                 rollbem::detail::joined(rollbem::assemble_G_prime(mesh, chebyshev, rollbem::HalfSpace<double>(steel))),
                 rollbem::rigid_slip(elements), rollbem::force_weights(elements));
             const Solution solution = solve(contact, n, m);
-            Outcome outcome = against(solution, solution.c11, contact.a_over_b() * whole.coefficients(0, 0),
+            Outcome outcome = compare(solution, solution.c11, contact.a_over_b() * whole.coefficients(0, 0),
                                       8 * rounding / whole.rcond);
             outcome.error = (solution.coefficients - whole.coefficients).cwiseAbs().maxCoeff() /
                             whole.coefficients.cwiseAbs().maxCoeff();
@@ -74,41 +67,37 @@ Case halves(const std::string& name, double a_over_b, Index n, Index m) {
         }};
 }
 
-void add_ellipses(std::vector<Case>& cases) {
+void add_ellipses(Cases& cases) {
     for (const double nu : {0.0, steel, 0.5}) {
         for (const auto& [a_over_b, bound] : {std::pair{0.02, 5e-3}, {1e-3, 4e-3}, {1e-6, 4e-3}}) {
             const std::string name = "patch a/b = " + shown(a_over_b) + ", nu = " + shown(nu);
-            cases.push_back({name, "c11 against a/b -> 0", [=, bound = bound, a_over_b = a_over_b] {
-                                 const Solution solution = ellipse(a_over_b, nu, 20, 20);
-                                 return against(solution, solution.c11, pi * pi / 4 / (1 - nu), bound);
-                             }});
-            cases.push_back({name, "c22 against a/b -> 0", [=, bound = bound, a_over_b = a_over_b] {
-                                 const Solution solution = ellipse(a_over_b, nu, 20, 20);
-                                 return against(solution, solution.c22, pi * pi / 4, bound);
-                             }});
+            cases.right(name, "c11 against a/b -> 0", [=, bound = bound, a_over_b = a_over_b] {
+                const Solution solution = ellipse(a_over_b, nu, 20, 20);
+                return compare(solution, solution.c11, pi * pi / 4 / (1 - nu), bound);
+            });
+            cases.right(name, "c22 against a/b -> 0", [=, bound = bound, a_over_b = a_over_b] {
+                const Solution solution = ellipse(a_over_b, nu, 20, 20);
+                return compare(solution, solution.c22, pi * pi / 4, bound);
+            });
         }
         for (const auto& [a_over_b, bound] : {std::pair{50.0, 2e-2}, {1e3, 3e-2}}) {
             const std::string name =
                 (a_over_b > 50 ? "needle a/b = " : "patch a/b = ") + shown(a_over_b) + ", nu = " + shown(nu);
             // c33 tends to 0 and comes out negative on so few elements
             const std::string says = a_over_b > 50 && nu == 0.5 ? "status inconsistent" : "";
-            cases.push_back({name, "c11 against a/b -> inf",
-                             [=, bound = bound, a_over_b = a_over_b] {
-                                 const Solution solution = ellipse(a_over_b, nu, 24, 12);
-                                 return against(solution, solution.c11, slender(a_over_b, nu).first, bound);
-                             },
-                             says});
-            cases.push_back({name, "c22 against a/b -> inf",
-                             [=, bound = bound, a_over_b = a_over_b] {
-                                 const Solution solution = ellipse(a_over_b, nu, 24, 12);
-                                 return against(solution, solution.c22, slender(a_over_b, nu).second, bound);
-                             },
-                             says});
+            cases.told(name, "c11 against a/b -> inf", says, [=, bound = bound, a_over_b = a_over_b] {
+                const Solution solution = ellipse(a_over_b, nu, 24, 12);
+                return compare(solution, solution.c11, slender(a_over_b, nu).first, bound);
+            });
+            cases.told(name, "c22 against a/b -> inf", says, [=, bound = bound, a_over_b = a_over_b] {
+                const Solution solution = ellipse(a_over_b, nu, 24, 12);
+                return compare(solution, solution.c22, slender(a_over_b, nu).second, bound);
+            });
         }
-        cases.push_back({"patch a/b = 1, nu = " + shown(nu), "c32 against -c23", [=] {
-                             const Solution solution = ellipse(1, nu, 16, 16);
-                             return against(solution, solution.c32, -solution.c23, 8e-3);
-                         }});
+        cases.right("patch a/b = 1, nu = " + shown(nu), "c32 against -c23", [=] {
+            const Solution solution = ellipse(1, nu, 16, 16);
+            return compare(solution, solution.c32, -solution.c23, 8e-3);
+        });
     }
     for (const double a_over_b : {0.02, 1.0, 50.0}) {
         const std::string name = "patch a/b = " + shown(a_over_b);
@@ -118,51 +107,49 @@ void add_ellipses(std::vector<Case>& cases) {
     }
     // n and m apart, against the limit of small elements
     for (const auto& [n, m] : {std::pair{24, 8}, {8, 24}, {30, 15}}) {
-        cases.push_back({"patch a/b = 1, nu = 0.25, " + std::to_string(n) + " x " + std::to_string(m),
-                         "c11 against its limit", [n = n, m = m] {
-                             const Solution solution = ellipse(1, 0.25, n, m);
-                             return against(solution, solution.c11, 4.111, 8e-3);
-                         }});
+        cases.right("patch a/b = 1, nu = 0.25, " + std::to_string(n) + " x " + std::to_string(m),
+                    "c11 against its limit", [n = n, m = m] {
+                        const Solution solution = ellipse(1, 0.25, n, m);
+                        return compare(solution, solution.c11, 4.111, 8e-3);
+                    });
     }
 }
 
-void add_outlines(std::vector<Case>& cases) {
+void add_outlines(Cases& cases) {
     // One strip is the strip of a line contact; G a b c11 of the patch is the force along 2 b.
     for (const double b : {0.1, 1.0, 20.0}) {
-        cases.push_back({"rectangle 2 b/(2 a) = " + shown(b) + ", 20 x 1, nu = 0", "c11 against the strip kernel", [=] {
-                             const auto contact = outlined({-b, b}, {-1, -1}, {1, 1}, 0);
-                             const Solution solution = solve(contact, 20, 1);
-                             const auto strip = rollbem::solve_steady(rollbem::cosine_mesh(20), chebyshev,
-                                                                      rollbem::StripKernel<double>(b, 1, 0));
-                             const double c = contact.c();
-                             Outcome outcome = against(solution, solution.c11 * c * c / (2 * b), strip.c11, 1e-11);
-                             outcome.told.clear();  // c33 may be negative on one strip
-                             return outcome;
-                         }});
+        cases.right("rectangle 2 b/(2 a) = " + shown(b) + ", 20 x 1, nu = 0", "c11 against the strip kernel", [=] {
+            const auto contact = outlined({-b, b}, {-1, -1}, {1, 1}, 0);
+            const Solution solution = solve(contact, 20, 1);
+            const auto strip =
+                rollbem::solve_steady(rollbem::cosine_mesh(20), chebyshev, rollbem::StripKernel<double>(b, 1, 0));
+            const double c = contact.c();
+            Outcome outcome = compare(solution, solution.c11 * c * c / (2 * b), strip.c11, 1e-11);
+            outcome.told.clear();  // c33 may be negative on one strip
+            return outcome;
+        });
     }
     // Rolling the other way leaves the force per creepage as it is (reciprocity): corners ahead, behind and beside.
     const auto reversed = [&](const std::string& name, const std::vector<double>& y,
                               const std::vector<double>& trailing, const std::vector<double>& leading, double bound) {
-        cases.push_back({name, "c11 against the same rolling backwards", [=] {
-                             std::vector<double> ahead = trailing, behind = leading;
-                             for (double& x : ahead) x = -x;
-                             for (double& x : behind) x = -x;
-                             const Solution solution = solve(outlined(y, trailing, leading), 16, 16);
-                             const Solution other = solve(outlined(y, behind, ahead), 16, 16);
-                             return against(solution, solution.c11, other.c11, bound);
-                         }});
+        cases.right(name, "c11 against the same rolling backwards", [=] {
+            std::vector<double> ahead = trailing, behind = leading;
+            for (double& x : ahead) x = -x;
+            for (double& x : behind) x = -x;
+            const Solution solution = solve(outlined(y, trailing, leading), 16, 16);
+            const Solution other = solve(outlined(y, behind, ahead), 16, 16);
+            return compare(solution, solution.c11, other.c11, bound);
+        });
     };
     reversed("outline with a corner ahead", {-1, 0, 1}, {-1, -1, -1}, {-1, 1, -1}, 5e-4);
     reversed("outline with an end of finite length", {-1, 1}, {-1, -0.2}, {0.6, 0.3}, 1e-4);
     reversed("outline with a notch", {-1, -0.1, 0, 0.1, 1}, {-1, -1, 0.5, -1, -1}, {1, 1, 1, 1, 1}, 1e-4);
     const auto refused = [&](const std::string& name, const std::vector<double>& y, const std::vector<double>& trailing,
                              const std::vector<double>& leading, const std::string& says) {
-        cases.push_back({"outline " + name, "c11",
-                         [=] {
-                             const Solution solution = solve(outlined(y, trailing, leading), 8, 8);
-                             return against(solution, solution.c11, 1, 0);
-                         },
-                         says});
+        cases.told("outline " + name, "c11", says, [=] {
+            const Solution solution = solve(outlined(y, trailing, leading), 8, 8);
+            return compare(solution, solution.c11, 1, 0);
+        });
     };
     refused("with a strip of zero length", {-1, 0, 1}, {-1, 0, -1}, {1, 0, 1}, "x_leading - x_trailing of line 2");
     refused("whose edges cross", {-1, 0, 1}, {-1, 1, -1}, {1, 0.5, 1}, "x_leading - x_trailing of line 2");
@@ -171,22 +158,18 @@ void add_outlines(std::vector<Case>& cases) {
     refused("of no area", {0, 1}, {0, 0}, {0, 0}, "area");
     refused("with nan", {-1, 0, 1}, {-1, nothing, -1}, {1, 1, 1}, "x_trailing of line 2");
     for (const double a_over_b : {0.0, nothing, infinity, 1e-320}) {
-        cases.push_back({"patch a/b = " + shown(a_over_b), "c11",
-                         [=] {
-                             const Solution solution = ellipse(a_over_b, steel, 4, 4);
-                             return against(solution, solution.c11, 1, 0);
-                         },
-                         "must be positive and finite"});
+        cases.told("patch a/b = " + shown(a_over_b), "c11", "must be positive and finite", [=] {
+            const Solution solution = ellipse(a_over_b, steel, 4, 4);
+            return compare(solution, solution.c11, 1, 0);
+        });
     }
 }
 
 }  // namespace
 
-std::vector<Case> patch_cases() {
-    std::vector<Case> cases;
+void patch_cases(Cases& cases) {
     add_ellipses(cases);
     add_outlines(cases);
-    return cases;
 }
 
 }  // namespace extremes

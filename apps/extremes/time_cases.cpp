@@ -9,12 +9,10 @@
 #include <Eigen/LU>
 
 #include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 
-#include "cases.hpp"
+#include "in_time.hpp"
 #include "support/non_steady.hpp"
 
 namespace extremes {
@@ -35,28 +33,7 @@ Model stable_model(const rollbem::Contact<double>& contact, Integrator integrato
     return {contact, system, rollbem::judge_stability<double>(system), integrator};
 }
 
-/// Force per width after `count` steps of dq [m] at unit creepage, from rest.
-Outcome roll(const Model& model, double dq, int count) {
-    Model::State now = model.at_rest(), next = now;
-    Model::Workspace workspace = model.workspace();
-    Outcome outcome;
-    for (int k = 0; k < count; ++k) {
-        const rollbem::AdhesionStep<> result = model.advance(now, dq, 1.0, next, workspace);
-        outcome.value = result.force_per_width;
-        outcome.told = told_by(result.status);
-        std::swap(now, next);
-    }
-    return outcome;
-}
-
-Outcome compare(Outcome outcome, double reference, double bound) {
-    outcome.reference = reference;
-    outcome.error = outcome.value / reference - 1;
-    outcome.bound = bound;
-    return outcome;
-}
-
-void add_steps(std::vector<Case>& cases) {
+void add_steps(Cases& cases) {
     for (const Integrator integrator :
          {Integrator::implicit_euler, Integrator::sdirk2, Integrator::matrix_exponential}) {
         for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
@@ -69,47 +46,45 @@ void add_steps(std::vector<Case>& cases) {
                                                                                : 5;
             for (const double dq : {1e3, 1e6}) {
                 const double bound = std::pow(left * lambda / dq, 4) + 1e-12;
-                cases.push_back({"dq = " + shown(dq) + where, "force against steady rolling", [=] {
-                                     const Model model = stable_model(contact(aspect), integrator);
-                                     const double steady = model.force(model.steady(1.0)) / (2 * aspect);
-                                     return compare(roll(model, dq, 4), steady, bound);
-                                 }});
+                cases.right("dq = " + shown(dq) + where, "force against steady rolling", [=] {
+                    const Model model = stable_model(contact(aspect), integrator);
+                    const double steady = model.force(model.steady(1.0)) / (2 * aspect);
+                    return compare(roll(model, dq, 4), steady, bound);
+                });
             }
             // Far below: dp/dq = -G^-1 xi at rest. Relative to it the change of slope is of order dq |nu_max|, 6e-7.
-            cases.push_back({"dq = 1e-09" + where, "force against -G^-1 xi dq", [=] {
-                                 const Model model = stable_model(contact(aspect), integrator);
-                                 const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
-                                 const rollbem::MatrixX<double> G = rollbem::assemble_G(
-                                     mesh, equal, rollbem::StripKernel<double>::longitudinal(contact(aspect)));
-                                 const Eigen::VectorXd slope =
-                                     Eigen::PartialPivLU<rollbem::MatrixX<double>>(G).solve(Eigen::VectorXd::Ones(40));
-                                 const double reference = -1e-9 * mesh.widths().matrix().dot(slope);
-                                 return compare(roll(model, 1e-9, 1), reference, 2e-6);
-                             }});
+            cases.right("dq = 1e-09" + where, "force against -G^-1 xi dq", [=] {
+                const Model model = stable_model(contact(aspect), integrator);
+                const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
+                const rollbem::MatrixX<double> G =
+                    rollbem::assemble_G(mesh, equal, rollbem::StripKernel<double>::longitudinal(contact(aspect)));
+                const Eigen::VectorXd slope =
+                    Eigen::PartialPivLU<rollbem::MatrixX<double>>(G).solve(Eigen::VectorXd::Ones(40));
+                const double reference = -1e-9 * mesh.widths().matrix().dot(slope);
+                return compare(roll(model, 1e-9, 1), reference, 2e-6);
+            });
         }
     }
-    cases.push_back({"dq = 1, exponential, b/a = 1000", "force against the exact step response", [] {
-                         const rollbem::reference::StepResponse exact(steel, 1000);
-                         return compare(roll(stable_model(contact(1000), Integrator::matrix_exponential), 1, 5),
-                                        -exact.step(5), 5e-5);
-                     }});
+    cases.right("dq = 1, exponential, b/a = 1000", "force against the exact step response", [] {
+        const rollbem::reference::StepResponse exact(steel, 1000);
+        return compare(roll(stable_model(contact(1000), Integrator::matrix_exponential), 1, 5), -exact.step(5), 5e-5);
+    });
 }
 
-void add_units(std::vector<Case>& cases) {
+void add_units(Cases& cases) {
     // a wheel of a = 0.1 mm in steps of 10 microseconds
     for (const double speed : {0.01, 1.0, 150.0}) {
-        cases.push_back(
-            {"a = 1e-4 m, G = 8e10 Pa, V = " + shown(speed) + " m/s", "force against dimensionless", [=] {
-                 const rollbem::Contact<double> si(
-                     {.half_length = 1e-4, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = steel});
-                 const double dq = speed * 1e-5;
-                 const Outcome unit = roll(stable_model(contact(10), Integrator::sdirk2), dq / 1e-4, 20);
-                 return compare(roll(stable_model(si, Integrator::sdirk2), dq, 20), unit.value * 1e-4 * 8e10, 1e-11);
-             }});
+        cases.right("a = 1e-4 m, G = 8e10 Pa, V = " + shown(speed) + " m/s", "force against dimensionless", [=] {
+            const rollbem::Contact<double> si(
+                {.half_length = 1e-4, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = steel});
+            const double dq = speed * 1e-5;
+            const Outcome unit = roll(stable_model(contact(10), Integrator::sdirk2), dq / 1e-4, 20);
+            return compare(roll(stable_model(si, Integrator::sdirk2), dq, 20), unit.value * 1e-4 * 8e10, 1e-11);
+        });
     }
 }
 
-void add_spectra(std::vector<Case>& cases) {
+void add_spectra(Cases& cases) {
     // one element has the eigenvalue G'/G, both in closed form; with more it tends to the exact one, with second order
     const double lambda = rollbem::plane_lambda(steel, 100.0);
     const double one = -3 * std::log(3.0) / (4 * (lambda + 1 - 2 * std::numbers::ln2));
@@ -118,21 +93,13 @@ void add_spectra(std::vector<Case>& cases) {
         const double reference = n == 1 ? one : first, bound = n == 1 ? 16 * rounding : 0.2 / n / n;
         const std::string quantity = n == 1 ? "eigenvalue against -3 ln 3/(4 (Lambda + 1 - 2 ln 2))"
                                             : "spectral abscissa against the exact eigenvalue";
-        cases.push_back({"n = " + std::to_string(n) + ", cosine, b/a = 100", quantity, [=] {
-                             const rollbem::PlaneKernel<double> kernel(100, 1 - steel, steel);
-                             const auto result = rollbem::solve_stability<double>(
-                                 rollbem::rolling_system(rollbem::cosine_mesh(n), equal, kernel),
-                                 {.settle_signs = true, .condition = true});
-                             Outcome outcome{.value = result.spectral_abscissa,
-                                             .condition = *result.cond_G,
-                                             .told = told_by(result.status)};
-                             if (!rollbem::judge_stability(result).stable()) outcome.told = "not certainly stable";
-                             return compare(outcome, reference, bound);
-                         }});
+        cases.right("n = " + std::to_string(n) + ", cosine, b/a = 100", quantity, [=] {
+            return slowest_mode(rollbem::rolling_system(rollbem::cosine_mesh(n), equal, plane(100)), reference, bound);
+        });
     }
 }
 
-void add_refusals(std::vector<Case>& cases) {
+void add_refusals(Cases& cases) {
     const auto build = [](Eigen::Index n, Collocation scheme, double aspect) {
         return [=] {
             const rollbem::Mesh<double> mesh = rollbem::uniform_mesh(n);
@@ -142,31 +109,25 @@ void add_refusals(std::vector<Case>& cases) {
             return roll(model, 1, 1);
         };
     };
-    cases.push_back(
-        {"time, alpha = 0, n = 40", "force", build(40, {0, 0}, 1000), "must be 0: a mode of the scheme grows"});
-    cases.push_back(
-        {"time, alpha = 0, n = 41", "force", build(41, {0, 0}, 1000), "must be 0: a mode of the scheme grows"});
-    cases.push_back({"time, alpha = 1", "force", build(40, {1, 1}, 1000), "must be 0: a mode of the scheme grows"});
-    cases.push_back({"time, alpha = 1.5", "force", build(40, {1.5, 1.5}, 1000), "does not converge to full adhesion"});
-    cases.push_back(
-        {"time, 0/0.63, n = 160", "force", build(160, {0, 0.63}, 1000), "must be 0: a mode of the scheme grows"});
-    cases.push_back(
-        {"time, b/a = inf", "force", build(40, equal, infinity), "infinite aspect is for steady problems only"});
+    cases.told("time, alpha = 0, n = 40", "force", "must be 0: a mode of the scheme grows", build(40, {0, 0}, 1000));
+    cases.told("time, alpha = 0, n = 41", "force", "must be 0: a mode of the scheme grows", build(41, {0, 0}, 1000));
+    cases.told("time, alpha = 1", "force", "must be 0: a mode of the scheme grows", build(40, {1, 1}, 1000));
+    cases.told("time, alpha = 1.5", "force", "does not converge to full adhesion", build(40, {1.5, 1.5}, 1000));
+    cases.told("time, 0/0.63, n = 160", "force", "must be 0: a mode of the scheme grows", build(160, {0, 0.63}, 1000));
+    cases.told("time, b/a = inf", "force", "infinite aspect is for steady problems only", build(40, equal, infinity));
     for (const double dq : {-1.0, infinity, nothing}) {
-        cases.push_back({"dq = " + shown(dq), "force",
-                         [=] { return roll(stable_model(contact(1000), Integrator::sdirk2), dq, 1); }, "invalid_step"});
+        cases.told("dq = " + shown(dq), "force", "invalid_step",
+                   [=] { return roll(stable_model(contact(1000), Integrator::sdirk2), dq, 1); });
     }
 }
 
 }  // namespace
 
-std::vector<Case> time_cases() {
-    std::vector<Case> cases;
+void time_cases(Cases& cases) {
     add_steps(cases);
     add_units(cases);
     add_spectra(cases);
     add_refusals(cases);
-    return cases;
 }
 
 }  // namespace extremes

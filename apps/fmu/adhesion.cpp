@@ -47,19 +47,10 @@ const Enumeration lengths{"ContactLength",
 class Adhesion final : public Model {
 public:
     explicit Adhesion(Interface used) : Model(used), displacement_(Vector::Zero(state_count)), rates_(displacement_) {
-        for (Variable& variable : parameters_.variables()) add(std::move(variable));
-        add({.name = "direction",
-             .value = &direction_,
-             .description = "Direction of slip velocity and force",
-             .items = &directions});
-        add({.name = "contact_length",
-             .value = &length_,
-             .description = "Half-length during the simulation",
-             .items = &lengths});
-        add({.name = "initial_state",
-             .value = &initial_state_,
-             .description = "State at the start",
-             .items = &initial_states});
+        parameters_.add_to(*this);
+        add_parameter(&direction_, "direction", "", "Direction of slip velocity and force", &directions);
+        add_parameter(&length_, "contact_length", "", "Half-length during the simulation", &lengths);
+        add_parameter(&initial_state_, "initial_state", "", "State at the start", &initial_states);
         add_input(slip_, "slip_velocity", "m/s",
                   "Velocity of the wheel relative to the rail, as rigid bodies; creepage times rolling_speed");
         add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative");
@@ -196,11 +187,6 @@ private:
         Scalar tangent_by_shift = 0;        // d force / d shift [N/m]
         Scalar tangent_by_half_length = 0;  // [N/m]
     };
-
-    template <class Value>
-    static void require(bool holds, const char* parameter, Value value, const char* rule) {
-        rollbem::detail::require(holds, "rollbem_adhesion", parameter, value, rule);
-    }
 
     static std::string state_name(Eigen::Index k) { return "displacement[" + std::to_string(k) + "]"; }
 

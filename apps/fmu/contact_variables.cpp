@@ -35,32 +35,19 @@ const Enumeration initial_states{"InitialState",
 
 const Enumeration step_statuses = enumerate_statuses();
 
-std::vector<Variable> ContactParameters::variables() {
-    return {
-        {.name = "shear_modulus", .value = &shear_modulus, .unit = "Pa", .description = "G of both bodies"},
-        {.name = "poisson_ratio", .value = &poisson_ratio, .description = "nu of both bodies"},
-        {.name = "half_width", .value = &half_width, .unit = "m", .description = "b: the contact is 2b wide"},
-        {.name = "half_length_from",
-         .value = &half_length_from,
-         .description = "Where the half-length a comes from",
-         .items = &half_length_sources},
-        {.name = "half_length",
-         .value = &half_length,
-         .unit = "m",
-         .description = "a, in the rolling direction, under nominal_load; used where half_length_from is half_length"},
-        {.name = "combined_radius",
-         .value = &combined_radius,
-         .unit = "m",
-         .description = "R of 1/R = 1/R_wheel + 1/R_rail; used where half_length_from is nominal_load"},
-        {.name = "nominal_load",
-         .value = &nominal_load,
-         .unit = "N",
-         .description = "Normal force under which the contact has its half-length a"},
-        {.name = "kernel",
-         .value = &kernel,
-         .description = "Relation of displacements to tractions",
-         .items = &kernels},
-    };
+void ContactParameters::add_to(Model& model) {
+    model.add_parameter(&shear_modulus, "shear_modulus", "Pa", "G of both bodies");
+    model.add_parameter(&poisson_ratio, "poisson_ratio", "", "nu of both bodies");
+    model.add_parameter(&half_width, "half_width", "m", "b: the contact is 2b wide");
+    model.add_parameter(&half_length_from, "half_length_from", "", "Where the half-length a comes from",
+                        &half_length_sources);
+    model.add_parameter(&half_length, "half_length", "m",
+                        "a, in the rolling direction, under nominal_load; used where half_length_from is half_length");
+    model.add_parameter(&combined_radius, "combined_radius", "m",
+                        "R of 1/R = 1/R_wheel + 1/R_rail; used where half_length_from is nominal_load");
+    model.add_parameter(&nominal_load, "nominal_load", "N",
+                        "Normal force under which the contact has its half-length a");
+    model.add_parameter(&kernel, "kernel", "", "Relation of displacements to tractions", &kernels);
 }
 
 rollbem::HertzLine<double> ContactParameters::line() const {

@@ -1,8 +1,6 @@
 // What FMUs have in common: parameters of a line contact, and how the status of a step is reported.
 #pragma once
 
-#include <vector>
-
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
@@ -31,8 +29,7 @@ struct ContactParameters {
     double nominal_load = 1e5;
     int kernel = static_cast<int>(KernelName::plane);
 
-    /// Their rows of the table.
-    std::vector<Variable> variables();
+    void add_to(Model& model);
 
     /// Hertz's line contact under the nominal load, and the contact that results; a given half-length determines the
     /// radius. Both throw std::invalid_argument, naming the parameter that is out of range.

@@ -1,7 +1,6 @@
 // modelDescription.xml and the documentation of an FMU, written from the table of its variables.
 #include "description.hpp"
 
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <set>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "model.hpp"
+#include "text.hpp"
 
 namespace fmu {
 
@@ -27,14 +27,6 @@ std::string escaped(std::string_view text) {
         }
     }
     return result;
-}
-
-/// The shortest text that is read as the same number.
-template <class Number>
-std::string text_of(Number value) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    return {buffer, end};
 }
 
 std::string attribute(const char* name, std::string_view value) {
@@ -188,19 +180,12 @@ std::string description_with(std::string_view guid) {
     return text + "  </ModelStructure>\n</fmiModelDescription>\n";
 }
 
-/// 64 bits of FNV-1a.
-std::uint64_t hash_of(std::string_view text, std::uint64_t seed) {
-    std::uint64_t hash = 0xcbf29ce484222325u ^ seed;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return hash;
-}
-
 }  // namespace
 
 const std::string& guid() {
     static const std::string value = [] {
         const std::string contents = description_with("");
-        const std::uint64_t high = hash_of(contents, 0), low = hash_of(contents, high);
+        const std::uint64_t high = hash_of(contents), low = hash_of(contents, high);
         char text[40];
         std::snprintf(text, sizeof text, "{%08x-%04x-%04x-%04x-%012llx}", static_cast<unsigned>(high >> 32),
                       static_cast<unsigned>(high >> 16 & 0xffff), static_cast<unsigned>(high & 0xffff),

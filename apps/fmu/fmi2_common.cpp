@@ -12,6 +12,7 @@
 
 #include "description.hpp"
 #include "instance.hpp"
+#include "text.hpp"
 
 namespace {
 
@@ -19,13 +20,6 @@ using fmu::call;
 using fmu::Instance;
 
 using Bytes = std::vector<std::byte>;
-
-/// Serialised states end with a hash, because they may come from a damaged file.
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const std::byte value : bytes) hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u;
-    return hash;
-}
 
 /// Whether any of the variables has to be calculated before it is read.
 template <class Value>
@@ -40,7 +34,6 @@ bool calculated(const Instance& instance, const fmi2ValueReference references[],
 fmi2Status no_such_type(fmi2Component component, const char* function, std::size_t count) {
     return call(component, function, fmu::any, [&](Instance&) {
         if (count > 0) throw std::invalid_argument("there are no variables of this type");
-        return fmi2OK;
     });
 }
 
@@ -55,7 +48,6 @@ fmi2Status set(fmi2Component component, const char* function, const fmi2ValueRef
             }
             instance.settable<Held>(references[i]) = values[i];
         }
-        return fmi2OK;
     });
 }
 
@@ -101,7 +93,6 @@ fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::siz
     return call(component, "fmi2SetDebugLogging", fmu::any, [&](Instance& instance) {
         // messages about errors are not debugging output: without categories they stay on
         instance.set_logging(on ? std::span(categories, count) : std::span<const fmi2String>());
-        return fmi2OK;
     });
 }
 
@@ -112,37 +103,27 @@ fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean /*tolerance_
             throw std::invalid_argument("the experiment must start at a finite time and stop later");
         }
         instance.time = start;
-        return fmi2OK;
     });
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
-    return call(component, "fmi2EnterInitializationMode", fmu::instantiated, [](Instance& instance) {
-        instance.mode = fmu::initialization;
-        return fmi2OK;
-    });
+    return call(component, "fmi2EnterInitializationMode", fmu::instantiated,
+                [](Instance& instance) { instance.mode = fmu::initialization; });
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
     return call(component, "fmi2ExitInitializationMode", fmu::initialization, [](Instance& instance) {
         instance.build();
         instance.mode = instance.used() == fmu::Interface::model_exchange ? fmu::event : fmu::stepping;
-        return fmi2OK;
     });
 }
 
 fmi2Status fmi2Terminate(fmi2Component component) {
-    return call(component, "fmi2Terminate", fmu::running, [](Instance& instance) {
-        instance.mode = fmu::terminated;
-        return fmi2OK;
-    });
+    return call(component, "fmi2Terminate", fmu::running, [](Instance& instance) { instance.mode = fmu::terminated; });
 }
 
 fmi2Status fmi2Reset(fmi2Component component) {
-    return call(component, "fmi2Reset", fmu::any, [](Instance& instance) {
-        instance.reset();
-        return fmi2OK;
-    });
+    return call(component, "fmi2Reset", fmu::any, [](Instance& instance) { instance.reset(); });
 }
 
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
@@ -161,7 +142,6 @@ fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference refe
         // the status can be read even if nothing else can be calculated
         if (calculated<int>(instance, references, count)) instance.refresh();
         for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<int>(references[i]).integer();
-        return fmi2OK;
     });
 }
 
@@ -175,7 +155,6 @@ fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference refer
         for (std::size_t i = 0; i < count; ++i) {
             values[i] = instance.variable<std::string>(references[i]).text().c_str();
         }
-        return fmi2OK;
     });
 }
 
@@ -202,7 +181,6 @@ fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {
     return call(component, "fmi2GetFMUstate", fmu::any, [&](Instance& instance) {
         if (*state == nullptr) *state = new Bytes;
         instance.save(*static_cast<Bytes*>(*state));
-        return fmi2OK;
     });
 }
 
@@ -210,7 +188,6 @@ fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
     return call(component, "fmi2SetFMUstate", fmu::any, [&](Instance& instance) {
         if (state == nullptr) throw std::invalid_argument("there is no state");
         instance.restore(*static_cast<Bytes*>(state));
-        return fmi2OK;
     });
 }
 
@@ -220,7 +197,6 @@ fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
             delete static_cast<Bytes*>(*state);
             *state = nullptr;
         }
-        return fmi2OK;
     });
 }
 
@@ -228,7 +204,6 @@ fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate stat
     return call(component, "fmi2SerializedFMUstateSize", fmu::any, [&](Instance&) {
         if (state == nullptr) throw std::invalid_argument("there is no state");
         *size = static_cast<Bytes*>(state)->size() + sizeof(std::uint64_t);
-        return fmi2OK;
     });
 }
 
@@ -236,11 +211,10 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fm
     return call(component, "fmi2SerializeFMUstate", fmu::any, [&](Instance&) {
         if (state == nullptr) throw std::invalid_argument("there is no state");
         const Bytes& bytes = *static_cast<Bytes*>(state);
-        const std::uint64_t hash = hash_of(bytes);
+        const std::uint64_t hash = fmu::hash_of(bytes);  // because the file that keeps them may get damaged
         if (size < bytes.size() + sizeof hash) throw std::invalid_argument("the serialised state needs more room");
         std::memcpy(serialized, bytes.data(), bytes.size());
         std::memcpy(serialized + bytes.size(), &hash, sizeof hash);
-        return fmi2OK;
     });
 }
 
@@ -251,10 +225,9 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte seria
         if (size < sizeof hash) throw std::invalid_argument("the serialised state is too short");
         const std::span<const std::byte> bytes(reinterpret_cast<const std::byte*>(serialized), size - sizeof hash);
         std::memcpy(&hash, serialized + bytes.size(), sizeof hash);
-        if (hash != hash_of(bytes)) throw std::invalid_argument("the serialised state is damaged");
+        if (hash != fmu::hash_of(bytes)) throw std::invalid_argument("the serialised state is damaged");
         if (*state == nullptr) *state = new Bytes;
         static_cast<Bytes*>(*state)->assign(bytes.begin(), bytes.end());
-        return fmi2OK;
     });
 }
 
@@ -267,7 +240,6 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2Value
             for (std::size_t j = 0; j < known_count; ++j) sum += instance.partial(unknowns[i], knowns[j]) * seeds[j];
             derivatives[i] = sum;
         }
-        return fmi2OK;
     });
 }
 

@@ -33,24 +33,17 @@ constexpr unsigned can_evaluate = fmu::initialization | in_time | fmu::terminate
 extern "C" {
 
 fmi2Status fmi2EnterEventMode(fmi2Component component) {
-    return call(component, "fmi2EnterEventMode", fmu::continuous_time, [](Instance& instance) {
-        instance.mode = fmu::event;
-        return fmi2OK;
-    });
+    return call(component, "fmi2EnterEventMode", fmu::continuous_time,
+                [](Instance& instance) { instance.mode = fmu::event; });
 }
 
 fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo* info) {
-    return call(component, "fmi2NewDiscreteStates", fmu::event, [&](Instance&) {
-        *info = {};
-        return fmi2OK;
-    });
+    return call(component, "fmi2NewDiscreteStates", fmu::event, [&](Instance&) { *info = {}; });
 }
 
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component) {
-    return call(component, "fmi2EnterContinuousTimeMode", fmu::event, [](Instance& instance) {
-        instance.mode = fmu::continuous_time;
-        return fmi2OK;
-    });
+    return call(component, "fmi2EnterContinuousTimeMode", fmu::event,
+                [](Instance& instance) { instance.mode = fmu::continuous_time; });
 }
 
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean /*no_state_before_this_point*/,
@@ -58,7 +51,6 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean /*no
     return call(component, "fmi2CompletedIntegratorStep", fmu::continuous_time, [&](Instance&) {
         *enter_event_mode = fmi2False;
         *terminate = fmi2False;
-        return fmi2OK;
     });
 }
 
@@ -66,7 +58,6 @@ fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {
     return call(component, "fmi2SetTime", in_time, [&](Instance& instance) {
         if (!std::isfinite(time)) throw std::invalid_argument("time must be finite");
         instance.time = time;  // nothing depends on it
-        return fmi2OK;
     });
 }
 
@@ -75,7 +66,6 @@ fmi2Status fmi2SetContinuousStates(fmi2Component component, const fmi2Real state
         for_each(instance, Causality::state, count,
                  [&](const fmu::Variable& variable, std::size_t i) { variable.real() = states[i]; });
         instance.stale = true;
-        return fmi2OK;
     });
 }
 
@@ -84,7 +74,6 @@ fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real states[], s
         instance.build();
         for_each(instance, Causality::state, count,
                  [&](const fmu::Variable& variable, std::size_t i) { states[i] = variable.real(); });
-        return fmi2OK;
     });
 }
 
@@ -93,7 +82,6 @@ fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component component, fmi2Real n
                 [&](Instance& instance) {
                     for_each(instance, Causality::state, count,
                              [&](const fmu::Variable& variable, std::size_t i) { nominals[i] = variable.nominal; });
-                    return fmi2OK;
                 });
 }
 
@@ -110,7 +98,6 @@ fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], s
 fmi2Status fmi2GetEventIndicators(fmi2Component component, fmi2Real[], std::size_t count) {
     return call(component, "fmi2GetEventIndicators", can_evaluate, [&](Instance&) {
         if (count != 0) throw std::invalid_argument("there are no event indicators");
-        return fmi2OK;
     });
 }
 

@@ -34,22 +34,13 @@ const Enumeration mesh_lengths{
 class Friction final : public FrictionContact<rollbem::HertzLoad<Scalar>> {
 public:
     explicit Friction(Interface used) : FrictionContact(used) {
-        for (Variable& variable : parameters_.variables()) add(std::move(variable));
-        add({.name = "friction_coefficient", .value = &friction_coefficient_, .description = "mu"});
-        add({.name = "elements", .value = &elements_, .description = "Number of elements, 1 to 1000"});
-        add({.name = "mesh", .value = &mesh_, .description = "Spacing of the elements", .items = &meshes});
-        add({.name = "mesh_length",
-             .value = &mesh_length_,
-             .description = "What the mesh covers",
-             .items = &mesh_lengths});
-        add({.name = "largest_load",
-             .value = &largest_load_,
-             .unit = "N",
-             .description = "The largest normal_load that a fixed mesh can take"});
-        add({.name = "initial_state",
-             .value = &initial_state_,
-             .description = "State at the start",
-             .items = &initial_states});
+        parameters_.add_to(*this);
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu");
+        add_parameter(&elements_, "elements", "", "Number of elements, 1 to 1000");
+        add_parameter(&mesh_, "mesh", "", "Spacing of the elements", &meshes);
+        add_parameter(&mesh_length_, "mesh_length", "", "What the mesh covers", &mesh_lengths);
+        add_parameter(&largest_load_, "largest_load", "N", "The largest normal_load that a fixed mesh can take");
+        add_parameter(&initial_state_, "initial_state", "", "State at the start", &initial_states);
         add_input(
             slip_[0], "longitudinal_slip_velocity", "m/s",
             "Velocity of the wheel relative to the rail along the rolling direction, as rigid bodies; creepage times "
@@ -95,11 +86,6 @@ public:
     }
 
 private:
-    template <class Value>
-    static void require(bool holds, const char* parameter, Value value, const char* rule) {
-        rollbem::detail::require(holds, "rollbem_friction", parameter, value, rule);
-    }
-
     template <class Kernel>
     void start(const rollbem::Contact<Scalar>& contact, const rollbem::Mesh<Scalar>& mesh,
                const rollbem::NodeDifference& scheme, const rollbem::HertzLoad<Scalar>& hertz) {

@@ -157,8 +157,7 @@ protected:
 
     /// The creepage of the present inputs. Throws std::invalid_argument unless the contact rolls.
     rollbem::Creepage<Scalar> first_creepage() const {
-        rollbem::detail::require(speed_.value > 0, identity.identifier, "rolling_speed", speed_.value,
-                                 "be positive where initial_state is steady");
+        require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
         return {slip_[0].value / speed_.value, slip_[1].value / speed_.value, spin_.value / speed_.value};
     }
 
@@ -199,8 +198,8 @@ private:
 
     void roll_steadily() {
         const Step steady = model_->steady(now_, first_creepage(), end_load_, next_, *workspace_);
-        rollbem::detail::require(steady.status == StepStatus::ok, identity.identifier,
-                                 "status of steady rolling at the first inputs", name(steady.status), "be ok");
+        require(steady.status == StepStatus::ok, "status of steady rolling at the first inputs", name(steady.status),
+                "be ok");
         std::swap(now_, next_);
         last_.force = steady.force;
         last_.stick_count = steady.stick_count;

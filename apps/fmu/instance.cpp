@@ -8,15 +8,11 @@
 #include <utility>
 
 #include "description.hpp"
+#include "text.hpp"
 
 namespace fmu {
 
 namespace {
-
-std::string text_of(double value) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
 
 /// The path of a URI file://HOST/PATH with an empty host or localhost, in which %XX is a character; any other text is a
 /// path already.

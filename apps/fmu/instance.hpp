@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <fmi2Functions.h>
@@ -90,8 +91,8 @@ private:
     double refused_from_ = 0;  // where the last step began, if it was refused [s]
 };
 
-/// Calls body(instance) for a function of the C interface that is allowed in the given modes. An exception becomes a
-/// message and an error.
+/// Calls body(instance) for a function of the C interface that is allowed in the given modes. What returns nothing is
+/// fmi2OK; an exception becomes a message and an error.
 template <class Body>
 fmi2Status call(fmi2Component component, const char* function, unsigned allowed, const Body& body) noexcept {
     auto* const instance = static_cast<Instance*>(component);
@@ -100,6 +101,9 @@ fmi2Status call(fmi2Component component, const char* function, unsigned allowed,
     try {
         if ((instance->mode & allowed) == 0) {
             instance->log(fmi2Error, std::string(function) + " must not be called now");
+        } else if constexpr (std::is_void_v<decltype(body(*instance))>) {
+            body(*instance);
+            status = fmi2OK;
         } else {
             status = body(*instance);
         }

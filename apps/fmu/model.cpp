@@ -4,8 +4,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include <rollbem/detail/require.hpp>
-
 namespace fmu {
 
 std::span<const Unit> known_units() {
@@ -25,6 +23,11 @@ int Model::add(Variable variable) {
                           .causality = variable.causality,
                           .is_code = true});
     return place;
+}
+
+void Model::add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
+                          const Enumeration* items) {
+    add({.name = name, .value = value, .unit = unit, .description = std::move(description), .items = items});
 }
 
 void Model::add_input(Input& input, const char* name, const char* unit, const char* description) {
@@ -53,8 +56,7 @@ void Model::settle_enumerations() {
         const int most = static_cast<int>(variable.items->items.size());
         const auto check = [most](const Variable& one, int least) {
             const std::string rule = "lie in [" + std::to_string(least) + ", " + std::to_string(most) + "]";
-            rollbem::detail::require(one.integer() >= least && one.integer() <= most, identity.identifier,
-                                     one.name.c_str(), one.integer(), rule.c_str());
+            require(one.integer() >= least && one.integer() <= most, one.name.c_str(), one.integer(), rule.c_str());
         };
         const Variable& code = variables_[i + 1];
         check(code, 0);

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include <rollbem/detail/require.hpp>
 #include <rollbem/types.hpp>
 
 namespace fmu {
@@ -103,6 +104,15 @@ private:
     std::span<const std::byte> source_;
 };
 
+/// All of an FMU but its variables.
+struct Identity {
+    const char* identifier;  ///< name of the file and the shared library
+    const char* description;
+    bool model_exchange;          ///< in addition to co-simulation
+    double stop_time, step_size;  ///< of the default experiment [s]
+};
+extern const Identity identity;  // each FMU defines it
+
 /// One contact. The FMI functions construct it, set variables and call initialise(), then step() or update(), and
 /// archive() at any time.
 class Model {
@@ -138,6 +148,12 @@ public:
     /// Names what an instance keeps in addition to the variables.
     virtual void archive(Archive& archive) = 0;
 
+    /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing
+    /// programs know no enumerations: an output's has the same value, a parameter's sets it unless it is 0, its start.
+    int add(Variable variable);
+    void add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
+                       const Enumeration* items = nullptr);
+
 protected:
     /// An input and its time derivative during the next step.
     struct Input {
@@ -148,9 +164,12 @@ protected:
 
     Interface used() const { return interface_; }
 
-    /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing
-    /// programs know no enumerations: an output's has the same value, a parameter's sets it unless it is 0, its start.
-    int add(Variable variable);
+    /// Throws std::invalid_argument unless `holds`: "FMU: parameter = value must rule".
+    template <class Value>
+    static void require(bool holds, const char* parameter, Value value, const char* rule) {
+        rollbem::detail::require(holds, identity.identifier, parameter, value, rule);
+    }
+
     void add_input(Input& input, const char* name, const char* unit, const char* description);
     void add_output(Variable::Value value, const char* name, const char* unit, const char* description,
                     const Enumeration* items = nullptr);
@@ -161,16 +180,6 @@ private:
     std::deque<int> codes_;  // twins of parameters
 };
 
-/// All of an FMU but its variables.
-struct Identity {
-    const char* identifier;  ///< name of the file and the shared library
-    const char* description;
-    bool model_exchange;          ///< in addition to co-simulation
-    double stop_time, step_size;  ///< of the default experiment [s]
-};
-
-// Each FMU defines these two.
-extern const Identity identity;
-std::unique_ptr<Model> make_model(Interface used);
+std::unique_ptr<Model> make_model(Interface used);  // each FMU defines it
 
 }  // namespace fmu

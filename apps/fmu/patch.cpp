@@ -64,33 +64,23 @@ std::shared_ptr<const rollbem::CreepForceTable> table_of(const std::string& path
 class Patch final : public FrictionContact<rollbem::HertzPatchLoad<Scalar>> {
 public:
     explicit Patch(Interface used) : FrictionContact(used) {
-        add({.name = "shear_modulus", .value = &shear_modulus_, .unit = "Pa", .description = "G of both bodies"});
-        add({.name = "poisson_ratio", .value = &poisson_ratio_, .description = "nu of both bodies"});
+        add_parameter(&shear_modulus_, "shear_modulus", "Pa", "G of both bodies");
+        add_parameter(&poisson_ratio_, "poisson_ratio", "", "nu of both bodies");
         add_radius(wheel_.rolling, "wheel_rolling_radius", "Radius of the wheel, in the plane of rolling");
         add_radius(wheel_.lateral, "wheel_lateral_radius", "Radius of the wheel's profile at the contact");
         add_radius(rail_.rolling, "rail_rolling_radius", "Radius of the rail in the plane of rolling");
         add_radius(rail_.lateral, "rail_lateral_radius", "Radius of the rail's profile at the contact");
-        add({.name = "friction_coefficient", .value = &friction_coefficient_, .description = "mu"});
-        add({.name = "mode", .value = &mode_, .description = "Where forces come from", .items = &modes});
-        add({.name = "table_file",
-             .value = &table_file_,
-             .description = "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
-                            "coarse one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10"});
-        add({.name = "elements",
-             .value = &elements_,
-             .description = "Number of elements a strip, 1 to 32; like the following ones used where mode is patch"});
-        add({.name = "strips",
-             .value = &strips_,
-             .description = "Number of strips along the rolling direction, 1 to 32"});
-        add({.name = "mesh_size", .value = &mesh_size_, .description = "What the mesh covers", .items = &mesh_sizes});
-        add({.name = "largest_load",
-             .value = &largest_load_,
-             .unit = "N",
-             .description = "The largest normal_load that a fixed mesh can take"});
-        add({.name = "initial_state",
-             .value = &initial_state_,
-             .description = "State at the start",
-             .items = &initial_states});
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu");
+        add_parameter(&mode_, "mode", "", "Where forces come from", &modes);
+        add_parameter(&table_file_, "table_file", "",
+                      "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
+                      "coarse one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10");
+        add_parameter(&elements_, "elements", "",
+                      "Number of elements a strip, 1 to 32; like the following ones used where mode is patch");
+        add_parameter(&strips_, "strips", "", "Number of strips along the rolling direction, 1 to 32");
+        add_parameter(&mesh_size_, "mesh_size", "", "What the mesh covers", &mesh_sizes);
+        add_parameter(&largest_load_, "largest_load", "N", "The largest normal_load that a fixed mesh can take");
+        add_parameter(&initial_state_, "initial_state", "", "State at the start", &initial_states);
         add_input(
             slip_[0], "longitudinal_slip_velocity", "m/s",
             "Velocity of the wheel relative to the rail along the rolling direction, as rigid bodies, in the middle of "
@@ -136,16 +126,8 @@ public:
     }
 
 private:
-    template <class Value>
-    static void require(bool holds, const char* parameter, Value value, const char* rule) {
-        rollbem::detail::require(holds, "rollbem_patch", parameter, value, rule);
-    }
-
     void add_radius(Scalar& radius, const char* name, std::string description) {
-        add({.name = name,
-             .value = &radius,
-             .unit = "m",
-             .description = std::move(description) + "; negative if concave, 1e9 if flat"});
+        add_parameter(&radius, name, "m", std::move(description) + "; negative if concave, 1e9 if flat");
     }
 
     void begin_patch() {

@@ -10,9 +10,9 @@
 
 namespace frequency {
 
-/// The files, still without their names; reduced to --states, if given. Throws BadInput unless there is one scene, whose
-/// G is regular, whose tractions converge to full adhesion, and which decays where it is to be reduced, and if the
-/// folder cannot be written; throws WriteError.
+/// The files, still without their names; reduced to --states, if given. Throws BadInput unless there is one scene,
+/// whose G is regular, whose tractions converge to full adhesion, and which decays where it is to be reduced, and if
+/// the folder cannot be written; throws WriteError.
 std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& options,
                                                           const std::vector<study::Scene>& scenes);
 

@@ -83,7 +83,7 @@ study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const C
 /// its neighbours.
 using CreepRows = void(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                        const study::Emit& emit);
-CreepRows element_rows, border_rows, combined_rows, falling_rows;
+CreepRows element_rows, border_rows;
 
 /// The same without results, where G' is not finite, as for b/a or a layer near the limits of double.
 CreepRows rows_without;

@@ -191,17 +191,15 @@ void rows_without(const CreepCurve& curve, const study::Scene& scene, std::size_
 void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
                   const study::Emit& emit) {
     const Surface surface{scene, curve.layer};
-    if (!is_finite(surface, false)) return rows_without(curve, scene, task, range, emit);
+    const bool both = curve.points.front().lateral.has_value();
+    if (!is_finite(surface, both)) return rows_without(curve, scene, task, range, emit);
     const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
-    rows_of(curve, scene, task, range, emit, surface, surface.steady_model<1>(rollbem::Friction<>{1, means}), means);
-}
-
-void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
-                  const study::Emit& emit) {
-    const Surface surface{scene, curve.layer};
-    if (!is_finite(surface, false)) return rows_without(curve, scene, task, range, emit);
-    const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
-    const auto model = surface.steady_model<1>(curve.falling->under(means));
+    const rollbem::Friction<> coulomb{1, means};
+    const auto rows = [&](const auto& model) { rows_of(curve, scene, task, range, emit, surface, model, means); };
+    if (!curve.falling) return both ? rows(surface.steady_model<2>(coulomb)) : rows(surface.steady_model<1>(coulomb));
+    const rollbem::Friction<rollbem::ExponentialFall<>> falling = curve.falling->under(means);
+    if (both) return rows(surface.steady_model<2>(falling));
+    const auto model = surface.steady_model<1>(falling);
     if (curve.other != nullptr) {
         std::vector<std::pair<double, double>> points;
         sweep(curve, scene, model, curve.sweep != "up", [&](const CreepPoint& point, const auto& step) {
@@ -209,21 +207,7 @@ void falling_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
         });
         curve.other->keep(task, std::move(points));
     }
-    rows_of(curve, scene, task, range, emit, surface, model, means);
-}
-
-void combined_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
-                   const study::Emit& emit) {
-    const Surface surface{scene, curve.layer};
-    if (!is_finite(surface, true)) return rows_without(curve, scene, task, range, emit);
-    const Eigen::ArrayXd means = curve.pressure(*scene.mesh);
-    if (curve.falling) {
-        const auto model = surface.steady_model<2>(curve.falling->under(means));
-        rows_of(curve, scene, task, range, emit, surface, model, means);
-    } else {
-        const auto model = surface.steady_model<2>(rollbem::Friction<>{1, means});
-        rows_of(curve, scene, task, range, emit, surface, model, means);
-    }
+    rows(model);
 }
 
 }  // namespace friction

@@ -8,6 +8,7 @@
 
 #include <rollbem/friction/law.hpp>
 
+#include "support/csv.hpp"
 #include "support/options.hpp"
 
 namespace friction {
@@ -24,5 +25,8 @@ struct FallingLaw {
 
 /// --falling and --memory; std::nullopt without --falling. Throws BadInput, also for what does not go with them.
 std::optional<FallingLaw> read_falling(const study::Options& options);
+
+/// falling_ratio, half_velocity, memory_distance, least_velocity; empty without --falling.
+study::Row falling_cells(const std::optional<FallingLaw>& falling);
 
 }  // namespace friction

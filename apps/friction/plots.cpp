@@ -15,7 +15,7 @@ constexpr int line_points = 400;
 
 /// Carter's creep curve over the ratios and 0.
 study::Series carter_curve(const std::vector<double>& ratios) {
-    study::Series line{.label = "Carter", .points = {}, .markers = false, .reference = true};
+    study::Series line{.label = "Carter", .markers = false, .reference = true};
     const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
     const double from = std::min(*low, 0.0), to = std::max(*high, 0.0);
     for (int i = 0; i <= line_points; ++i) {
@@ -64,15 +64,13 @@ study::Plot draw_tractions(const Profile& shown, bool carter, bool falling) {
         .title = "Traction, δ = " + study::Cell(ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
         .x_label = "x / a (leading edge at 1)",
         .y_label = force_label(falling, "-p", "p_0"),
-        .x_range = study::PlotRange{-1, 1},
-        .series = {}};
+        .x_range = study::PlotRange{-1, 1}};
     const double sign = ratio < 0 ? -1 : 1;
-    study::Series exact{.label = "Carter", .points = {}, .markers = false, .reference = true};
-    study::Series bound{
-        .label = "bound " + coefficient(falling) + " p_n", .points = {}, .markers = false, .reference = true};
+    study::Series exact{.label = "Carter", .markers = false, .reference = true};
+    study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
     // other colours than those of the first creep curves
-    study::Series slip{.label = "slip", .points = {}, .line = false, .style = 7};
-    study::Series stick{.label = "stick", .points = {}, .line = false, .style = 6};
+    study::Series slip{.label = "slip", .line = false, .style = 7};
+    study::Series stick{.label = "stick", .line = false, .style = 6};
     for (Eigen::Index i = 0; i < shown.mesh.size(); ++i) {
         const double x = shown.mesh.centres()[i];
         bound.points.emplace_back(x, sign * shown.bound[i]);
@@ -106,6 +104,7 @@ std::string scene_in_title(const study::Options& options) {
         say("creepage-ratio", delta);
         say("sine", delta, " sin(", " q/a)");
         say("lateral-ratio", "δ_y = ");
+        say("spin-ratio", "δ_φ = ");
         say("shift", "shift ");
         say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
         if (options.given("load")) title += ", load of a table";
@@ -121,8 +120,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
     const bool falling = curve.falling.has_value();
     study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
                      .x_label = creepage_label(falling),
-                     .y_label = force_label(falling),
-                     .series = {}};
+                     .y_label = force_label(falling)};
     study::add_series(plot, columns, rows,
                       {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"},
                        .x = "creepage_ratio",
@@ -153,15 +151,14 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
                            const CreepCurve& curve) {
     const bool falling = curve.falling.has_value();
     const auto panel = [&](const std::string& title, const char* force, const char* y) {
-        study::Plot plot{.title = title,
-                         .x_label = creepage_label(falling, true),
-                         .y_label = force_label(falling, force),
-                         .series = {}};
-        study::add_series(plot, columns, rows,
-                          {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio"},
-                           .x = "creepage_ratio",
-                           .y = y,
-                           .apart = study::setting_columns()});
+        study::Plot plot{
+            .title = title, .x_label = creepage_label(falling, true), .y_label = force_label(falling, force)};
+        study::add_series(
+            plot, columns, rows,
+            {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio", "spin_ratio"},
+             .x = "creepage_ratio",
+             .y = y,
+             .apart = study::setting_columns()});
         plot.y_range = force_range(plot);
         return plot;
     };
@@ -180,7 +177,7 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
     const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
         const std::size_t first = plot.series.size();
         selection.y = y;
-        study::Plot more{.title = plot.title, .x_label = "", .y_label = "", .series = {}};
+        study::Plot more{.title = plot.title};
         study::add_series(more, columns, rows, selection);
         for (study::Series& series : more.series) {
             if (series.points.empty()) continue;
@@ -194,30 +191,22 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
         if (plot.series.size() == 1 && plot.series[0].label.empty()) plot.series[0].label = "computed";
     };
     const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
-        return !row[std::size_t(std::find(columns.begin(), columns.end(), "lateral_ratio") - columns.begin())]
-                    .text(3)
-                    .empty();
+        return !row[study::index_of(columns, "lateral_ratio")].text().empty();
     });
     study::Plot plot{.title = "Rolling with friction" + shown.scene,
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(shown.falling, "-F", shown.load_changes ? "N_0" : "N"),
-                     .x_range = study::PlotRange{0, shown.end},
-                     .series = {}};
+                     .x_range = study::PlotRange{0, shown.end}};
     if (rows.empty()) return plot;  // of a shard
     add(plot, "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
     if (lateral) add(plot, "lateral_force_ratio", "lateral");
     if (shown.load_changes) {
-        study::Plot load{.title = "", .x_label = "", .y_label = "", .series = {}};
         selection.y = "load_ratio";
-        study::add_series(load, columns, rows, selection);
-        load.series.front().label = "load N/N_0";
-        load.series.front().markers = false;
-        load.series.front().reference = true;
-        plot.series.push_back(std::move(load.series.front()));
+        study::add_reference(plot, columns, rows, selection, "load N/N_0");
     }
     if (shown.creepage_changes) {
         selection.x = "creepage_ratio";
-        study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label, .series = {}};
+        study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label};
         add(loop, "force_ratio", "");
         loop.title = "Hysteresis";
         if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));

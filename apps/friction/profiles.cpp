@@ -8,11 +8,10 @@ namespace friction {
 
 void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file) {
     if (with_header) {
-        file.rows().write(study::csv_line(
-            study::joined<study::Cell>({"n", "creepage_ratio", "x_over_a", "traction", "bound", "stick", "slip",
-                                        "exact", "mesh", "method", "derivative", "alpha_L", "alpha_T", "status",
-                                        "lateral_ratio", "lateral_traction", "lateral_slip", "layer", "friction_ratio"},
-                                       {study::setting_columns().begin(), study::setting_columns().end()})));
+        file.rows().write(
+            "n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,"
+            "alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio," +
+            study::join(study::setting_columns(), ",") + "\n");
     }
     for (const auto& [key, profile] : profiles.all()) {
         const bool carter = curve.carter() && profile.point.lateral.value_or(0) == 0 && profile.point.spin == 0;

@@ -1,5 +1,6 @@
 #include "rolling.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
@@ -96,50 +97,44 @@ private:
     rollbem::NormalLoad<double> load_;
 };
 
-template <class Model>
-class MakerOf : public RollingMaker {
-public:
-    MakerOf(Model model, std::optional<rollbem::HertzLoad<double>> hertz, double first_load_ratio, double unit,
-            double dq)
-        : model_(std::move(model)),
-          hertz_(std::move(hertz)),
-          first_load_ratio_(first_load_ratio),
-          unit_(unit),
-          dq_(dq) {}
-
-    std::unique_ptr<Rolling> start() const override {
-        return std::make_unique<RollingOf<Model>>(model_, hertz_ ? &*hertz_ : nullptr, first_load_ratio_, unit_, dq_);
-    }
-
-private:
-    Model model_;
-    std::optional<rollbem::HertzLoad<double>> hertz_;
-    double first_load_ratio_, unit_, dq_;
-};
+// On a mesh that breathes b/a falls as the load grows. The kernel is the plane's.
+void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, bool both_directions) {
+    const double nu = scene.contact.poisson_ratio(), longest = largest_half_length(load);
+    const double least = longest * std::exp(both_directions ? nu : -nu / (1 - nu)) / 4;
+    if (scene.contact.aspect() > least) return;
+    throw study::BadInput("--aspect = " + study::Cell(scene.contact.aspect()).text(6) + " must be larger than " +
+                          study::Cell(least).text(4) + " with --breathing, as a grows to " +
+                          study::Cell(longest).text(4) + " a_0: Lambda = ln(4b/a) " +
+                          (both_directions ? "- nu" : "+ nu/(1-nu)") +
+                          " must be positive, or the plane model itself is unstable in time");
+}
 
 }  // namespace
 
-std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
-                                           const Pressure& pressure, const std::optional<study::LoadHistory>& load,
-                                           bool both_directions, const std::optional<FallingLaw>& falling,
-                                           rollbem::Integrator integrator, double dq) {
+StartRolling make_rolling(const study::Options& options, const study::Scene& scene, const Pressure& pressure,
+                          const std::optional<study::LoadHistory>& load, bool both_directions,
+                          const std::optional<FallingLaw>& falling, rollbem::Integrator integrator, double dq) {
     const bool fixed = load && !load->breathing;
     const Surface surface{scene, read_layer(options), fixed ? largest_half_length(*load) : 1};
     const rollbem::ElementSystem<double> system = surface.system(Direction::longitudinal);
     study::require_steppable(options, scene, system);
     if (load && load->breathing && !system.log_strength()) {
         throw study::BadInput(
-            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation or "
-            "knothe-bc, lambda = 1, no --layer");
+            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
+            "or knothe-bc, lambda = 1, no --layer");
     }
+    if (load && load->breathing) require_plane_model(scene, *load, both_directions);
     std::optional<rollbem::HertzLoad<double>> hertz;
     if (load) hertz = hertz_load(*load, *scene.mesh);
     // the law is that of the largest load; what a run starts under is in its state
     const double largest = surface.half_length * surface.half_length;
     const Eigen::ArrayXd means = load ? hertz->at(largest * mu_N).normal_pressure : pressure(*scene.mesh);
     const double first_load_ratio = load ? load->at(0) : 1, unit = creepage(scene, 1);
-    const auto make = [&](auto model) -> std::unique_ptr<RollingMaker> {
-        return std::make_unique<MakerOf<decltype(model)>>(std::move(model), hertz, first_load_ratio, unit, dq);
+    const auto make = [&](auto model) -> StartRolling {
+        return [=, shared = std::make_shared<const decltype(model)>(std::move(model))] {
+            return std::make_unique<RollingOf<decltype(model)>>(*shared, hertz ? &*hertz : nullptr, first_load_ratio,
+                                                                unit, dq);
+        };
     };
     const auto make_of = [&](const auto& of) {
         const rollbem::Contact<double> contact = surface.contact();

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -50,18 +51,13 @@ public:
     virtual Moment advance(double dq, const Ratios& from, const Ratios& to, double load_ratio) = 0;
 };
 
-/// Models are made once and shared by threads; each run has a Rolling of its own.
-class RollingMaker {
-public:
-    virtual ~RollingMaker() = default;
-    virtual std::unique_ptr<Rolling> start() const = 0;
-};
+/// Begins a run. What it returns refers to a model that all runs share, and must not outlive this.
+using StartRolling = std::function<std::unique_ptr<Rolling>()>;
 
 /// For steps of `dq` [a_0], whose time a rigid shift takes where friction falls with slip. Throws BadInput where the
 /// scene's scheme is not fit to be stepped, or to breathe.
-std::unique_ptr<RollingMaker> make_rolling(const study::Options& options, const study::Scene& scene,
-                                           const Pressure& pressure, const std::optional<study::LoadHistory>& load,
-                                           bool both_directions, const std::optional<FallingLaw>& falling,
-                                           rollbem::Integrator integrator, double dq);
+StartRolling make_rolling(const study::Options& options, const study::Scene& scene, const Pressure& pressure,
+                          const std::optional<study::LoadHistory>& load, bool both_directions,
+                          const std::optional<FallingLaw>& falling, rollbem::Integrator integrator, double dq);
 
 }  // namespace friction

@@ -65,15 +65,9 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     OtherBranch other;
     if (!curve.sweep.empty() && !both && options.given("plot")) curve.other = &other;
 
-    study::Table table;
-    table.columns = creep_columns();
-    table.rows_of_task.assign(scenes.size(), curve.points.size());
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
+    study::Table table = study::table_of(creep_columns(), scenes, curve.points.size());
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        (fits            ? border_rows
-         : both          ? combined_rows
-         : curve.falling ? falling_rows
-                         : element_rows)(curve, scenes[task], task, range, emit);
+        (fits ? border_rows : element_rows)(curve, scenes[task], task, range, emit);
     };
     table.written = [&] {
         if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);

@@ -14,6 +14,7 @@
 #include "plots.hpp"
 #include "rolling.hpp"
 #include "support/errors.hpp"
+#include "support/files.hpp"
 #include "support/non_steady.hpp"
 #include "support/progress.hpp"
 #include "support/runs.hpp"
@@ -25,41 +26,12 @@ namespace friction {
 
 namespace {
 
-const std::vector<std::string> columns = study::joined({"q_over_a",
-                                                        "creepage_ratio",
-                                                        "shift",
-                                                        "force_ratio",
-                                                        "stick_count",
-                                                        "rounds",
-                                                        "slip_work",
-                                                        "exact",
-                                                        "relative_error",
-                                                        "complementarity_residual",
-                                                        "pivots",
-                                                        "status",
-                                                        "method",
-                                                        "derivative",
-                                                        "mesh",
-                                                        "n",
-                                                        "alpha_L",
-                                                        "alpha_T",
-                                                        "lambda",
-                                                        "integrator",
-                                                        "lateral_ratio",
-                                                        "load_ratio",
-                                                        "half_length_ratio",
-                                                        "lateral_force_ratio",
-                                                        "spin_ratio",
-                                                        "moment_ratio",
-                                                        "creep_work",
-                                                        "layer",
-                                                        "falling_ratio",
-                                                        "half_velocity",
-                                                        "memory_distance",
-                                                        "least_velocity",
-                                                        "elastic_energy",
-                                                        "jump_work"},
-                                                       study::setting_columns());
+const std::vector<std::string> columns = study::joined(
+    study::cells_of("q_over_a,creepage_ratio,shift,force_ratio,stick_count,rounds,slip_work,exact,relative_error,"
+                    "complementarity_residual,pivots,status,method,derivative,mesh,n,alpha_L,alpha_T,lambda,integrator,"
+                    "lateral_ratio,load_ratio,half_length_ratio,lateral_force_ratio,spin_ratio,moment_ratio,creep_work,"
+                    "layer,falling_ratio,half_velocity,memory_distance,least_velocity,elastic_energy,jump_work"),
+    study::setting_columns());
 
 /// Creepage ratios and load over q/a, and what comes before.
 struct History {
@@ -104,7 +76,7 @@ History make_history(const study::Options& options, double until) {
 /// One run of a scene.
 struct Run {
     const study::Scene& scene;
-    const RollingMaker& maker;
+    const StartRolling& start;
     const History& history;
     double dq, layer;
     const std::optional<FallingLaw>& falling;
@@ -148,7 +120,7 @@ double creep_work(const Moment& before, const Moment& after, const Ratios& start
 }
 
 std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
-    const std::unique_ptr<Rolling> contact = maker.start();
+    const std::unique_ptr<Rolling> contact = start();
     const bool both_ends = integrator == rollbem::Integrator::sdirk2;
     double slip_work = 0, jump_work = 0, work = 0;
     std::size_t row = 0;
@@ -162,41 +134,18 @@ std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
         const auto computed = given_if(of_row.has_value());
         // what steps did not follow is left out
         const auto valid = given_if(moment.status == rollbem::StepStatus::ok && resolved());
-        emit(study::joined({q,
-                            ratios.longitudinal,
-                            shift,
-                            valid(moment.force_ratio),
-                            valid(moment.stick_count),
-                            computed(moment.rounds),
-                            valid(slip_work),
-                            valid(exact),
-                            valid(relative_error(moment.force_ratio, exact)),
-                            computed(moment.complementarity_residual),
-                            valid(moment.pivots),
-                            status(of_row),
-                            scene.method,
-                            scene.derivative,
-                            scene.mesh_name,
-                            scene.n(),
-                            scene.alpha_L,
-                            scene.alpha_T,
-                            scene.lambda,
-                            study::word(integrator),
-                            ratios.lateral,
-                            history.load_at(q),
-                            std::sqrt(history.load_at(q)),
-                            valid(moment.lateral_force_ratio),
-                            ratios.lateral ? study::Cell(ratios.spin) : study::Cell(),
-                            valid(moment.moment_ratio),
-                            valid(work),
-                            layer,
-                            falling ? study::Cell(falling->law.mu_k) : study::Cell(),
-                            falling ? study::Cell(falling->law.half_velocity) : study::Cell(),
-                            falling ? study::Cell(falling->memory.distance) : study::Cell(),
-                            falling ? study::Cell(falling->memory.least_velocity) : study::Cell(),
-                            valid(moment.elastic_energy),
-                            valid(jump_work)},
-                           study::setting_cells(scene)));
+        emit(study::row_of(
+            {{q, ratios.longitudinal, shift, valid(moment.force_ratio), valid(moment.stick_count)},
+             {computed(moment.rounds), valid(slip_work), valid(exact),
+              valid(relative_error(moment.force_ratio, exact))},
+             {computed(moment.complementarity_residual), valid(moment.pivots), status(of_row)},
+             {scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda},
+             {study::word(integrator), ratios.lateral, history.load_at(q), std::sqrt(history.load_at(q))},
+             {valid(moment.lateral_force_ratio), ratios.lateral ? study::Cell(ratios.spin) : study::Cell()},
+             {valid(moment.moment_ratio), valid(work), layer},
+             falling_cells(falling),
+             {valid(moment.elastic_energy), valid(jump_work)},
+             study::setting_cells(scene)}));
     };
     Moment now{.force_ratio = 0, .lateral_force_ratio = 0, .status = rollbem::StepStatus::ok};
     std::string ended;
@@ -264,22 +213,19 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     const Integrator integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
-    std::vector<std::unique_ptr<RollingMaker>> makers;
+    std::vector<StartRolling> starts;
     study::Progress checking(options.program(), scenes.size(), study::shows_progress(options), "schemes checked");
     for (const study::Scene& scene : scenes) {
         checking.doing(scene.label());
-        makers.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling,
+        starts.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling,
                                       integrator, steps.dq));
-        checking.update(makers.size());
+        checking.update(starts.size());
     }
     checking.clear();
     std::vector<std::string> ended(scenes.size());
-    study::Table table;
-    table.columns = columns;
-    table.rows_of_task.assign(scenes.size(), steps.count + (history.shift ? 1 : 0));
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
+    study::Table table = study::table_of(columns, scenes, steps.count + (history.shift ? 1 : 0));
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        ended[task] = Run{scenes[task], *makers[task],  history,
+        ended[task] = Run{scenes[task], starts[task],   history,
                           steps.dq,     layer,          falling,
                           integrator,   pressure.hertz, !options.flag("unchecked")}
                           .rows(range, emit);

@@ -6,7 +6,9 @@
 #include <array>
 #include <charconv>
 #include <functional>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "results.hpp"
@@ -32,6 +34,15 @@ struct Claim {
 
 /// All claims, in the paper's order.
 std::vector<Claim> claims();
+
+/// The claims of several lists, one after the other.
+inline std::vector<Claim> all_of(std::initializer_list<std::vector<Claim> (*)()> lists) {
+    std::vector<Claim> all;
+    for (const auto list : lists) {
+        for (Claim& claim : list()) all.push_back(std::move(claim));
+    }
+    return all;
+}
 
 inline std::string number(double value, int digits = 3) {
     std::array<char, 64> text;

@@ -68,7 +68,7 @@ void add_row(CurveResult& result, const Curve& curve, const Case& c, const Value
 }
 
 CurveResult compute_field(const Panel& panel, const Curve& curve) {
-    CurveResult result{{}, {{.label = with_greek(curve.label), .points = {}, .markers = false}}};
+    CurveResult result{{}, {{.label = with_greek(curve.label), .markers = false}}};
     for (double x : panel.grid) {
         const bool displacement = panel.quantity == Quantity::displacement;
         if (!displacement && std::abs(std::abs(x) - 0.5) < 1e-9) x += x > 0 ? -1e-9 : 1e-9;
@@ -81,7 +81,7 @@ CurveResult compute_field(const Panel& panel, const Curve& curve) {
 }
 
 CurveResult compute_over_grid(const Panel& panel, const Curve& curve) {
-    CurveResult result{{}, {{.label = with_greek(curve.label), .points = {}, .markers = panel.axes.markers}}};
+    CurveResult result{{}, {{.label = with_greek(curve.label), .markers = panel.axes.markers}}};
     for (const double x : panel.grid) {
         const Case c = at(curve, x);
         if (panel.quantity == Quantity::c11_ratio) {
@@ -102,7 +102,7 @@ CurveResult compute_over_grid(const Panel& panel, const Curve& curve) {
 }
 
 CurveResult compute_traction(const Panel& panel, const Curve& curve) {
-    CurveResult result{{}, {{.label = with_greek(curve.label), .points = {}, .markers = panel.axes.markers}}};
+    CurveResult result{{}, {{.label = with_greek(curve.label), .markers = panel.axes.markers}}};
     const Tractions traction = tractions(curve.at);
     for (Eigen::Index i = 0; i < traction.x.size(); ++i) {
         add_row(result, curve, curve.at, traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i],
@@ -116,7 +116,7 @@ CurveResult compute_response(const Panel& panel, const Curve& curve) {
     CurveResult result;
     const bool argand = panel.quantity == Quantity::argand;
     const auto points_only = [](const std::string& label) {
-        return study::Series{.label = label, .points = {}, .markers = true, .line = false};
+        return study::Series{.label = label, .markers = true, .line = false};
     };
     result.series.push_back(points_only(argand ? curve.label : "Re, " + curve.label));
     if (!argand) result.series.push_back(points_only("Im, " + curve.label));
@@ -144,7 +144,7 @@ study::Series carter_line(const PanelResult& result) {
     for (const CurveResult& curve : result.curves) {
         for (const auto& point : curve.series[0].points) largest = std::max(largest, std::abs(point.second));
     }
-    study::Series line{.label = "Carter", .points = {}, .markers = false, .reference = true};
+    study::Series line{.label = "Carter", .markers = false, .reference = true};
     constexpr int count = 2000;
     for (int k = 1; k < count; ++k) {  // dense at both edges
         const double angle = std::numbers::pi * k / count;
@@ -157,8 +157,8 @@ study::Series carter_line(const PanelResult& result) {
 void add_polynomial(study::Plot& plot, const Panel& panel) {
     const bool argand = panel.quantity == Quantity::argand;
     const std::string label = "polynomial, order " + std::to_string(polynomial_order);
-    study::Series first{.label = argand ? label : "Re, " + label, .points = {}, .markers = false, .reference = true};
-    study::Series second{.label = "Im, " + label, .points = {}, .markers = false, .reference = true};
+    study::Series first{.label = argand ? label : "Re, " + label, .markers = false, .reference = true};
+    study::Series second{.label = "Im, " + label, .markers = false, .reference = true};
     for (const double z : logarithmic(panel.grid.front(), panel.grid.back(), 301)) {
         const std::complex<double> c11 = polynomial_c11(z);
         if (argand) {
@@ -215,8 +215,7 @@ study::Plot plot(const PanelResult& result) {
     study::Plot plot{.title = "Fig. " + printed(panel.figure) + "  " + with_greek(panel.title),
                      .x_label = with_greek(panel.x_label),
                      .y_label = y_label(panel.quantity),
-                     .log_x = panel.axes.log_base > 0,
-                     .series = {}};
+                     .log_x = panel.axes.log_base > 0};
     if (plot.log_x) plot.log_base = panel.axes.log_base;
     if (panel.axes.x) plot.x_range = study::PlotRange{panel.axes.x->low, panel.axes.x->high};
     if (panel.axes.y) plot.y_range = study::PlotRange{panel.axes.y->low, panel.axes.y->high};

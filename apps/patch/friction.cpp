@@ -125,9 +125,7 @@ void Tractions::add(std::size_t task, std::size_t point, std::vector<study::Row>
 }
 
 void Tractions::write(bool with_header, study::TableFile& file) const {
-    if (with_header) {
-        file.rows().write(study::csv_line({traction_columns().begin(), traction_columns().end()}));
-    }
+    if (with_header) file.rows().write(study::join(traction_columns(), ",") + "\n");
     for (const auto& [place, rows] : rows_) {
         for (const study::Row& row : rows) file.rows().write(study::csv_line(row));
     }
@@ -157,10 +155,7 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
     const bool from_above = points.size() == 1 && patches.size() <= 3 && options.given("plot");
     Tractions tractions;
 
-    study::Table table;
-    table.columns = friction_columns();
-    table.rows_of_task.assign(patches.size(), points.size());
-    table.label = [&](std::size_t task) { return patches[task].label(); };
+    study::Table table = study::table_of(friction_columns(), patches, points.size());
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         friction_rows(options, patches[task], points, pressure, task, range, emit,
                       tractions_file || from_above ? &tractions : nullptr);

@@ -30,7 +30,6 @@ void add_table(study::Plot& plot, std::size_t coefficient, const std::vector<stu
     for (std::size_t k = 0; k < 3; ++k) {
         if (!poisson.contains(tabulated[k]) || coefficient > 2) continue;
         study::Series points{.label = "Kalker, ν = " + study::Cell(tabulated[k]).text(6),
-                             .points = {},
                              .line = false,
                              .open = true,
                              .reference = true};
@@ -76,22 +75,17 @@ bool covers(const rollbem::PatchContact<double>& contact, double x, double y) {
 study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const std::vector<study::Row>& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
-    study::Plot plot{.title = "Patch from above",
-                     .x_label = "x / c, rolling to the right",
-                     .y_label = "y / c",
-                     .true_scale = true,
-                     .series = {}};
+    study::Plot plot{
+        .title = "Patch from above", .x_label = "x / c, rolling to the right", .y_label = "y / c", .true_scale = true};
     if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
                   " × " + std::to_string(patch.mesh.strip_count()) + " elements, ξ = " + shown(point.longitudinal) +
                   ", η = " + shown(point.lateral) + ", φ c = " + shown(point.spin) + " in μ N / (G a b)";
-    study::Series stick{.label = "stick", .points = {}, .style = 5, .shape = study::Shape::rectangles};
-    study::Series slip{.label = "slip", .points = {}, .style = 4, .shape = study::Shape::rectangles};
-    study::Series arrows{.label = "", .points = {}, .reference = true, .shape = study::Shape::arrows};
+    study::Series stick{.label = "stick", .style = 5, .shape = study::Shape::rectangles};
+    study::Series slip{.label = "slip", .style = 4, .shape = study::Shape::rectangles};
+    study::Series arrows{.reference = true, .shape = study::Shape::arrows};
     const auto number = [&](const study::Row& row, const char* name) {
-        return row[std::size_t(std::find(traction_columns().begin(), traction_columns().end(), name) -
-                               traction_columns().begin())]
-            .number();
+        return row[study::index_of(traction_columns(), name)].number();
     };
     const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
     double longest = 0, area = 0;
@@ -119,7 +113,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
         arrows.points[i - 1] = {x - dx, y - dy};
     }
     arrows.label = "traction, at most " + study::Cell(longest).text(3) + " μ p_0";
-    study::Series edge{.label = "", .points = edge_of(contact), .markers = false, .style = 4, .reference = true};
+    study::Series edge{.points = edge_of(contact), .markers = false, .style = 4, .reference = true};
     study::PlotRange across{0, 0}, along{0, 0};
     for (const auto& [x, y] : edge.points) {
         along = {std::min(along.low, x), std::max(along.high, x)};
@@ -143,7 +137,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
 
 study::Plot draw_coefficients(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
     const bool over_ratio = values(rows, 0).size() > 1;
-    study::Plot first;
+    std::vector<study::Plot> panels;
     const std::array<const char*, 4> names{"c11", "c22", "c23", "c33"};
     for (std::size_t k = 0; k < 4; ++k) {
         const std::string name = names[k];
@@ -151,8 +145,7 @@ study::Plot draw_coefficients(const std::vector<std::string>& columns, const std
                           .x_label = over_ratio ? "a/b" : "elements of a strip n",
                           .y_label = "c_{" + name.substr(1) + "}",
                           .log_x = true,
-                          .log_y = over_ratio,
-                          .series = {}};
+                          .log_y = over_ratio};
         std::vector<std::string> by{"poisson", "strips"};
         if (over_ratio) by = {"poisson", "n", "strips"};
         if (!over_ratio && values(rows, 3).size() == values(rows, 2).size()) by = {"poisson"};
@@ -162,26 +155,20 @@ study::Plot draw_coefficients(const std::vector<std::string>& columns, const std
             add_table(panel, k, rows);
         }
         if (k > 0) panel.title.clear();
-        if (k == 0) {
-            first = std::move(panel);
-        } else if (can_be_drawn(panel)) {
-            first.beside.push_back(std::move(panel));
-        }
+        if (k == 0 || can_be_drawn(panel)) panels.push_back(std::move(panel));
     }
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_responses(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    study::Plot first;
+    std::vector<study::Plot> panels;
     for (const std::string name : {"c11", "c22", "c23", "c33"}) {
-        study::Plot panel{.title = "",
-                          .x_label = "ω a / V",
-                          .y_label = "Re c_{" + name.substr(1) + "}, Im c_{" + name.substr(1) + "}",
-                          .series = {}};
+        study::Plot panel{.x_label = "ω a / V",
+                          .y_label = "Re c_{" + name.substr(1) + "}, Im c_{" + name.substr(1) + "}"};
         const std::set<double> omegas = values(rows, 4);
         panel.log_x = !omegas.empty() && *omegas.begin() > 0 && *omegas.rbegin() > 20 * *omegas.begin();
         for (const bool real : {true, false}) {
-            study::Plot part{.title = "Contact patch", .x_label = "", .y_label = "", .series = {}};
+            study::Plot part{.title = "Contact patch"};
             study::add_series(
                 part, columns, rows,
                 {.by = {"a_over_b", "poisson", "n", "strips"}, .x = "omega", .y = name + (real ? "_re" : "_im")});
@@ -192,16 +179,11 @@ study::Plot draw_responses(const std::vector<std::string>& columns, const std::v
                 series.markers = series.points.size() <= 30;
                 panel.series.push_back(std::move(series));
             }
-            panel.title = part.title;
+            if (panels.empty()) panel.title = part.title;
         }
-        if (name == "c11") {
-            first = std::move(panel);
-        } else {
-            panel.title.clear();
-            first.beside.push_back(std::move(panel));
-        }
+        panels.push_back(std::move(panel));
     }
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_friction(const std::vector<study::Row>& rows) {
@@ -210,8 +192,7 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
                                             "elements of a strip n", "number of strips m", "Poisson's ratio ν"};
     std::vector<std::size_t> counts;
     for (const std::string& name : given) {
-        const auto column = std::find(friction_columns().begin(), friction_columns().end(), name);
-        counts.push_back(values(rows, std::size_t(column - friction_columns().begin())).size());
+        counts.push_back(values(rows, study::index_of(friction_columns(), name)).size());
     }
     // a creepage if any varies
     const auto creepages = counts.begin() + 3;
@@ -224,24 +205,24 @@ study::Plot draw_friction(const std::vector<study::Row>& rows) {
     for (std::size_t k = 0; k < given.size(); ++k) {
         if (k != most && !(given[most] == "n" && given[k] == "strips" && as_many_strips)) by.emplace_back(given[k]);
     }
-    study::Plot first;
+    std::vector<study::Plot> panels;
     const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
     const std::array<const char*, 3> axes{"- F_x / (μ N)", "- F_y / (μ N)", "- M_z / (μ N c)"};
     for (std::size_t k = 0; k < 3; ++k) {
         study::Plot panel{.title = k == 0 ? "Contact patch with friction" : "",
                           .x_label = labels[most],
                           .y_label = axes[k],
-                          .log_x = most == 3,
-                          .series = {}};
+                          .log_x = most == 3};
         study::add_series(panel, friction_columns(), rows, {.by = by, .x = given[most], .y = forces[k]});
+        const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
+            return std::all_of(series.points.begin(), series.points.end(),
+                               [](const auto& point) { return std::abs(point.second) < 1e-13; });
+        });
+        if (rounding) panel.y_range = study::PlotRange{-1, 1};
         if (k > 0) panel.title.clear();
-        if (k == 0) {
-            first = std::move(panel);
-        } else {
-            first.beside.push_back(std::move(panel));
-        }
+        panels.push_back(std::move(panel));
     }
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point, const Tractions& tractions) {
@@ -251,10 +232,7 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
             panels.push_back(std::move(panel));
         }
     }
-    if (panels.empty()) return {};
-    study::Plot first = std::move(panels.front());
-    for (std::size_t k = 1; k < panels.size(); ++k) first.beside.push_back(std::move(panels[k]));
-    return first;
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
@@ -266,8 +244,7 @@ study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vec
                                             "-M_z / (" + load + (load_varies ? " c_0)" : " c)")};
     std::vector<study::Plot> panels;
     for (std::size_t k = 0; k < 3; ++k) {
-        study::Plot panel{
-            .title = "Patch in time", .x_label = "distance rolled q/a", .y_label = labels[k], .series = {}};
+        study::Plot panel{.title = "Patch in time", .x_label = "distance rolled q/a", .y_label = labels[k]};
         study::add_series(panel, columns, rows, {.by = by, .x = "q_over_a", .y = forces[k]});
         for (study::Series& series : panel.series) series.markers = false;
         panels.push_back(std::move(panel));
@@ -284,12 +261,7 @@ study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vec
     }
     if (one_patch) first.y_label = "force over " + load + ", moment over " + load + (load_varies ? " c_0" : " c");
     if (load_varies && !rows.empty()) {
-        study::Plot loads{.title = "", .x_label = "", .y_label = "", .series = {}};
-        study::add_series(loads, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"});
-        loads.series.front().label = "load N/N_0";
-        loads.series.front().markers = false;
-        loads.series.front().reference = true;
-        first.series.push_back(std::move(loads.series.front()));
+        study::add_reference(first, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"}, "load N/N_0");
     }
     return std::move(first);
 }

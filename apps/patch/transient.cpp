@@ -257,10 +257,7 @@ void run_transient(const study::Options& options, const std::vector<Patch>& patc
     }
     checking.clear();
     std::vector<std::string> ended(patches.size());
-    study::Table table;
-    table.columns = transient_columns;
-    table.rows_of_task.assign(patches.size(), steps.count);
-    table.label = [&](std::size_t task) { return patches[task].label(); };
+    study::Table table = study::table_of(transient_columns, patches, steps.count);
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         ended[task] = rows(scene, *runs[task], range, emit);
     };

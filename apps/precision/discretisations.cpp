@@ -67,6 +67,61 @@ Cover cover_of(const Scene& scene, const Elements& elements) {
                                                                                        : Cover::largest;
 }
 
+Complex harmonic_c11(const RollingSystem<double>& system, double z) {
+    const rollbem::HarmonicSolution<double> solution = rollbem::solve_harmonic<double>(system, z);
+    return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
+}
+
+Values step_forces(const Scene& scene, RollingSystem<double> system) {
+    const rollbem::AdhesionModel<> model(scene.contact, std::move(system), rollbem::unchecked,
+                                         rollbem::Integrator::matrix_exponential);
+    rollbem::AdhesionWorkspace<> workspace = model.workspace();
+    rollbem::AdhesionState<> state = model.at_rest(), next = state;
+    Values forces(steps);
+    for (Complex& force : forces) {
+        force = -model.advance(state, 1, 1.0, next, workspace).force_per_width;
+        std::swap(state, next);
+    }
+    return forces;
+}
+
+double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
+    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction,
+                                             rollbem::unchecked);
+    const rollbem::FrictionState<> rest = model.at_rest();
+    rollbem::FrictionState<> state = rest;
+    rollbem::FrictionWorkspace<> workspace = model.workspace();
+    const rollbem::FrictionStep<> point = model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
+    return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
+}
+
+Values combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
+    const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
+    // from kernels, as only then the model knows where the equations hold and turns the slip
+    const auto make = [&](const auto& scheme, const auto& along, const auto& across) {
+        return Model(scene.contact, mesh, scheme, along, across, friction, rollbem::unchecked);
+    };
+    const Model model = std::visit(
+        [&](const auto& scheme) {
+            const auto with_both = [&](const auto& along) {
+                using Kernel = std::decay_t<decltype(along)>;
+                return make(scheme, along, Kernel::lateral(scene.contact));
+            };
+            return with_kernel(scene, with_both);
+        },
+        elements.scheme);
+    const auto rest = model.at_rest();
+    auto state = rest;
+    auto workspace = model.workspace();
+    const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
+    const auto point = model.steady(rest, {part, part}, state, workspace);
+    if (point.status != rollbem::StepStatus::ok) return {nan, nan};
+    const double full = peak * std::numbers::pi / 2;
+    return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, Elements>>& element_schemes() {
@@ -118,68 +173,7 @@ rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& eleme
     return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
 }
 
-double steady_c11(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::SteadySolution<double> solution = steady(scene, elements, mesh);
-    return solution.status == rollbem::Status::ok ? solution.c11 : nan;
-}
-
-Complex harmonic_c11(const RollingSystem<double>& system, double z) {
-    const rollbem::HarmonicSolution<double> solution = rollbem::solve_harmonic<double>(system, z);
-    return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
-}
-
-Forces step_forces(const Scene& scene, RollingSystem<double> system) {
-    const rollbem::AdhesionModel<> model(scene.contact, std::move(system), rollbem::unchecked,
-                                         rollbem::Integrator::matrix_exponential);
-    rollbem::AdhesionWorkspace<> workspace = model.workspace();
-    rollbem::AdhesionState<> state = model.at_rest(), next = state;
-    Forces forces{};
-    for (double& force : forces) {
-        force = -model.advance(state, 1, 1.0, next, workspace).force_per_width;
-        std::swap(state, next);
-    }
-    return forces;
-}
-
-double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction,
-                                             rollbem::unchecked);
-    const rollbem::FrictionState<> rest = model.at_rest();
-    rollbem::FrictionState<> state = rest;
-    rollbem::FrictionWorkspace<> workspace = model.workspace();
-    const rollbem::FrictionStep<> point = model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
-    return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
-}
-
-std::vector<double> combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
-    const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    // from kernels, as only then the model knows where the equations hold and turns the slip
-    const auto make = [&](const auto& scheme, const auto& along, const auto& across) {
-        return Model(scene.contact, mesh, scheme, along, across, friction, rollbem::unchecked);
-    };
-    const Model model = std::visit(
-        [&](const auto& scheme) {
-            const auto with_both = [&](const auto& along) {
-                using Kernel = std::decay_t<decltype(along)>;
-                return make(scheme, along, Kernel::lateral(scene.contact));
-            };
-            return with_kernel(scene, with_both);
-        },
-        elements.scheme);
-    const auto rest = model.at_rest();
-    auto state = rest;
-    auto workspace = model.workspace();
-    const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
-    const auto point = model.steady(rest, {part, part}, state, workspace);
-    if (point.status != rollbem::StepStatus::ok) return {nan, nan};
-    const double full = peak * std::numbers::pi / 2;
-    return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
-}
-
-std::vector<double> load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
-                                std::size_t parts) {
+Values load_forces(Scene scene, const Elements& elements, const Mesh<double>& mesh, Cover cover, std::size_t parts) {
     const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
     const double full = line.load_per_width();
     const double half_length = cover == Cover::largest ? std::sqrt(1 + load_amplitude) : 1;
@@ -200,7 +194,7 @@ std::vector<double> load_forces(Scene scene, const Elements& elements, const Mes
     const double creepage = unit_creepage(scene) * creepage_ratio;
     hertz.set(load_at(0), load);
     rollbem::StepStatus status = model.steady(now, creepage, load, next, workspace).status;
-    std::vector<double> forces;
+    Values forces;
     const std::size_t count = load_steps * parts;
     const double dq = load_length / static_cast<double>(count);
     for (std::size_t k = 1; k <= count; ++k) {
@@ -217,26 +211,31 @@ rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const Chebys
     return with_kernel(scene, [&](const auto& kernel) { return solve_steady(method, kernel); });
 }
 
-Forces all_step_forces(const Scene& scene, const Elements& elements, long n) {
-    const auto forces_at = [&](long count) {
-        return step_forces(scene, system_of(scene, elements, make_mesh(scene, elements.topology, count)));
-    };
-    Forces forces = forces_at(n);
-    if (elements.order == 0) return forces;
-    const Forces coarse = forces_at(n / 2);
-    for (std::size_t k = 0; k < steps; ++k) forces[k] = rollbem::richardson(coarse[k], forces[k], elements.order);
-    return forces;
+Values values(const Scene& scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,
+              const Quantity& quantity) {
+    switch (quantity.problem) {
+        case Problem::harmonic: return {harmonic_c11(system_of(scene, elements, mesh), quantity.frequency)};
+        case Problem::step: return step_forces(scene, system_of(scene, elements, mesh));
+        case Problem::friction: return {friction_force(scene, elements, mesh)};
+        case Problem::combined_friction: return combined_force(scene, elements, mesh);
+        case Problem::varying_load: return load_forces(scene, elements, mesh, cover);
+        case Problem::steady: break;
+    }
+    const rollbem::SteadySolution<double> solution = steady(scene, elements, mesh);
+    return {solution.status == rollbem::Status::ok ? solution.c11 : nan};
 }
 
-std::vector<double> all_combined_forces(const Scene& scene, const Elements& elements, long n) {
-    return evaluate_all(scene, elements, n,
-                        [&](const Mesh<double>& mesh) { return combined_force(scene, elements, mesh); });
+Values values(const Scene& scene, const Elements& elements, long n, const Quantity& quantity) {
+    return extrapolated(scene, elements, n, [&](const Mesh<double>& mesh) {
+        return values(scene, elements, mesh, cover_of(scene, elements), quantity);
+    });
 }
 
-std::vector<double> all_load_forces(const Scene& scene, const Elements& elements, long n) {
-    const Cover cover = cover_of(scene, elements);
-    return evaluate_all(scene, elements, n,
-                        [&](const Mesh<double>& mesh) { return load_forces(scene, elements, mesh, cover); });
+Values values(const Scene& scene, const Chebyshev& method, const Quantity& quantity) {
+    if (quantity.problem == Problem::step) return step_forces(scene, system_of(scene, method));
+    if (quantity.problem == Problem::harmonic) return {harmonic_c11(system_of(scene, method), quantity.frequency)};
+    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene, method);
+    return {solution.status == rollbem::Status::ok ? solution.c11 : nan};
 }
 
 Tractions tractions(const Scene& scene, const Elements& elements, long n) {

@@ -2,8 +2,6 @@
 // number if the status is not ok.
 #pragma once
 
-#include <array>
-#include <complex>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -24,7 +22,6 @@ namespace precision {
 
 inline constexpr double creepage_ratio = 0.5;  ///< of the problems with friction
 inline constexpr std::size_t steps = 10;       ///< of the response to a step, at q/a = 1 ... 10
-using Forces = std::array<double, steps>;
 
 /// A scheme with elements: a mesh for every n, and how its equations are set up.
 struct Elements {
@@ -48,47 +45,31 @@ rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& eleme
                                            const rollbem::Mesh<double>& mesh);
 rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
 
-double steady_c11(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
-
-std::complex<double> harmonic_c11(const rollbem::RollingSystem<double>& system, double z);
-
-/// -F/(a G xi) at q/a = 1, 2, ... after a step of creepage, exact in time.
-Forces step_forces(const Scene& scene, rollbem::RollingSystem<double> system);
-
-/// -F/(mu N) at the creepage ratio.
-double friction_force(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
-
-/// -F/(mu N) along and across, under the creepage ratio at 45 degrees.
-std::vector<double> combined_force(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
-
 /// A mesh that breathes with the contact, or that covers the largest one.
 enum class Cover { breathing, largest };
 
 /// -F/(mu N_0) after each of 160 steps in a period of the load, made of `parts` steps each.
-std::vector<double> load_forces(Scene scene, const Elements& elements, const rollbem::Mesh<double>& mesh, Cover cover,
-                                std::size_t parts = 1);
+Values load_forces(Scene scene, const Elements& elements, const rollbem::Mesh<double>& mesh, Cover cover,
+                   std::size_t parts = 1);
 
-/// value(mesh), extrapolated from two meshes if the scheme does so.
-template <class Value>
-auto evaluate(const Scene& scene, const Elements& elements, long n, const Value& value) {
-    const auto fine = value(make_mesh(scene, elements.topology, n));
-    if (elements.order == 0) return fine;
-    return rollbem::richardson(value(make_mesh(scene, elements.topology, n / 2)), fine, elements.order);
-}
+/// What a quantity other than the traction consists of: c11; or the forces -F/(a G xi) at q/a = 1, 2, ... after a step
+/// of creepage, exact in time, -F/(mu N) at the creepage ratio, the same along and across at 45 degrees, or
+/// load_forces().
+Values values(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh, Cover cover,
+              const Quantity& quantity);
+/// The same for n elements, extrapolated from two meshes if the scheme does so.
+Values values(const Scene& scene, const Elements& elements, long n, const Quantity& quantity);
+Values values(const Scene& scene, const rollbem::Chebyshev& method, const Quantity& quantity);
 
-/// The same for several numbers.
-template <class Values>
-std::vector<double> evaluate_all(const Scene& scene, const Elements& elements, long n, const Values& values) {
-    std::vector<double> fine = values(make_mesh(scene, elements.topology, n));
+/// of(mesh), extrapolated from two meshes if the scheme does so.
+template <class OfMesh>
+Values extrapolated(const Scene& scene, const Elements& elements, long n, const OfMesh& of) {
+    Values fine = of(make_mesh(scene, elements.topology, n));
     if (elements.order == 0) return fine;
-    const std::vector<double> coarse = values(make_mesh(scene, elements.topology, n / 2));
+    const Values coarse = of(make_mesh(scene, elements.topology, n / 2));
     for (std::size_t k = 0; k < fine.size(); ++k) fine[k] = rollbem::richardson(coarse[k], fine[k], elements.order);
     return fine;
 }
-
-Forces all_step_forces(const Scene& scene, const Elements& elements, long n);
-std::vector<double> all_combined_forces(const Scene& scene, const Elements& elements, long n);
-std::vector<double> all_load_forces(const Scene& scene, const Elements& elements, long n);
 
 /// Tractions of the elements of a mesh; if they are extrapolated, of pairs of elements, which form the coarser mesh.
 struct Tractions {

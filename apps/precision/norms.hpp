@@ -6,12 +6,13 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
-#include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/types.hpp>
+
+#include "scene.hpp"
 
 namespace precision {
 
@@ -35,28 +36,20 @@ double traction_error(double poisson_ratio, const Traction& traction) {
     return std::sqrt(error / size);
 }
 
-/// The largest relative difference of two series.
-template <class Series, class Exact>
-double largest_difference(const Series& forces, const Exact& exact) {
-    double largest = 0;
-    for (std::size_t k = 0; k < forces.size(); ++k) {
-        const double difference = std::abs(forces[k] / exact[k] - 1);
-        if (std::isnan(difference)) return difference;
-        largest = std::max(largest, difference);
+/// The error of what a problem's quantity consists of: relative, that of a complex number as its absolute value; of a
+/// response to a step the largest; of a force as a vector |difference| over |exact|; of forces over mu N_0 under a load
+/// that varies the largest difference.
+inline double error_of(Problem problem, const Values& found, const Values& exact) {
+    if (problem == Problem::harmonic) return std::abs(found[0] / exact[0] - 1.0);
+    if (problem == Problem::steady || problem == Problem::friction) return found[0].real() / exact[0].real() - 1;
+    if (problem == Problem::combined_friction) {
+        return std::hypot(found[0].real() - exact[0].real(), found[1].real() - exact[1].real()) /
+               std::hypot(exact[0].real(), exact[1].real());
     }
-    return largest;
-}
-
-/// |difference| of two vectors over the second.
-inline double vector_error(const std::vector<double>& force, const std::vector<double>& exact) {
-    return std::hypot(force[0] - exact[0], force[1] - exact[1]) / std::hypot(exact[0], exact[1]);
-}
-
-/// The largest absolute difference of two series: they are forces over mu N_0.
-inline double series_error(const std::vector<double>& forces, const std::vector<double>& exact) {
     double largest = 0;
     for (std::size_t k = 0; k < exact.size(); ++k) {
-        const double difference = std::abs(forces[k] - exact[k]);
+        const double own = found[k].real(), other = exact[k].real();
+        const double difference = std::abs(problem == Problem::step ? own / other - 1 : own - other);
         if (std::isnan(difference)) return difference;
         largest = std::max(largest, difference);
     }

@@ -47,9 +47,8 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
                      .x_label = "time [microseconds]",
                      .y_label = quantity == "patch_force" ? "largest error of F_x, F_y over μ N" : "|relative error|",
                      .log_x = true,
-                     .log_y = true,
-                     .series = {}};
-    study::Series front{.label = "Pareto front", .points = {}, .markers = false, .reference = true};
+                     .log_y = true};
+    study::Series front{.label = "Pareto front", .markers = false, .reference = true};
     const std::vector<double> sustained = sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;
@@ -62,7 +61,7 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     double largest_error = floor;
     std::vector<double> times;
     for (const std::string& scheme : all_schemes()) {
-        study::Series series{.label = scheme, .points = {}, .style = style_of(scheme)};
+        study::Series series{.label = scheme, .style = style_of(scheme)};
         for (const study::Row& cells : rows) {
             if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
             const std::optional<double> error = cells[3].number(), time = cells[4].number();

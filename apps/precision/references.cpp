@@ -1,9 +1,10 @@
 #include "references.hpp"
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
 
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "discretisations.hpp"
@@ -15,25 +16,29 @@ using rollbem::ArrayX;
 using rollbem::Contact;
 using rollbem::Mesh;
 
-std::vector<double> exact_step_forces(const Contact<double>& contact) {
-    const rollbem::reference::StepResponse response(contact.poisson_ratio(), contact.aspect());
-    std::vector<double> forces;
-    for (std::size_t k = 0; k < steps; ++k) forces.push_back(response.step(static_cast<double>(k + 1)));
-    return forces;
-}
-
-std::vector<double> combined_reference(const Contact<double>& contact) {
-    const Scene scene{contact, true, 1, 1};
-    const Elements cosine = *elements("richardson-cosine");
-    return all_combined_forces(scene, cosine, 640);
-}
-
-std::vector<double> load_reference(const Contact<double>& contact) {
-    const Scene scene{contact, true, 1, 1};
-    const Elements cosine = *elements("richardson-cosine");
-    return evaluate_all(scene, cosine, 320, [&](const Mesh<double>& mesh) {
-        return load_forces(scene, cosine, mesh, Cover::breathing, 4);
-    });
+Values reference(const Contact<double>& contact, const Quantity& quantity) {
+    const double nu = contact.poisson_ratio();
+    switch (quantity.problem) {
+        case Problem::steady: break;
+        case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
+        case Problem::step: {
+            const rollbem::reference::StepResponse response(nu, contact.aspect());
+            Values forces;
+            for (std::size_t k = 0; k < steps; ++k) forces.emplace_back(response.step(static_cast<double>(k + 1)));
+            return forces;
+        }
+        case Problem::friction: return {rollbem::carter_force_ratio(creepage_ratio)};
+        case Problem::combined_friction:
+            return values({contact, true, 1, 1}, *elements("richardson-cosine"), 640, quantity);
+        case Problem::varying_load: {
+            const Scene scene{contact, true, 1, 1};
+            const Elements cosine = *elements("richardson-cosine");
+            return extrapolated(scene, cosine, 320, [&](const Mesh<double>& mesh) {
+                return load_forces(scene, cosine, mesh, Cover::breathing, 4);
+            });
+        }
+    }
+    return {rollbem::steady_c11(nu)};
 }
 
 double model_error(const Scene& scene, const Quantity& quantity) {
@@ -42,21 +47,9 @@ double model_error(const Scene& scene, const Quantity& quantity) {
     const Mesh<double> mesh = rollbem::cosine_mesh(60);
     Scene plane = scene;
     plane.plane = true;
-    switch (quantity.problem) {
-        case Problem::harmonic:
-            return std::abs(harmonic_c11(system_of(scene, cosine, mesh), quantity.frequency) /
-                                harmonic_c11(system_of(plane, cosine, mesh), quantity.frequency) -
-                            1.0);
-        case Problem::step:
-            return largest_difference(step_forces(scene, system_of(scene, cosine, mesh)),
-                                      step_forces(plane, system_of(plane, cosine, mesh)));
-        case Problem::friction: return friction_force(scene, cosine, mesh) / friction_force(plane, cosine, mesh) - 1;
-        case Problem::combined_friction:
-            return vector_error(combined_force(scene, cosine, mesh), combined_force(plane, cosine, mesh));
-        case Problem::varying_load:
-            return series_error(load_forces(scene, cosine, mesh, Cover::largest),
-                                load_forces(plane, cosine, mesh, Cover::largest));
-        default: break;
+    if (quantity.problem != Problem::steady) {
+        return error_of(quantity.problem, values(scene, cosine, mesh, Cover::largest, quantity),
+                        values(plane, cosine, mesh, Cover::largest, quantity));
     }
     const ArrayX<double> own = steady(scene, cosine, mesh).traction, other = steady(plane, cosine, mesh).traction;
     if (quantity.name == "traction") return weighted_norm(mesh, own - other) / weighted_norm(mesh, other);

@@ -1,6 +1,8 @@
 // The quantities that precision_study compares schemes by, and the contact they are applied to.
 #pragma once
 
+#include <complex>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,14 +28,15 @@ struct Quantity {
 /// combined_force, load_force.
 const std::vector<Quantity>& quantities();
 
+/// Numbers that a quantity consists of; all but c11 under harmonic creepage are real.
+using Values = std::vector<std::complex<double>>;
+
 /// What the schemes are applied to, and the parameters of the graded meshes.
 struct Scene {
-    rollbem::Contact<double> contact;   ///< a = G = 1
-    bool plane;                         ///< plane or strip kernel
-    double size_ratio, epsilon;         ///< of the geometric and the Knothe mesh
-    std::vector<double> step_forces{};  ///< exact, see exact_step_forces(); only for Problem::step
-    std::vector<double> both_forces{};  ///< of Problem::combined_friction, see combined_reference()
-    std::vector<double> load_forces{};  ///< of Problem::varying_load, see load_reference()
+    rollbem::Contact<double> contact;            ///< a = G = 1
+    bool plane;                                  ///< plane or strip kernel
+    double size_ratio, epsilon;                  ///< of the geometric and the Knothe mesh
+    std::map<std::string, Values> references{};  ///< see reference(), of all quantities but the traction
 };
 
 }  // namespace precision

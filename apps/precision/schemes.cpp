@@ -4,19 +4,17 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "discretisations.hpp"
 #include "norms.hpp"
+#include "references.hpp"
 #include "support/csv.hpp"
 #include "support/non_steady.hpp"
 #include "support/scenes.hpp"
@@ -30,30 +28,11 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// --- the polynomial approach and the closed form
-
-Forces inverted_forces(const std::function<std::complex<long double>(std::complex<long double>)>& c11) {
-    Forces forces{};
-    for (std::size_t k = 0; k < steps; ++k) {
-        forces[k] = rollbem::reference::invert_laplace([&](std::complex<long double> s) { return c11(s) / s; },
-                                                       static_cast<double>(k + 1));
-    }
-    return forces;
-}
-
-Forces polynomial_forces(double poisson_ratio, double aspect, long order) {
-    return inverted_forces([=](std::complex<long double> s) {
-        return rollbem::polynomial_c11<long double>(s, poisson_ratio, aspect, order).c11;
-    });
-}
-
-Forces closed_form_forces(double poisson_ratio, double aspect) {
-    Forces forces{};
-    for (std::size_t k = 0; k < steps; ++k) {
-        forces[k] = rollbem::reference::step_response_de_hoog(static_cast<double>(k + 1), poisson_ratio, aspect);
-    }
+/// The forces of a response to a step, by force(q/a).
+template <class Force>
+Values forces_of(const Force& force) {
+    Values forces;
+    for (std::size_t k = 0; k < steps; ++k) forces.emplace_back(force(static_cast<double>(k + 1)));
     return forces;
 }
 
@@ -63,61 +42,6 @@ double finite_aspect(const Scene& scene) {
 }
 
 std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
-
-Complex exact_c11(const Scene& scene, const Quantity& quantity) {
-    return rollbem::reference::plane_c11({0, quantity.frequency}, scene.contact.poisson_ratio(), finite_aspect(scene));
-}
-
-double element_error(const Scene& scene, const Elements& elements, long n, const Quantity& quantity) {
-    const double nu = scene.contact.poisson_ratio();
-    switch (quantity.problem) {
-        case Problem::steady: {
-            if (quantity.name == "traction") {
-                const Tractions found = tractions(scene, elements, n);
-                const ArrayX<double> exact = rollbem::carter_mean_tractions(found.mesh, nu);
-                return weighted_norm(found.mesh, found.values - exact) / weighted_norm(found.mesh, exact);
-            }
-            const auto c11 = [&](const Mesh<double>& mesh) { return steady_c11(scene, elements, mesh); };
-            return evaluate(scene, elements, n, c11) / rollbem::steady_c11(nu) - 1;
-        }
-        case Problem::harmonic: {
-            const auto c11 = [&](const Mesh<double>& mesh) {
-                return harmonic_c11(system_of(scene, elements, mesh), quantity.frequency);
-            };
-            return std::abs(evaluate(scene, elements, n, c11) / exact_c11(scene, quantity) - 1.0);
-        }
-        case Problem::step: return largest_difference(all_step_forces(scene, elements, n), scene.step_forces);
-        case Problem::combined_friction:
-            return vector_error(all_combined_forces(scene, elements, n), scene.both_forces);
-        case Problem::varying_load: return series_error(all_load_forces(scene, elements, n), scene.load_forces);
-        default: break;
-    }
-    const auto force = [&](const Mesh<double>& mesh) { return friction_force(scene, elements, mesh); };
-    return evaluate(scene, elements, n, force) / rollbem::carter_force_ratio(creepage_ratio) - 1;
-}
-
-double states_error(const Scene& scene, const Chebyshev& method, const Quantity& quantity) {
-    const double nu = scene.contact.poisson_ratio();
-    if (quantity.problem == Problem::step) {
-        return largest_difference(step_forces(scene, system_of(scene, method)), scene.step_forces);
-    }
-    if (quantity.problem == Problem::harmonic) {
-        return std::abs(harmonic_c11(system_of(scene, method), quantity.frequency) / exact_c11(scene, quantity) - 1.0);
-    }
-    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene, method);
-    if (solution.status != rollbem::Status::ok) return nan;
-    return quantity.name == "traction" ? traction_error(nu, solution.traction)
-                                       : solution.c11 / rollbem::steady_c11(nu) - 1;
-}
-
-double run_states(const Scene& scene, const Chebyshev& method, const Quantity& quantity) {
-    if (quantity.problem == Problem::step) return step_forces(scene, system_of(scene, method))[0];
-    if (quantity.problem == Problem::harmonic) {
-        return harmonic_c11(system_of(scene, method), quantity.frequency).real();
-    }
-    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene, method);
-    return quantity.name == "traction" ? solution.traction(0.5) : solution.c11;
-}
 
 }  // namespace
 
@@ -160,29 +84,51 @@ bool Case::has(const std::string& scheme, const Quantity& quantity) {
     return elements(scheme) || !has_friction(quantity.problem);
 }
 
-std::optional<double> Case::relative_error(const Quantity& quantity) const {
-    if (const auto found = elements(scheme_)) return if_finite(element_error(scene_, *found, n_, quantity));
-    if (scheme_ == "chebyshev-states") return if_finite(states_error(scene_, Chebyshev{n_}, quantity));
+Values Case::values(const Quantity& quantity) const {
+    if (const auto found = elements(scheme_)) return precision::values(scene_, *found, n_, quantity);
+    if (scheme_ == "chebyshev-states") return precision::values(scene_, Chebyshev{n_}, quantity);
     const double nu = scene_.contact.poisson_ratio(), aspect = finite_aspect(scene_);
+    if (scheme_ == "closed-form") {
+        if (quantity.problem != Problem::step) return reference(scene_.contact, quantity);
+        return forces_of([&](double q) { return rollbem::reference::step_response_de_hoog(q, nu, aspect); });
+    }
+    if (quantity.problem != Problem::step) {
+        return {rollbem::polynomial_c11(Complex(0, quantity.frequency), nu, aspect, n_).c11};
+    }
+    const auto transform = [&](std::complex<long double> s) {
+        return rollbem::polynomial_c11<long double>(s, nu, aspect, n_).c11 / s;
+    };
+    return forces_of([&](double q) { return rollbem::reference::invert_laplace(transform, q); });
+}
+
+double Case::traction_error() const {
+    const double nu = scene_.contact.poisson_ratio();
+    if (scheme_ == "closed-form") return 0;
+    if (const auto found = elements(scheme_)) {
+        const Tractions computed = tractions(scene_, *found, n_);
+        const ArrayX<double> exact = rollbem::carter_mean_tractions(computed.mesh, nu);
+        return weighted_norm(computed.mesh, computed.values - exact) / weighted_norm(computed.mesh, exact);
+    }
+    if (scheme_ == "polynomial") {
+        const auto solution = rollbem::solve_polynomial(Complex(0), nu, finite_aspect(scene_), n_);
+        return precision::traction_error(nu, [&](double x) { return solution.traction(x); });
+    }
+    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene_, Chebyshev{n_});
+    if (solution.status != rollbem::Status::ok) return std::numeric_limits<double>::quiet_NaN();
+    return precision::traction_error(nu, solution.traction);
+}
+
+std::optional<double> Case::relative_error(const Quantity& quantity) const {
+    if (quantity.name == "traction") return if_finite(traction_error());
+    const Values& exact = scene_.references.at(quantity.name);
+    if (scheme_ != "closed-form" || quantity.problem == Problem::step) {
+        return if_finite(error_of(quantity.problem, values(quantity), exact));
+    }
+    if (quantity.problem != Problem::harmonic) return 0;
+    // against a second closed form
     const Complex s(0, quantity.frequency);
-    if (scheme_ == "closed-form") {  // against a second closed form, if there is one
-        if (quantity.problem == Problem::step) {
-            return if_finite(largest_difference(closed_form_forces(nu, aspect), scene_.step_forces));
-        }
-        if (quantity.problem != Problem::harmonic) return 0;
-        const Complex other = rollbem::polynomial_c11(s, nu, aspect).c11;
-        return if_finite(std::abs(exact_c11(scene_, quantity) / other - 1.0));
-    }
-    if (quantity.name == "traction") {
-        const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, n_);
-        return if_finite(traction_error(nu, [&](double x) { return solution.traction(x); }));
-    }
-    if (quantity.problem == Problem::step) {
-        return if_finite(largest_difference(polynomial_forces(nu, aspect, n_), scene_.step_forces));
-    }
-    const Complex c11 = rollbem::polynomial_c11(s, nu, aspect, n_).c11;
-    if (quantity.problem == Problem::steady) return if_finite(c11.real() / rollbem::steady_c11(nu) - 1);
-    return if_finite(std::abs(c11 / exact_c11(scene_, quantity) - 1.0));
+    return if_finite(error_of(quantity.problem, exact,
+                              {rollbem::polynomial_c11(s, scene_.contact.poisson_ratio(), finite_aspect(scene_)).c11}));
 }
 
 std::string Case::status(const Quantity& quantity) const {
@@ -214,41 +160,12 @@ std::vector<std::string> Case::setting() const {
 }
 
 double Case::run(const Quantity& quantity) const {
-    const double nu = scene_.contact.poisson_ratio(), aspect = finite_aspect(scene_);
-    const Complex s(0, quantity.frequency);
-    if (const auto found = elements(scheme_)) {
-        if (quantity.name == "traction") return tractions(scene_, *found, n_).values[0];
-        switch (quantity.problem) {
-            case Problem::steady:
-                return evaluate(scene_, *found, n_, [&](const auto& mesh) { return steady_c11(scene_, *found, mesh); });
-            case Problem::harmonic:
-                return evaluate(scene_, *found, n_,
-                                [&](const auto& mesh) {
-                                    return harmonic_c11(system_of(scene_, *found, mesh), quantity.frequency);
-                                })
-                    .real();
-            case Problem::step: return all_step_forces(scene_, *found, n_)[0];
-            case Problem::combined_friction: return all_combined_forces(scene_, *found, n_)[0];
-            case Problem::varying_load: return all_load_forces(scene_, *found, n_)[0];
-            default: break;
-        }
-        return evaluate(scene_, *found, n_, [&](const auto& mesh) { return friction_force(scene_, *found, mesh); });
-    }
-    if (scheme_ == "chebyshev-states") return run_states(scene_, Chebyshev{n_}, quantity);
-    const bool closed = scheme_ == "closed-form";
-    switch (quantity.problem) {
-        case Problem::step: return closed ? closed_form_forces(nu, aspect)[0] : polynomial_forces(nu, aspect, n_)[0];
-        case Problem::friction: return rollbem::carter_force_ratio(creepage_ratio);
-        case Problem::harmonic:
-            return closed ? rollbem::reference::plane_c11({0, quantity.frequency}, nu, aspect).real()
-                          : rollbem::polynomial_c11(s, nu, aspect, n_).c11.real();
-        default: break;
-    }
-    if (quantity.name == "traction") {
-        return closed ? rollbem::carter_traction(0.5, nu)
-                      : rollbem::solve_polynomial(s, nu, aspect, n_).traction(0.5).real();
-    }
-    return closed ? rollbem::steady_c11(nu) : rollbem::polynomial_c11(s, nu, aspect, n_).c11.real();
+    if (quantity.name != "traction") return values(quantity)[0].real();
+    const double nu = scene_.contact.poisson_ratio();
+    if (const auto found = elements(scheme_)) return tractions(scene_, *found, n_).values[0];
+    if (scheme_ == "chebyshev-states") return steady(scene_, Chebyshev{n_}).traction(0.5);
+    if (scheme_ == "closed-form") return rollbem::carter_traction(0.5, nu);
+    return rollbem::solve_polynomial(Complex(0), nu, finite_aspect(scene_), n_).traction(0.5).real();
 }
 
 std::optional<bool> Case::stable() const {

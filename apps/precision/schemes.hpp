@@ -38,6 +38,10 @@ public:
     std::optional<bool> stable() const;
 
 private:
+    /// Not of the traction.
+    Values values(const Quantity& quantity) const;
+    double traction_error() const;
+
     Scene scene_;
     std::string scheme_;
     long n_;

@@ -13,9 +13,9 @@ namespace study {
 
 using Numbers = std::vector<double>;
 
-/// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. Those of `further`
-/// follow them if the file has all of these, and are empty if it has none. `check` is called after each line with all
-/// columns and the line for messages. Throws BadInput.
+/// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. Those of
+/// `further` follow them if the file has all of these, and are empty if it has none. `check` is called after each line
+/// with all columns and the line for messages. Throws BadInput.
 std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further = "",
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check = {});

@@ -2,9 +2,11 @@
 // and the TOML file beside a CSV file that says how it was made.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,6 +53,18 @@ template <class Item>
 std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
+}
+
+/// Several lists, one after the other.
+inline Row row_of(std::initializer_list<Row> parts) {
+    Row row;
+    for (const Row& part : parts) row.insert(row.end(), part.begin(), part.end());
+    return row;
+}
+
+/// The place of a column.
+inline std::size_t index_of(const std::vector<std::string>& columns, std::string_view name) {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
 }
 
 /// A row as a line of CSV.

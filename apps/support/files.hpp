@@ -27,7 +27,7 @@ std::string printable(std::string_view text);
 char separator_of(std::string_view line);
 
 /// The cells of a line of CSV, without quotes and the blanks around them.
-std::vector<std::string> cells_of(std::string_view line, char separator);
+std::vector<std::string> cells_of(std::string_view line, char separator = ',');
 
 /// A cell as a number, or nothing. Unless the comma separates cells, it may be the decimal point.
 std::optional<double> number_of(std::string cell, char separator);

@@ -16,18 +16,13 @@ namespace study {
 namespace {
 
 LoadHistory load_of_sine(const Options& options, bool breathing) {
-    const std::string text = options.text("load-sine");
-    const std::size_t comma = text.find(',');
-    const auto amplitude = detail::parse_number<double>(detail::trim(text.substr(0, comma)));
-    const auto length =
-        comma == std::string::npos ? std::nullopt : detail::parse_number<double>(detail::trim(text.substr(comma + 1)));
-    const bool possible = amplitude && length && (breathing ? std::abs(*amplitude) < 1 : std::abs(*amplitude) <= 1) &&
-                          *length > 0 && std::isfinite(*length);
-    if (!possible) {
+    const auto sine = options.pair("load-sine");
+    const bool small = sine && (breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
+    if (!small || !(sine->second > 0)) {
         throw BadInput(options.said("load-sine") + " must be A,LENGTH with " +
                        (breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
     }
-    return {.amplitude = *amplitude, .length = *length, .breathing = breathing};
+    return {.amplitude = sine->first, .length = sine->second, .breathing = breathing};
 }
 
 LoadHistory load_of_table(const Options& options, double until, bool breathing, const std::string& further) {

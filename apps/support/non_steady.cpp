@@ -42,15 +42,11 @@ std::vector<Scene> make_non_steady_scenes(const Options& options, Methods method
 }
 
 Sine read_sine(const Options& options) {
-    const std::string text = options.text("sine");
-    const std::size_t comma = text.find(',');
-    const auto amplitude = detail::parse_number<double>(text.substr(0, comma));
-    const auto omega = comma == std::string::npos ? std::nullopt : detail::parse_number<double>(text.substr(comma + 1));
-    if (!amplitude || !omega || !std::isfinite(*amplitude) || *amplitude == 0 || !(*omega > 0) ||
-        !std::isfinite(*omega)) {
+    const auto sine = options.pair("sine");
+    if (!sine || sine->first == 0 || !(sine->second > 0)) {
         throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
     }
-    return {*amplitude, *omega};
+    return {sine->first, sine->second};
 }
 
 void add_steps(Options& options, const std::string& when) {
@@ -147,14 +143,6 @@ void require_steppable(const Options& options, const Scene& scene, const rollbem
     }
     const std::string flaw = flaw_in_steady_rolling(scene, system);
     if (!flaw.empty()) throw BadInput(scheme + flaw + ", or --unchecked be given");
-}
-
-rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene) {
-    rollbem::ElementSystem<double> system = scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::rolling_system(mesh, scheme, kernel);
-    });
-    require_steppable(options, scene, system);
-    return system;
 }
 
 }  // namespace study

@@ -79,7 +79,4 @@ std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSys
 /// is unstable or uncertain, and steady rolling shows no flaw.
 void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// The system of a scene with elements, which friction needs. Throws BadInput if require_steppable does.
-rollbem::ElementSystem<double> steppable_system(const Options& options, const Scene& scene);
-
 }  // namespace study

@@ -221,7 +221,7 @@ void Options::footer(const std::string& text, std::vector<Topic> topics) {
     }
     app_->footer(
         text + listed +
-        "\nExit codes: 0 done; 1 internal failure; 2 bad input or output that cannot be written; "
+        "\nExit codes: 0 done; 1 a run or the program failed; 2 bad input or output that cannot be written; "
         "3 no picture, as gnuplot\nis missing or fails or no row has a point to draw (the CSV is written); 4 error "
         "while writing; 130 interrupted.");
 }
@@ -305,6 +305,16 @@ std::string Options::choice(const std::string& name, const std::vector<std::stri
 
 double Options::number(const std::string& name, const Rule& rule) const {
     return to_number(name, text(name), "one number", rule);
+}
+
+std::optional<std::pair<double, double>> Options::pair(const std::string& name) const {
+    const std::string value = text(name);
+    const std::size_t comma = std::min(value.find(','), value.size());
+    const auto read = [](std::string_view part) { return detail::parse_number<double>(detail::trim(part)); };
+    const auto first = read(std::string_view(value).substr(0, comma));
+    const auto second = comma < value.size() ? read(std::string_view(value).substr(comma + 1)) : std::nullopt;
+    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) return std::nullopt;
+    return std::pair(*first, *second);
 }
 
 std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {

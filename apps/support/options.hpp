@@ -138,6 +138,9 @@ public:
 
     double number(const std::string& name, const Rule& rule) const;
 
+    /// FIRST,SECOND as two finite numbers; nothing where the one value is something else.
+    std::optional<std::pair<double, double>> pair(const std::string& name) const;
+
     std::ptrdiff_t integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
 
     /// A list: comma-separated, given several times, or both. No item may be empty or appear twice.

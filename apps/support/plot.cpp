@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -325,9 +325,9 @@ void keep_spaces(std::string& svg) {
 
 std::string shown_name(const std::string& column) {
     static const std::map<std::string, std::string> names{
-        {"alpha_L", "α_L"},          {"alpha_T", "α_T"}, {"lambda", "λ"},  {"epsilon", "ε"},
-        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},  {"poisson", "ν"}, {"lateral_ratio", "δ_y"},
-        {"creepage_ratio", "δ"},     {"a_over_b", "a/b"}};
+        {"alpha_L", "α_L"},          {"alpha_T", "α_T"},      {"lambda", "λ"},    {"epsilon", "ε"},
+        {"size_ratio", "dx_T/dx_L"}, {"aspect", "b/a"},       {"poisson", "ν"},   {"lateral_ratio", "δ_y"},
+        {"spin_ratio", "δ_φ"},       {"creepage_ratio", "δ"}, {"a_over_b", "a/b"}};
     const auto found = names.find(column);
     return found == names.end() ? column : found->second;
 }
@@ -341,9 +341,7 @@ bool can_be_drawn(const Plot& plot) {
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
                 const Selection& selection) {
-    const auto column = [&](const std::string& name) {
-        return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
-    };
+    const auto column = [&](const std::string& name) { return index_of(columns, name); };
     std::vector<std::string> names = selection.by;
     names.insert(names.end(), selection.apart.begin(), selection.apart.end());
     std::map<std::vector<std::string>, std::size_t> found;
@@ -383,6 +381,24 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     }
     if (series.size() == 1) series[0].label = plot.y_label;
     plot.series.insert(plot.series.end(), series.begin(), series.end());
+}
+
+void add_reference(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
+                   const Selection& selection, const std::string& label) {
+    Plot own;
+    add_series(own, columns, rows, selection);
+    Series& series = own.series.front();
+    series.label = label;
+    series.markers = false;
+    series.reference = true;
+    plot.series.push_back(std::move(series));
+}
+
+Plot side_by_side(std::vector<Plot> panels) {
+    if (panels.empty()) return {};
+    Plot first = std::move(panels.front());
+    first.beside.assign(std::make_move_iterator(panels.begin() + 1), std::make_move_iterator(panels.end()));
+    return first;
 }
 
 bool plot_is_png(const Options& options) {

@@ -20,8 +20,8 @@ enum class Shape { curve, rectangles, arrows };
 /// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. A line of one
 /// point gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
 struct Series {
-    std::string label;
-    std::vector<std::pair<double, double>> points;
+    std::string label{};
+    std::vector<std::pair<double, double>> points{};
     bool markers = true;  ///< in addition to the line
     bool line = true;
     bool open = false;                   ///< markers, which then show what lies below them
@@ -44,12 +44,12 @@ struct PlotRange {
 };
 
 struct Plot {
-    std::string title, x_label, y_label;
+    std::string title{}, x_label{}, y_label{};
     bool log_x = false, log_y = false;
     int log_base = 10;                              ///< of the marks on a logarithmic x axis
     std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
     bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
-    std::vector<Series> series;
+    std::vector<Series> series{};
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };
 
@@ -67,6 +67,13 @@ struct Selection {
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
                 const Selection& selection);
+
+/// The first of these series as a black line.
+void add_reference(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
+                   const Selection& selection, const std::string& label);
+
+/// The first panel with the others to its right; an empty plot if there is none.
+Plot side_by_side(std::vector<Plot> panels);
 
 /// Whether the file's name asks for a PNG; false is SVG. Throws BadInput for any other ending.
 bool plot_is_png(const Options& options);

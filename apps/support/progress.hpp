@@ -18,8 +18,6 @@ public:
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
 
-    bool enabled() const { return enabled_; }
-
     void update(std::size_t done);
 
     /// What is being computed, e.g. "n = 20".

@@ -16,16 +16,16 @@ namespace study {
 /// How often a step without a solution is divided in halves before the run ends.
 inline constexpr int most_halvings = 6;
 
-/// Rolls between two places by step(from, to), which moves on if its status is ok; without a solution by halves. Returns
-/// where a step failed for good; nothing if none did.
+/// Rolls between two places by step(from, to), which moves on if its status is ok; without a solution by halves.
+/// Returns where a step failed for good; nothing if none did.
 std::optional<double> roll(double from, double to, const std::function<rollbem::StepStatus(double, double)>& step,
                            int halvings = most_halvings);
 
 /// Why a run has no results from the step to q [a] on.
 std::string why_ended(double q, rollbem::StepStatus status);
 
-/// Writes a table whose tasks are runs. `ended` says of each, once it is computed, why it ended early, if it did. Throws
-/// what write_table throws, and std::runtime_error if a run ended early.
+/// Writes a table whose tasks are runs. `ended` says of each, once it is computed, why it ended early, if it did.
+/// Throws what write_table throws, and std::runtime_error if a run ended early.
 void write_runs(const Options& options, const Table& table, const std::vector<std::string>& ended);
 
 }  // namespace study

@@ -133,6 +133,49 @@ std::vector<Scene> make_chebyshev_scenes(const Options& options,
     return scenes;
 }
 
+using rollbem::Derivative;
+
+/// A scheme by its names, but for alphas and lambda.
+struct Equations {
+    std::string method, derivative{}, nodes{};  ///< the latter two empty where the method has none
+    int quadrature = rollbem::exact_quadrature;
+
+    bool has_alphas() const { return method == "collocation" || method == "galerkin"; }
+
+    decltype(Scene::scheme) scheme(double alpha_L, double alpha_T, double lambda) const {
+        const Derivative d = derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
+        if (method == "collocation") return rollbem::Collocation{alpha_L, alpha_T, d, lambda};
+        if (method == "galerkin") return rollbem::Galerkin{alpha_L, alpha_T, d, lambda, quadrature};
+        if (method == "knothe-bc") return rollbem::KnotheBoundary{d};
+        return rollbem::NodeDifference{nodes == "centres" ? rollbem::Nodes::centres : rollbem::Nodes::chebyshev};
+    }
+};
+
+/// All but the nodes, which depend on the mesh.
+Equations read_equations(const Options& options, const std::string& method) {
+    Equations result{.method = method};
+    const bool by_nodes = method == "nodes";
+    if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
+    if (!result.has_alphas()) {
+        for (const char* name : {"alpha-L", "alpha-T", "alpha", "lambda"}) {
+            options.ignored(name, by_nodes ? "with --method nodes, which takes differences between --nodes"
+                                           : "with --method knothe-bc, which takes the centres of the elements");
+        }
+    }
+    if (by_nodes) {
+        options.ignored("derivative", "with --method nodes, which takes differences");
+    } else {
+        options.ignored("nodes", "with --method " + method + "; it is for nodes");
+    }
+    if (options.text("quadrature") != "exact") result.quadrature = int(options.integer("quadrature", 1, 1000));
+    if (options.given("derivative")) {
+        result.derivative = options.choice("derivative", {"fd", "analytic"});
+    } else if (!by_nodes) {
+        result.derivative = method == "galerkin" && result.quadrature == rollbem::exact_quadrature ? "analytic" : "fd";
+    }
+    return result;
+}
+
 }  // namespace
 
 const std::vector<std::string>& setting_columns() {
@@ -206,7 +249,6 @@ void offer_chebyshev(Options& options, const std::string& further) {
 }
 
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
-    using rollbem::Derivative;
     std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
     if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
     if (methods == Methods::elements && options.text("method") == "chebyshev") {
@@ -215,79 +257,48 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     }
     const std::string method = options.choice("method", names);
     if (method == "chebyshev") return make_chebyshev_scenes(options, make_contacts(options, problem));
-    const bool by_nodes = method == "nodes", has_alphas = !by_nodes && method != "knothe-bc";
-    if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
-    if (!has_alphas) {
-        for (const char* name : {"alpha-L", "alpha-T", "alpha", "lambda"}) {
-            options.ignored(name, by_nodes ? "with --method nodes, which takes differences between --nodes"
-                                           : "with --method knothe-bc, which takes the centres of the elements");
-        }
-    }
-    if (by_nodes) {
-        options.ignored("derivative", "with --method nodes, which takes differences");
-    } else {
-        options.ignored("nodes", "with --method " + method + "; it is for nodes");
-    }
-    const int quadrature =
-        options.text("quadrature") == "exact" ? rollbem::exact_quadrature : int(options.integer("quadrature", 1, 1000));
-    const std::string usual = method == "galerkin" && quadrature == rollbem::exact_quadrature ? "analytic" : "fd";
-    const std::string derivative_name = by_nodes                      ? ""
-                                        : options.given("derivative") ? options.choice("derivative", {"fd", "analytic"})
-                                                                      : usual;
-    const Derivative derivative = derivative_name == "fd" ? Derivative::finite_difference : Derivative::analytic;
-
+    Equations equations = read_equations(options, method);
+    const bool has_alphas = equations.has_alphas();
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
     const auto [mesh_name, meshes] = make_meshes(options);
-    const std::string nodes = by_nodes ? options.choice("nodes", {"centres", "chebyshev"}) : "";
-    if (nodes == "chebyshev" && mesh_name != "cosine") {
+    if (method == "nodes") equations.nodes = options.choice("nodes", {"centres", "chebyshev"});
+    if (equations.nodes == "chebyshev" && mesh_name != "cosine") {
         throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
     }
 
     std::vector<Scene> scenes;
+    const auto add = [&](const std::vector<GradedMesh>& graded, double lambda, double alpha_L, double alpha_T) {
+        const Eigen::Index n = graded.front().mesh->size();
+        const std::string too_few = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
+                                    std::to_string(n) + " must be at least 2 ";
+        if (method == "knothe-bc" && n < 2) throw BadInput(too_few + "with --method knothe-bc");
+        if (n < 2 && alpha_L != alpha_T) throw BadInput(too_few + "where alpha-L and alpha-T differ");
+        const auto if_any = [&](double value) { return has_alphas ? std::optional(value) : std::nullopt; };
+        for (const GradedMesh& one : graded) {
+            for (const rollbem::Contact<double>& contact : contacts) {
+                scenes.push_back({.method = method,
+                                  .derivative = equations.derivative,
+                                  .mesh_name = mesh_name,
+                                  .alpha_L = if_any(alpha_L),
+                                  .alpha_T = if_any(alpha_T),
+                                  .lambda = if_any(lambda),
+                                  .size_ratio = one.size_ratio,
+                                  .epsilon = one.epsilon,
+                                  .quadrature = method == "galerkin" ? options.text("quadrature") : "",
+                                  .nodes = equations.nodes,
+                                  .contact = contact,
+                                  .mesh = one.mesh,
+                                  .scheme = equations.scheme(alpha_L, alpha_T, lambda),
+                                  .kernel = make_kernel(options, contact)});
+            }
+        }
+    };
     for (const std::vector<GradedMesh>& graded : meshes) {
         for (const double lambda : lambdas) {
-            for (const auto& [alpha_L, alpha_T] : alphas) {
-                const MeshPointer& mesh = graded.front().mesh;
-                Scene scene{.method = method,
-                            .derivative = derivative_name,
-                            .mesh_name = mesh_name,
-                            .contact = contacts.front(),
-                            .mesh = mesh,
-                            .scheme = rollbem::KnotheBoundary{derivative},
-                            .kernel = make_kernel(options, contacts.front())};
-                const std::string n = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
-                                      std::to_string(mesh->size()) + " must be at least 2 ";
-                if (method == "knothe-bc" && mesh->size() < 2) throw BadInput(n + "with --method knothe-bc");
-                if (has_alphas) {
-                    if (mesh->size() < 2 && alpha_L != alpha_T) throw BadInput(n + "where alpha-L and alpha-T differ");
-                    scene.alpha_L = alpha_L;
-                    scene.alpha_T = alpha_T;
-                    scene.lambda = lambda;
-                }
-                if (by_nodes) {
-                    scene.scheme = rollbem::NodeDifference{nodes == "centres" ? rollbem::Nodes::centres
-                                                                              : rollbem::Nodes::chebyshev};
-                    scene.nodes = nodes;
-                }
-                if (method == "collocation") scene.scheme = rollbem::Collocation{alpha_L, alpha_T, derivative, lambda};
-                if (method == "galerkin") {
-                    scene.scheme = rollbem::Galerkin{alpha_L, alpha_T, derivative, lambda, quadrature};
-                    scene.quadrature = options.text("quadrature");
-                }
-                for (const GradedMesh& one : graded) {
-                    scene.mesh = one.mesh;
-                    scene.size_ratio = one.size_ratio;
-                    scene.epsilon = one.epsilon;
-                    for (const rollbem::Contact<double>& contact : contacts) {
-                        scene.contact = contact;
-                        scene.kernel = make_kernel(options, contact);
-                        scenes.push_back(scene);
-                    }
-                }
-            }
+            for (const auto& [alpha_L, alpha_T] : alphas) add(graded, lambda, alpha_L, alpha_T);
         }
     }
     return scenes;
@@ -318,7 +329,7 @@ void add_model_differences(
     const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
     for (const rollbem::Contact<double>& contact : contacts) {
         const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
-        Series line{.label = "strip against plane", .points = {}, .markers = false, .reference = true};
+        Series line{.label = "strip against plane", .markers = false, .reference = true};
         if (contacts.size() > 1) {
             line.label +=
                 ", b/a = " + Cell(contact.aspect()).text(6) + ", ν = " + Cell(contact.poisson_ratio()).text(6);

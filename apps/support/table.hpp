@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csv.hpp"
@@ -33,12 +34,22 @@ struct Table {
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
     /// If set, what a task computes, e.g. "n = 20", for the progress line.
     std::function<std::string(std::size_t task)> label{};
-    /// Whether rows are also kept in FILE.unfinished as they come. It stays after an interrupt; the same run then goes on
-    /// after the rows it holds, and removes it at the end. Not with `plot`.
+    /// Whether rows are also kept in FILE.unfinished as they come. It stays after an interrupt; the same run then goes
+    /// on after the rows it holds, and removes it at the end. Not with `plot`.
     bool resumable = false;
     /// If set, called with all rows, as lines of CSV, when the file of the rows has its name.
     std::function<void(const std::vector<std::string>& lines)> finish{};
 };
+
+/// A table with a task of `rows` rows for each of `cases`, which have a label() and must outlive it.
+template <class Case>
+Table table_of(std::vector<std::string> columns, const std::vector<Case>& cases, std::size_t rows = 1) {
+    Table table;
+    table.columns = std::move(columns);
+    table.rows_of_task.assign(cases.size(), rows);
+    table.label = [&cases](std::size_t task) { return cases[task].label(); };
+    return table;
+}
 
 /// Rows of one task that are asked for.
 struct Task {

@@ -41,6 +41,10 @@ bad 'line 2: a_over_b = 0.1 must be 0.2' "$creep" $coarse --a-over-b 0.2,5 --row
 sed '7s/ok/no_solution/; 7s/,[^,]*,\([^,]*,[^,]*,[^,]*,[^,]*,no_solution\)/,,\1/' rows.csv >broken.csv
 bad 'line 7: spin_moment must be a number; status = no_solution' \
     "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
+for force in nan 1.5; do
+    awk -F, -v OFS=, -v force="$force" 'NR == 7 { $9 = force } { print }' rows.csv >broken.csv
+    bad "$force must be a force of at most mu N" "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
+done
 
 # --- a run that was interrupted: its rows are kept (one is marked), a row cut short is not
 {

@@ -99,6 +99,9 @@ title '; 13 of 40 are not shown'
 # what the creepage, the law and the load are; one symbol for the creepage ratio in axis and legend
 draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3
 says 'δy = 0.3' && says 'creepage ratio δx = ξx G / (2 (1 - ν) μ p0)'
+draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3 --spin-ratio 0,1
+says 'δy = 0.3, δφ = 1'
+curves 8
 draws "$programs/friction_study" --transient --n 10 --creepage-ratio 0.5 --load-sine 0.5,8 --until 1
 title 'Rolling with friction, δ = 0.5, N/N0 = 1 + 0.5 sin(2π q/8), collocation'
 draws "$programs/friction_study" --n 10 --falling 0.6,1.2 --layer 0.5 --creepage-ratio 0.5,1
@@ -121,6 +124,8 @@ says slip && says_not stick && says_not 'pole of spin'
 curves 6
 draws "$@" --longitudinal 0.1,0.2 --spin 0.2
 says_not above && says 'ξ G a b / (μ N)' && says '- Mz / (μ N c)'
+draws "$@" --longitudinal 0.1,0.2 # rounding is not drawn as a force
+says_not ×10
 draws "$@" --longitudinal 0.1 --a-over-b 0.5,1,2,4
 says a/b && says '- Fx / (μ N)'
 draws "$@" --longitudinal 0.1 --transient --dq 0.5 --until 2 --load-sine 0.5,8

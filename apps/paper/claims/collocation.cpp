@@ -359,12 +359,8 @@ std::vector<Claim> tractions_of_collocation() {
 }  // namespace
 
 std::vector<Claim> claims_of_collocation() {
-    std::vector<Claim> all;
-    for (const auto& list : {kernel_and_alpha, convergence, analytic_derivative_over_alpha, analytic_derivative_over_n,
-                             tractions_of_collocation}) {
-        for (Claim& claim : list()) all.push_back(std::move(claim));
-    }
-    return all;
+    return all_of({kernel_and_alpha, convergence, analytic_derivative_over_alpha, analytic_derivative_over_n,
+                   tractions_of_collocation});
 }
 
 }  // namespace paper

@@ -240,12 +240,6 @@ std::vector<Claim> conclusions() {
 
 }  // namespace
 
-std::vector<Claim> claims_of_meshes() {
-    std::vector<Claim> all;
-    for (const auto& list : {gradings, tractions_on_meshes, conclusions}) {
-        for (Claim& claim : list()) all.push_back(std::move(claim));
-    }
-    return all;
-}
+std::vector<Claim> claims_of_meshes() { return all_of({gradings, tractions_on_meshes, conclusions}); }
 
 }  // namespace paper

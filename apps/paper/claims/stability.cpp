@@ -242,12 +242,6 @@ std::vector<Claim> galerkin_and_split_points() {
 
 }  // namespace
 
-std::vector<Claim> claims_of_stability() {
-    std::vector<Claim> all;
-    for (const auto& list : {positions, galerkin_and_split_points}) {
-        for (Claim& claim : list()) all.push_back(std::move(claim));
-    }
-    return all;
-}
+std::vector<Claim> claims_of_stability() { return all_of({positions, galerkin_and_split_points}); }
 
 }  // namespace paper
