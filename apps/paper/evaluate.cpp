@@ -107,8 +107,7 @@ double knothe_boundary_difference(Eigen::Index n, Derivative derivative) {
     const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
     const rollbem::SteadySolution<double> boundary =
         rollbem::solve_steady(rollbem::uniform_mesh(n + 1), rollbem::KnotheBoundary{derivative}, plane);
-    const rollbem::SteadySolution<double> collocation =
-        rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
+    const rollbem::SteadySolution<double> collocation = rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
     return relative_difference(boundary.traction, collocation.traction);
 }
 
