@@ -247,12 +247,9 @@ private:
     Integrator integrator_;
 };
 
-template <class AnyContact, class Scalar, int directions, class Law>
+// A law in braces, which is not deduced, has a constant coefficient.
+template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
 FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Checks&, const Friction<Law, Scalar>&,
               Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class AnyContact, class Scalar, int directions>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Checks&,
-              const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
-    -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
 
 }  // namespace rollbem
