@@ -31,6 +31,10 @@ target_link_libraries(rollbem_study_support
     PUBLIC rollbem::reference rollbem_build_info Threads::Threads
     PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
 
+# The library in the form that most units include.
+add_precompiled(rollbem_app_precompiled
+    HEADERS ${rollbem_precompiled_headers} LIBRARIES rollbem::compiled rollbem_quick_to_compile)
+
 add_library(rollbem_app_support STATIC
     "${PROJECT_SOURCE_DIR}/apps/support/columns_file.cpp" "${PROJECT_SOURCE_DIR}/apps/support/load_history.cpp"
     "${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp" "${PROJECT_SOURCE_DIR}/apps/support/runs.cpp"
@@ -39,8 +43,9 @@ add_library(rollbem_app_support STATIC
 target_link_libraries(rollbem_app_support
     PUBLIC rollbem_study_support rollbem::compiled
     PRIVATE rollbem_quick_to_compile)
+target_precompile_headers(rollbem_app_support REUSE_FROM rollbem_app_precompiled)
 if(NOT MSVC)
     # it assembles matrices, which studies time
     set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp"
-        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
 endif()

@@ -16,4 +16,4 @@ endfunction()
 
 set(rollbem_precompiled_headers
     <algorithm> <cmath> <complex> <cstddef> <functional> <limits> <map> <memory> <numbers> <optional> <string> <utility>
-    <variant> <vector> <Eigen/Eigenvalues> <Eigen/LU> <rollbem/compiled/all.hpp>)
+    <variant> <vector> <rollbem/compiled/all.hpp>)

@@ -262,6 +262,11 @@ double roll(const Wheelset& w, const Wheels& wheels, double speed, double second
 }  // namespace
 
 int main(int argc, char** argv) {
+    const int speeds = argc > 1 ? std::atoi(argv[1]) : 4;
+    if (speeds < 2 || speeds > 1000) {
+        std::fprintf(stderr, "hunting: number of speeds = %s must be an integer in [2, 1000]\n", argv[1]);
+        return 2;
+    }
     const Wheelset w;
     const ElasticBody<double> steel{.young_modulus = 2.07e11, .poisson_ratio = 0.28};
     const HertzEllipse<double> hertz({.load = w.load,
@@ -315,11 +320,10 @@ int main(int argc, char** argv) {
 
     // 5. Amplitudes that last, from a small and a large deviation.
     std::printf("%10s %16s %16s %12s\n", "V m/s", "|y| small mm", "|y| large mm", "gap/heat");
-    const int speeds = argc > 1 ? std::atoi(argv[1]) : 4;
-    bool right = speeds > 1 && std::abs(wave / klingel - 1) < 1e-4 && std::abs(unsteady / linear - 1) < 1e-3 &&
+    bool right = std::abs(wave / klingel - 1) < 1e-4 && std::abs(unsteady / linear - 1) < 1e-3 &&
                  std::abs(growth / eigenvalue.real() - 1) < 5e-3;
     for (int i = 0; i < speeds; ++i) {
-        const double share = 0.9 + 0.3 * i / std::max(speeds - 1, 1), speed = share * critical;
+        const double share = 0.9 + 0.3 * i / (speeds - 1), speed = share * critical;
         std::array<double, 2> lasting{};
         double worst = 0;
         for (std::size_t k = 0; k < 2; ++k) {

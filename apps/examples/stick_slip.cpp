@@ -123,7 +123,7 @@ struct Mode {
 };
 
 Mode torsion(double slope, double damping) {
-    const Eigen::EigenSolver<Eigen::Matrix3d> solver(linear(slope, damping));
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(linear(slope, damping)));
     Eigen::Index k = 0;
     solver.eigenvalues().imag().maxCoeff(&k);
     return {solver.eigenvalues()[k], solver.eigenvectors().col(k).real()};

@@ -48,7 +48,7 @@ struct Case {
     std::string says{};
 };
 
-struct Cases : std::vector<Case> {
+struct Cases : std::vector<Case> {  // a told one that says nothing must be right
     void right(std::string name, std::string quantity, std::function<Outcome()> run) {
         told(std::move(name), std::move(quantity), "", std::move(run));
     }

@@ -73,35 +73,22 @@ History make_history(const study::Options& options, double until) {
     return history;
 }
 
-/// One run of a scene.
-struct Run {
-    const study::Scene& scene;
-    const StartRolling& start;
-    const History& history;
+/// What all runs share.
+struct Problem {
+    History history;
     double dq, layer;
-    const std::optional<FallingLaw>& falling;
+    std::optional<FallingLaw> falling;
     rollbem::Integrator integrator;
     bool hertz;  ///< the closed forms hold
     bool checked;
 
-    std::string status(const std::optional<Moment>& moment) const {
-        if (!moment) return study::after_failure;
-        if (moment->status != rollbem::StepStatus::ok) return name(moment->status);
-        return !resolved() ? study::unresolved : checked ? study::ok : study::unchecked;
-    }
     bool resolved() const {
         return (!history.omega || study::resolves(*history.omega, dq)) && (!history.load || history.load->resolved(dq));
     }
-
-    std::optional<double> exact_shift() const {
-        if (!hertz || layer > 0 || history.load || falling || !study::plane_model_decays(scene.contact))
-            return std::nullopt;
-        return rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
+    std::optional<double> exact_shift(const rollbem::Contact<double>& contact) const {
+        if (!hertz || layer > 0 || history.load || falling || !study::plane_model_decays(contact)) return std::nullopt;
+        return rollbem::cattaneo_force_ratio(*history.shift, contact.poisson_ratio(), contact.aspect());
     }
-
-    /// Emits the rows of `range`, but steps from the start, as the state requires. Returns why the run ended before
-    /// these rows did; nothing if it did not.
-    std::string rows(study::RowRange range, const study::Emit& emit) const;
 };
 
 /// -F.s of a relative motion s: the mean of the forces at both ends of a step (at its end with implicit Euler, which
@@ -119,126 +106,159 @@ double creep_work(const Moment& before, const Moment& after, const Ratios& start
     return work;
 }
 
-std::string Run::rows(study::RowRange range, const study::Emit& emit) const {
-    const std::unique_ptr<Rolling> contact = start();
-    const bool both_ends = integrator == rollbem::Integrator::sdirk2;
-    double slip_work = 0, jump_work = 0, work = 0;
-    std::size_t row = 0;
-    const auto record = [&](double q, const Ratios& ratios, double shift, const std::optional<Moment>& of_row,
-                            std::optional<double> exact) {
-        if (row++ < range.first) return;
-        const Moment moment = of_row.value_or(Moment{});
-        const auto given_if = [](bool condition) {
-            return [condition](const auto& value) { return condition ? study::Cell(value) : study::Cell(); };
-        };
-        const auto computed = given_if(of_row.has_value());
-        // what steps did not follow is left out
-        const auto valid = given_if(moment.status == rollbem::StepStatus::ok && resolved());
-        emit(study::row_of(
-            {{q, ratios.longitudinal, shift, valid(moment.force_ratio), valid(moment.stick_count)},
-             {computed(moment.rounds), valid(slip_work), valid(exact),
-              valid(relative_error(moment.force_ratio, exact))},
-             {computed(moment.complementarity_residual), valid(moment.pivots), status(of_row)},
-             {scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda},
-             {study::word(integrator), ratios.lateral, history.load_at(q), std::sqrt(history.load_at(q))},
-             {valid(moment.lateral_force_ratio), ratios.lateral ? study::Cell(ratios.spin) : study::Cell()},
-             {valid(moment.moment_ratio), valid(work), layer},
-             falling_cells(falling),
-             {valid(moment.elastic_energy), valid(jump_work)},
-             study::setting_cells(scene)}));
-    };
-    Moment now{.force_ratio = 0, .lateral_force_ratio = 0, .status = rollbem::StepStatus::ok};
-    std::string ended;
-    // The state before a failed step is not that of a later instant: the run is over.
-    const auto keep = [&](const Moment& next, double q, double done) {
-        now = next;
-        if (next.status == rollbem::StepStatus::ok) {
-            slip_work += next.slip_work;
-            jump_work += next.jump_work;
-            work += done;
-        } else {
-            ended = study::why_ended(q, next.status);
+/// One run of a scene.
+class Run {
+public:
+    Run(const Problem& problem, const study::Scene& scene, const StartRolling& start)
+        : problem_(problem), history_(problem.history), scene_(scene), contact_(start()) {}
+
+    /// Emits the rows of `range`, but steps from the start, as the state requires. Returns why the run ended before
+    /// these rows did; nothing if it did not.
+    std::string rows(study::RowRange range, const study::Emit& emit) {
+        std::size_t k = 0;
+        if (history_.shift) {
+            const Ratios shift{*history_.shift, history_.lateral ? std::optional(0.0) : std::nullopt};
+            const Moment next = contact_->shift(shift);
+            keep(next, 0, creep_work(now_, next, shift, shift, true));
+            if (k++ >= range.first) {
+                emit(row(0, {0, shift.lateral}, *history_.shift, now_, problem_.exact_shift(scene_.contact)));
+            }
         }
-    };
-    if (history.shift) {
-        const Ratios shift{*history.shift, history.lateral ? std::optional(0.0) : std::nullopt};
-        const Moment next = contact->shift(shift);
-        keep(next, 0, creep_work(now, next, shift, shift, true));
-        record(0, {0, shift.lateral}, *history.shift, now, exact_shift());
+        if (history_.from_steady) {
+            Moment next = contact_->settle(history_.at(0));
+            next.slip_work = next.jump_work = 0;
+            keep(next, 0, 0);
+        }
+        const std::size_t shifts = k;
+        for (; k < range.last; ++k) {
+            const double end = double(k - shifts + 1) * problem_.dq;
+            const bool over = !ended_.empty();
+            advance(double(k - shifts) * problem_.dq, end);
+            if (k < range.first) continue;
+            emit(row(end, history_.at(end), 0, over ? std::nullopt : std::optional(now_), std::nullopt));
+        }
+        return ended_;
     }
-    if (history.from_steady) {
-        Moment next = contact->settle(history.at(0));
-        next.slip_work = next.jump_work = 0;
-        keep(next, 0, 0);
-    }
-    int rounds = 0;
-    Moment next;  // of the last step, also if that failed
-    const auto step = [&](double from, double to) {
-        next = contact->advance(to - from, history.at(from), history.at(to), history.load_at(to));
-        if (next.status != rollbem::StepStatus::ok) return next.status;
-        rounds += next.rounds;
-        keep(next, to,
-             creepage(scene, 1) * (to - from) * creep_work(now, next, history.at(from), history.at(to), both_ends));
-        return next.status;
-    };
-    const std::size_t shifts = row;
-    while (row < range.last) {
-        const double end = double(row - shifts + 1) * dq;
-        const bool over = !ended.empty();
-        rounds = 0;
-        for (double from = double(row - shifts) * dq; from < end && ended.empty();) {
-            const double to = history.next_stop(from, end);
+
+private:
+    /// Over the distance of a row, unless the run has ended.
+    void advance(double from, double end) {
+        int rounds = 0;
+        Moment next;  // of the last step, also if that failed
+        const auto step = [&](double low, double high) {
+            next = contact_->advance(high - low, history_.at(low), history_.at(high), history_.load_at(high));
+            if (next.status != rollbem::StepStatus::ok) return next.status;
+            rounds += next.rounds;
+            const bool both_ends = problem_.integrator == rollbem::Integrator::sdirk2;
+            keep(next, high,
+                 creepage(scene_, 1) * (high - low) *
+                     creep_work(now_, next, history_.at(low), history_.at(high), both_ends));
+            return next.status;
+        };
+        while (from < end && ended_.empty()) {
+            const double to = history_.next_stop(from, end);
             if (const auto failed = study::roll(from, to, step)) {
                 rounds += next.rounds;
                 keep(next, *failed, 0);
             }
             from = to;
         }
-        now.rounds = rounds;
-        record(end, history.at(end), 0, over ? std::nullopt : std::optional(now), std::nullopt);
+        now_.rounds = rounds;
     }
-    return ended;
-}
+
+    /// The state before a failed step is not that of a later instant: the run is over.
+    void keep(const Moment& next, double q, double work) {
+        now_ = next;
+        if (next.status == rollbem::StepStatus::ok) {
+            slip_work_ += next.slip_work;
+            jump_work_ += next.jump_work;
+            creep_work_ += work;
+        } else {
+            ended_ = study::why_ended(q, next.status);
+        }
+    }
+
+    std::string status(const std::optional<Moment>& moment) const {
+        if (!moment) return study::after_failure;
+        if (moment->status != rollbem::StepStatus::ok) return name(moment->status);
+        return !problem_.resolved() ? study::unresolved : problem_.checked ? study::ok : study::unchecked;
+    }
+
+    study::Row row(double q, const Ratios& ratios, double shift, const std::optional<Moment>& of_row,
+                   std::optional<double> exact) const {
+        const Moment moment = of_row.value_or(Moment{});
+        const auto given_if = [](bool condition) {
+            return [condition](const auto& value) { return condition ? study::Cell(value) : study::Cell(); };
+        };
+        const auto computed = given_if(of_row.has_value());
+        // what steps did not follow is left out
+        const auto valid = given_if(moment.status == rollbem::StepStatus::ok && problem_.resolved());
+        const double load_ratio = history_.load_at(q);
+        return study::row_of({{q, ratios.longitudinal, shift, valid(moment.force_ratio), valid(moment.stick_count)},
+                              {computed(moment.rounds), valid(slip_work_), valid(exact),
+                               valid(relative_error(moment.force_ratio, exact))},
+                              {computed(moment.complementarity_residual), valid(moment.pivots), status(of_row)},
+                              {scene_.method, scene_.derivative, scene_.mesh_name, scene_.n()},
+                              {scene_.alpha_L, scene_.alpha_T, scene_.lambda, study::word(problem_.integrator)},
+                              {ratios.lateral, load_ratio, std::sqrt(load_ratio), valid(moment.lateral_force_ratio)},
+                              {ratios.lateral ? study::Cell(ratios.spin) : study::Cell(), valid(moment.moment_ratio)},
+                              {valid(creep_work_), problem_.layer},
+                              falling_cells(problem_.falling),
+                              {valid(moment.elastic_energy), valid(jump_work_)},
+                              study::setting_cells(scene_)});
+    }
+
+    const Problem& problem_;
+    const History& history_;
+    const study::Scene& scene_;
+    std::unique_ptr<Rolling> contact_;
+    Moment now_{.force_ratio = 0, .lateral_force_ratio = 0, .status = rollbem::StepStatus::ok};
+    double slip_work_ = 0, jump_work_ = 0, creep_work_ = 0;
+    std::string ended_;  // why, if it did
+};
 
 }  // namespace
 
 void run_transient(const study::Options& options, const Pressure& pressure) {
     for (const char* name : {"tractions", "fit-border"}) options.ignored(name, "with --transient");
     const study::Steps steps = study::read_steps(options);
-    const History history = make_history(options, double(steps.count) * steps.dq);
-    const double layer = read_layer(options);
-    const std::optional<FallingLaw> falling = read_falling(options);
+    Problem problem{.history = make_history(options, double(steps.count) * steps.dq),
+                    .dq = steps.dq,
+                    .layer = read_layer(options),
+                    .falling = read_falling(options),
+                    .integrator = rollbem::Integrator::sdirk2,
+                    .hertz = pressure.hertz,
+                    .checked = !options.flag("unchecked")};
+    const History& history = problem.history;
     options.ignored("sweep", "with --transient");
     using rollbem::Integrator;
-    const Integrator integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
+    problem.integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
     std::vector<StartRolling> starts;
     study::Progress checking(options.program(), scenes.size(), study::shows_progress(options), "schemes checked");
     for (const study::Scene& scene : scenes) {
         checking.doing(scene.label());
-        starts.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(), falling,
-                                      integrator, steps.dq));
+        starts.push_back(make_rolling(options, scene, pressure, history.load, history.lateral.has_value(),
+                                      problem.falling, problem.integrator, steps.dq));
         checking.update(starts.size());
     }
     checking.clear();
     std::vector<std::string> ended(scenes.size());
     study::Table table = study::table_of(columns, scenes, steps.count + (history.shift ? 1 : 0));
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        ended[task] = Run{scenes[task], starts[task],   history,
-                          steps.dq,     layer,          falling,
-                          integrator,   pressure.hertz, !options.flag("unchecked")}
-                          .rows(range, emit);
+        ended[task] = Run(problem, scenes[task], starts[task]).rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        return force_in_time(columns, rows,
-                             {.creepage_changes = history.omega.has_value(),
-                              .load_changes = history.load.has_value(),
-                              .falling = falling.has_value(),
-                              .carter = pressure.hertz && layer == 0 && !falling && !history.lateral && !history.load,
-                              .ratio = history.amplitude,
-                              .end = double(steps.count) * steps.dq,
-                              .scene = scene_in_title(options)});
+        return force_in_time(
+            columns, rows,
+            {.creepage_changes = history.omega.has_value(),
+             .load_changes = history.load.has_value(),
+             .falling = problem.falling.has_value(),
+             .carter = pressure.hertz && problem.layer == 0 && !problem.falling && !history.lateral && !history.load,
+             .ratio = history.amplitude,
+             .end = double(steps.count) * steps.dq,
+             .scene = scene_in_title(options)});
     };
     study::write_runs(options, table, ended);
 }

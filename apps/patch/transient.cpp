@@ -130,85 +130,107 @@ struct Scene {
     bool resolved() const { return !load || load->resolved(dq); }
 };
 
-/// Emits the rows of `range`, but steps from the start, as the state requires. Returns why the run ended before these
-/// rows did; nothing if it did not.
-std::string rows(const Scene& scene, const Rolling& rolling, study::RowRange range, const study::Emit& emit) {
-    const Model& model = rolling.model();
-    const Contact& contact = rolling.patch().contact;
-    const double a = contact.half_length(), c = contact.c();
-    const rollbem::Creepage<double> creepage{scene.point.longitudinal, scene.point.lateral, scene.point.spin / c};
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
-    rollbem::FrictionStep<2> last;
-    last.force = {0, 0, 0};
-    last.status = StepStatus::ok;
-    double slip_work = 0, creep_work = 0;
-    int rounds = 0;
-    std::string ended;
-    const rollbem::NormalLoad<double> first = rolling.load_at(0);
-    now.normal_pressure = first.normal_pressure;
-    now.half_length = first.half_length;
-    now.half_width = first.half_width;
-    if (scene.from_steady) {
-        last = model.steady(now, creepage, next, workspace);
-        if (last.status == StepStatus::ok) {
-            std::swap(now, next);
+/// One run, from rest or steady rolling under the first load.
+class Run {
+public:
+    Run(const Scene& scene, const Rolling& rolling)
+        : scene_(scene),
+          rolling_(rolling),
+          model_(rolling.model()),
+          a_(rolling.patch().contact.half_length()),
+          c_(rolling.patch().contact.c()),
+          creepage_{scene.point.longitudinal, scene.point.lateral, scene.point.spin / c_},
+          workspace_(model_.workspace()),
+          now_(model_.at_rest()),
+          next_(now_) {
+        last_.force = {0, 0, 0};
+        last_.status = StepStatus::ok;
+        const rollbem::NormalLoad<double> first = rolling.load_at(0);
+        now_.normal_pressure = first.normal_pressure;
+        now_.half_length = first.half_length;
+        now_.half_width = first.half_width;
+        if (!scene.from_steady) return;
+        last_ = model_.steady(now_, creepage_, next_, workspace_);
+        if (last_.status == StepStatus::ok) {
+            std::swap(now_, next_);
         } else {
-            ended = study::why_ended(0, last.status);
+            ended_ = study::why_ended(0, last_.status);
         }
     }
-    const auto power = [&](const rollbem::TangentialForce<double>& force) {
-        return -(force.longitudinal * creepage.longitudinal + force.lateral * creepage.lateral +
-                 force.moment * creepage.spin);
-    };
-    const auto step = [&](double from, double to) {
-        const double before = power(last.force);
-        const rollbem::FrictionStep<2> made =
-            model.advance(now, a * (to - from), creepage, rolling.load_at(to), next, workspace);
-        if (made.status != StepStatus::ok) return last = made, made.status;
-        std::swap(now, next);
-        last = made;
-        rounds += made.rounds;
-        slip_work += made.slip_work;
+
+    /// Emits the rows of `range`, but steps from the start, as the state requires. Returns why the run ended before
+    /// these rows did; nothing if it did not.
+    std::string rows(study::RowRange range, const study::Emit& emit) {
+        for (std::size_t k = 0; k < range.last; ++k) {
+            const double end = double(k + 1) * scene_.dq;
+            const bool over = !ended_.empty();
+            rounds_ = 0;
+            for (double from = double(k) * scene_.dq; from < end && ended_.empty();) {
+                const double to = scene_.load ? scene_.load->next_stop(from, end) : end;
+                const auto failed = study::roll(from, to, [this](double low, double high) { return step(low, high); });
+                if (failed) ended_ = study::why_ended(*failed, last_.status);
+                from = to;
+            }
+            if (k >= range.first) emit(row(end, over));
+        }
+        return ended_;
+    }
+
+private:
+    double power() const {
+        const auto& [F_x, F_y, M_z] = last_.force;
+        return -(F_x * creepage_.longitudinal + F_y * creepage_.lateral + M_z * creepage_.spin);
+    }
+
+    StepStatus step(double from, double to) {
+        const double before = power();
+        last_ = model_.advance(now_, a_ * (to - from), creepage_, rolling_.load_at(to), next_, workspace_);
+        if (last_.status != StepStatus::ok) return last_.status;
+        std::swap(now_, next_);
+        rounds_ += last_.rounds;
+        slip_work_ += last_.slip_work;
         // the mean of both ends; implicit Euler knows the end alone
-        const double after = power(made.force);
-        creep_work += a * (to - from) * (scene.integrator == Integrator::sdirk2 ? (before + after) / 2 : after);
-        return made.status;
-    };
-    for (std::size_t row = 0; row < range.last; ++row) {
-        const double end = double(row + 1) * scene.dq;
-        const bool over = !ended.empty();
-        rounds = 0;
-        for (double from = double(row) * scene.dq; from < end && ended.empty();) {
-            const double to = scene.load ? scene.load->next_stop(from, end) : end;
-            if (const auto failed = study::roll(from, to, step)) ended = study::why_ended(*failed, last.status);
-            from = to;
-        }
-        if (row < range.first) continue;
-        const bool valid = ended.empty() && scene.resolved();
-        const auto if_valid = [&](double value) { return valid ? study::Cell(value) : study::Cell(); };
-        const AxisRatios axes = scene.load ? scene.load->axes(end) : AxisRatios{1, 1};
-        study::Row cells = patch::cells(rolling.patch());
-        cells.insert(cells.end(), {end, scene.load ? scene.load->at(end) : 1, axes.a, axes.b});
-        for (const double force : {last.force.longitudinal, last.force.lateral, last.force.moment / c}) {
-            cells.emplace_back(if_valid(0 - force / rolling.mu_N()));
-        }
-        cells.insert(
-            cells.end(),
-            {valid ? study::Cell(last.stick_count) : study::Cell(), if_valid(slip_work / rolling.work_unit()),
-             if_valid(creep_work / rolling.work_unit()),
-             over               ? study::after_failure
-             : !ended.empty()   ? name(last.status)
-             : scene.resolved() ? study::ok
-                                : study::unresolved,
-             scene.point.longitudinal, scene.point.lateral, scene.point.spin,
-             if_valid(model.elastic_energy(now) / rolling.work_unit()), over ? study::Cell() : study::Cell(rounds),
-             over ? study::Cell() : study::Cell(last.complementarity_residual), study::word(scene.integrator),
-             nodes_name(rolling.patch())});
-        emit(std::move(cells));
+        const double after = power();
+        creep_work_ += a_ * (to - from) * (scene_.integrator == Integrator::sdirk2 ? (before + after) / 2 : after);
+        return last_.status;
     }
-    return ended;
-}
+
+    std::string status(bool over) const {
+        if (over) return study::after_failure;
+        if (!ended_.empty()) return name(last_.status);
+        return scene_.resolved() ? study::ok : study::unresolved;
+    }
+
+    /// `over`: the run ended before this row.
+    study::Row row(double end, bool over) const {
+        const bool valid = ended_.empty() && scene_.resolved();
+        const auto if_valid = [&](auto value) { return valid ? study::Cell(value) : study::Cell(); };
+        const AxisRatios axes = scene_.load ? scene_.load->axes(end) : AxisRatios{1, 1};
+        const auto& [F_x, F_y, M_z] = last_.force;
+        const double mu_N = rolling_.mu_N(), work = rolling_.work_unit();
+        return study::row_of(
+            {cells(rolling_.patch()),
+             {end, scene_.load ? scene_.load->at(end) : 1, axes.a, axes.b},
+             {if_valid(0 - F_x / mu_N), if_valid(0 - F_y / mu_N), if_valid(0 - M_z / c_ / mu_N)},
+             {if_valid(last_.stick_count), if_valid(slip_work_ / work), if_valid(creep_work_ / work), status(over)},
+             {scene_.point.longitudinal, scene_.point.lateral, scene_.point.spin},
+             {if_valid(model_.elastic_energy(now_) / work), over ? study::Cell() : study::Cell(rounds_)},
+             {over ? study::Cell() : study::Cell(last_.complementarity_residual), study::word(scene_.integrator),
+              nodes_name(rolling_.patch())}});
+    }
+
+    const Scene& scene_;
+    const Rolling& rolling_;
+    const Model& model_;
+    double a_, c_;
+    rollbem::Creepage<double> creepage_;
+    Model::Workspace workspace_;
+    Model::State now_, next_;
+    rollbem::FrictionStep<2> last_;  // also if it failed
+    double slip_work_ = 0, creep_work_ = 0;
+    int rounds_ = 0;     // of the steps of a row
+    std::string ended_;  // why, if it did
+};
 
 }  // namespace
 
@@ -259,7 +281,7 @@ void run_transient(const study::Options& options, const std::vector<Patch>& patc
     std::vector<std::string> ended(patches.size());
     study::Table table = study::table_of(transient_columns, patches, steps.count);
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        ended[task] = rows(scene, *runs[task], range, emit);
+        ended[task] = Run(scene, *runs[task]).rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& drawn) {
         return draw_in_time(transient_columns, drawn, scene.load.has_value());

@@ -245,6 +245,12 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     } catch (const CLI::ExtrasError&) {
         throw BadInput(unexpected() + "; see --help");
     } catch (const CLI::ParseError& error) {
+        // of an option that is not shown CLI11 does not say the name
+        for (const auto& [name, reason] : refused_) {
+            if (std::find(words_.begin(), words_.end(), "--" + name) != words_.end()) {
+                throw BadInput("--" + name + " cannot be used here: " + reason);
+            }
+        }
         throw BadInput(std::string(error.what()) + "; see --help");
     }
     if (given("config")) {

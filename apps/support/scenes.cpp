@@ -263,7 +263,8 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
-    const auto [mesh_name, meshes] = make_meshes(options);
+    const auto named_meshes = make_meshes(options);
+    const std::string& mesh_name = named_meshes.first;  // clang 14 captures no structured bindings
     if (method == "nodes") equations.nodes = options.choice("nodes", {"centres", "chebyshev"});
     if (equations.nodes == "chebyshev" && mesh_name != "cosine") {
         throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
@@ -296,7 +297,7 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
             }
         }
     };
-    for (const std::vector<GradedMesh>& graded : meshes) {
+    for (const std::vector<GradedMesh>& graded : named_meshes.second) {
         for (const double lambda : lambdas) {
             for (const auto& [alpha_L, alpha_T] : alphas) add(graded, lambda, alpha_L, alpha_T);
         }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include <rollbem/compiled/balanced_reduction.hpp>
@@ -12,6 +11,7 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/draw.hpp"
 #include "support/refusal.hpp"
 
 namespace {
@@ -60,11 +60,11 @@ double abscissa(const StateSpace<double>& space) { return dense::spectrum(space.
 
 // A dense system that decays, with k inputs and outputs.
 StateSpace<double> drawn(Eigen::Index n, Eigen::Index k, unsigned seed) {
-    std::mt19937 generator(seed);
+    support::Draw draw(seed);
     const auto matrix = [&](Eigen::Index rows, Eigen::Index columns) {
         Eigen::MatrixXd entries(rows, columns);
         for (Eigen::Index i = 0; i < entries.size(); ++i) {
-            entries.data()[i] = static_cast<double>(generator()) / 2147483648.0 - 1;
+            entries.data()[i] = draw.uniform(-1, 1);
         }
         return entries;
     };

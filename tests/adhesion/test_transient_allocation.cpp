@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include <rollbem/normal/hertz_patch_load.hpp>
 
 #include "support/catch.hpp"
+#include "support/draw.hpp"
 #include "vehicle/creep_force_scene.hpp"
 
 namespace {
@@ -430,20 +430,19 @@ TEST_CASE("The combined solver does not allocate, whichever of its attempts succ
     const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
     const std::vector<Zone> zones(n, Zone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
-    std::mt19937 generator(11);
-    std::normal_distribution<double> normal;
+    support::Draw draw(11);
     int several = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
         detail::CombinedSolver<double>& solver = problem % 2 == 0 ? uncoupled : coupled;
         for (const std::size_t slip : {0, 1}) {
             for (const std::size_t by : {0, 1}) {
                 if (slip != by && !solver.coupled()) continue;
-                for (double& entry : solver.new_matrix(slip, by).reshaped()) entry = normal(generator);
+                for (double& entry : solver.new_matrix(slip, by).reshaped()) entry = draw.normal();
             }
         }
-        for (double& entry : solver.constant().reshaped()) entry = normal(generator);
+        for (double& entry : solver.constant().reshaped()) entry = draw.normal();
         VectorX<double> bound(n);
-        for (double& entry : bound) entry = std::abs(normal(generator));
+        for (double& entry : bound) entry = std::abs(draw.normal());
         const long before = allocations;
         if (problem % 4 > 1) solver.turn_slip(behind);
         const auto outcome = solver.solve(bound, start, zones);

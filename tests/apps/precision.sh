@@ -10,6 +10,7 @@ p="$precision --output x.csv --n 4"
 for option in --mesh --edges --method --nodes --quadrature --alpha --alpha-L --alpha-T --lambda --derivative; do
     bad "$option = 1 cannot be used here" $p $option 1
 done
+bad '--mesh cannot be used here: ' $p --mesh
 bad '--schemes = foo must be all, or some of uniform-0.5/0.5' $p --schemes cosine,foo
 bad "--schemes = '' must be a list without empty items" $p --schemes ''
 bad 'repeated items: cosine' $p --schemes cosine,knothe,cosine

@@ -31,9 +31,9 @@ set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
 add_consumer_test(find_package quickstart "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
 add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=compiled ${no_gsl})
-add_consumer_test(subdirectory quickstart -DROLLBEM_FROM=subdirectory ${no_gsl})
-add_consumer_test(fetch_content quickstart -DROLLBEM_FROM=fetch ${no_gsl})
-add_consumer_test(pkg_config quickstart "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
+add_consumer_test(subdirectory smallest -DROLLBEM_FROM=subdirectory ${no_gsl})
+add_consumer_test(fetch_content smallest -DROLLBEM_FROM=fetch ${no_gsl})
+add_consumer_test(pkg_config smallest "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
 
 # The main package finds that of `compiled` where it is itself, although only its own folder is named.
 add_test(NAME package.compiled_beside

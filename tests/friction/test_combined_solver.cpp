@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -16,6 +15,7 @@
 #include <rollbem/normal/hertz_ellipse.hpp>
 
 #include "support/catch.hpp"
+#include "support/draw.hpp"
 
 namespace {
 
@@ -74,22 +74,19 @@ struct Problem {
 
 enum class Kind { singular, definite, any };
 
-Problem random_problem(std::mt19937& generator, Eigen::Index n, Kind kind, bool coupled = false) {
-    std::normal_distribution<double> normal;
+Problem random_problem(support::Draw& draw, Eigen::Index n, Kind kind, bool coupled = false) {
     if (coupled) {
-        const MatrixX<double> whole = random_problem(generator, 2 * n, kind).x;
-        Problem problem = random_problem(generator, n, kind);
+        const MatrixX<double> whole = random_problem(draw, 2 * n, kind).x;
+        Problem problem = random_problem(draw, n, kind);
         problem.x = whole.topLeftCorner(n, n);
         problem.y = whole.bottomRightCorner(n, n);
         problem.x_by_y = whole.topRightCorner(n, n);
         problem.y_by_x = whole.bottomLeftCorner(n, n);
         return problem;
     }
-    const auto vector = [&] {
-        return VectorX<double>(VectorX<double>::NullaryExpr(n, [&] { return normal(generator); }));
-    };
+    const auto vector = [&] { return VectorX<double>(VectorX<double>::NullaryExpr(n, [&] { return draw.normal(); })); };
     const auto matrix = [&] {
-        const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return normal(generator); });
+        const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return draw.normal(); });
         if (kind == Kind::singular) return MatrixX<double>(vector() * vector().transpose());
         // definite, and far from symmetric
         const MatrixX<double> skew = any.transpose() - any;
@@ -105,12 +102,12 @@ Problem random_problem(std::mt19937& generator, Eigen::Index n, Kind kind, bool 
 }
 
 TEST_CASE("Newton's method solves definite problems, and reports the residual of all others", "[friction]") {
-    std::mt19937 generator(11);
+    support::Draw draw(11);
     int unsolved = 0, several = 0, tangents = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const Kind kind = trial % 3 == 0 ? Kind::singular : trial % 3 == 1 ? Kind::definite : Kind::any;
         const Eigen::Index n = 1 + trial % 12;
-        Problem problem = random_problem(generator, n, kind, trial % 2 == 1);
+        Problem problem = random_problem(draw, n, kind, trial % 2 == 1);
         if (trial % 5 == 0) problem.bound[0] = 0;
         Solver solver(n, problem.coupled());
         problem.put_into(solver);
@@ -150,10 +147,10 @@ TEST_CASE("Newton's method solves definite problems, and reports the residual of
 }
 
 TEST_CASE("The solution of a definite problem is that of a plain projected iteration", "[friction]") {
-    std::mt19937 generator(5);
+    support::Draw draw(5);
     for (int trial = 0; trial < 200; ++trial) {
         const Eigen::Index n = 1 + trial % 9;
-        const Problem problem = random_problem(generator, n, Kind::definite, trial % 2 == 1);
+        const Problem problem = random_problem(draw, n, Kind::definite, trial % 2 == 1);
         Solver solver(n, problem.coupled());
         problem.put_into(solver);
         REQUIRE(problem.solve_from_rest(solver).status == StepStatus::ok);
@@ -181,8 +178,8 @@ TEST_CASE("The solution of a definite problem is that of a plain projected itera
 }
 
 TEST_CASE("A used combined solver gives the same results as a new one", "[friction]") {
-    std::mt19937 generator(1);
-    const auto integer = [&](int count) { return static_cast<double>(generator() % static_cast<unsigned>(count)); };
+    support::Draw draw(1);
+    const auto integer = [&](int count) { return static_cast<double>(draw.integer(count)); };
     int singular = 0;
     for (int trial = 0; trial < 5000; ++trial) {
         const Eigen::Index n = 2 + trial % 4;
@@ -260,11 +257,11 @@ VectorX<double> angles(const ElementVectors<double>& slip, const std::vector<Eig
 }
 
 TEST_CASE("Turned slip opposes the traction, at the angles of the solution with slip as it is", "[friction]") {
-    std::mt19937 generator(3);
+    support::Draw draw(3);
     int solved = 0, cut = 0, changed = 0;
     for (int trial = 0; trial < 600; ++trial) {
         const Eigen::Index n = 1 + trial % 14;
-        Problem problem = random_problem(generator, n, Kind::definite, trial % 2 == 1);
+        Problem problem = random_problem(draw, n, Kind::definite, trial % 2 == 1);
         problem.constant *= 5;  // half of the elements slip
         if (trial % 5 == 0) problem.bound[n / 2] = 0;
         const std::vector<Eigen::Index> behind = strips(n);
@@ -310,9 +307,9 @@ TEST_CASE("Turned slip opposes the traction, at the angles of the solution with 
 }
 
 TEST_CASE("Slip along one line is not turned", "[friction]") {
-    std::mt19937 generator(4);
+    support::Draw draw(4);
     for (const Eigen::Index n : {Eigen::Index(1), Eigen::Index(9)}) {
-        Problem problem = random_problem(generator, n, Kind::definite);
+        Problem problem = random_problem(draw, n, Kind::definite);
         if (n > 1) problem.constant.col(1).setZero();
         Solver plain(n), solver(n);
         problem.put_into(plain);
@@ -328,13 +325,12 @@ TEST_CASE("Slip along one line is not turned", "[friction]") {
 }
 
 TEST_CASE("A Newton step satisfies its equations, however many elements slip", "[friction]") {
-    std::mt19937 generator(6);
-    const auto draw = [&](unsigned count) { return static_cast<int>(generator() % count); };
+    support::Draw draw(6);
     for (int trial = 0; trial < 800; ++trial) {
         const Eigen::Index n = 1 + trial % 15;
         const bool coupled = trial % 2 == 1;
         const Kind kind = trial % 8 < 6 ? Kind::definite : Kind::any;
-        Problem problem = random_problem(generator, n, kind, coupled);
+        Problem problem = random_problem(draw, n, kind, coupled);
         // an element that sticks alone has no solution of its own, all together have
         if (trial % 10 == 0 && n > 3) problem.x(n - 1, n - 1) = 0;
         detail::CombinedEquations<double> equations(n, coupled);
@@ -346,11 +342,12 @@ TEST_CASE("A Newton step satisfies its equations, however many elements slip", "
         }
         detail::CombinedPartition<double> part(n);
         detail::SlipTurn<double> turn(n);
-        ElementVectors<double> slip = random_problem(generator, n, kind).constant;
-        const int stick = draw(5), slide = 5 - stick;  // shares
+        ElementVectors<double> slip = random_problem(draw, n, kind).constant;
+        const int stick = draw.integer(5), slide = 5 - stick;  // shares
         for (Eigen::Index i = 0; i < n; ++i) {
-            const int zone = draw(6);
-            const double angle = draw(1000), stiffness = draw(7) == 0 ? 1e300 : draw(100) / 30.0;
+            const int zone = draw.integer(6);
+            const double angle = draw.integer(1000),
+                         stiffness = draw.integer(7) == 0 ? 1e300 : draw.integer(100) / 30.0;
             if (zone < stick)
                 part.let_stick(i);
             else if (zone < stick + slide)

@@ -12,9 +12,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace friction_tests {
 namespace {
-
-using namespace friction_tests;
 
 // Energy of the tractions -mu p0 sqrt(1 - x^2/a^2), a = half_length, with G = 1: a sum of the Chebyshev polynomials T_0
 // and T_2, in which the plane kernel is diagonal.
@@ -228,3 +227,4 @@ TEST_CASE("Galerkin about the centres has no force in full adhesion and the righ
 }
 
 }  // namespace
+}  // namespace friction_tests

@@ -1,29 +1,17 @@
 // rollbem/friction/transient.hpp: steps in which nothing changes, which are cheaper.
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
 
 #include "falling_scene.hpp"
+#include "friction/same_bits.hpp"
 #include "support/catch.hpp"
 
+namespace falling_tests {
 namespace {
 
-using namespace falling_tests;
-
-bool same(double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }
-bool same(const Step& x, const Step& y) {
-    return same(x.force, y.force) && same(x.tangent, y.tangent) && same(x.slip_work_per_width, y.slip_work_per_width) &&
-           same(x.complementarity_residual, y.complementarity_residual) && x.rounds == y.rounds && x.status == y.status;
-}
-bool same(const State& x, const State& y) {
-    return (x.traction.array() == y.traction.array()).all() && x.zones == y.zones &&
-           (x.friction_coefficient == y.friction_coefficient).all() &&
-           (x.solver.stage_coefficient == y.solver.stage_coefficient).all() &&
-           x.solver.unchanged_steps == y.solver.unchanged_steps &&
-           same(x.solver.unchanged_distance, y.solver.unchanged_distance);
-}
+using same_bits::same;
 
 TEST_CASE("Long runs do not depend on the workspace, even if two laws share it", "[friction]") {
     constexpr Eigen::Index n = 16;
@@ -101,3 +89,4 @@ TEST_CASE("The tangent of a step that changes nothing agrees with central differ
 }
 
 }  // namespace
+}  // namespace falling_tests

@@ -13,9 +13,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace friction_tests {
 namespace {
-
-using namespace friction_tests;
 
 // -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
@@ -185,3 +184,4 @@ TEST_CASE("Oblique loading without rolling gives stick everywhere", "[friction][
 }
 
 }  // namespace
+}  // namespace friction_tests

@@ -12,9 +12,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace friction_tests {
 namespace {
-
-using namespace friction_tests;
 
 TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[friction]") {
     const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
@@ -154,3 +153,4 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
 }
 
 }  // namespace
+}  // namespace friction_tests

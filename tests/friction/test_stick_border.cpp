@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -17,11 +16,11 @@
 
 #include "scene.hpp"
 #include "support/catch.hpp"
+#include "support/draw.hpp"
 #include "support/scalars.hpp"
 
+namespace friction_tests {
 namespace {
-
-using namespace friction_tests;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
@@ -513,8 +512,8 @@ TEST_CASE("A contact without a single border is solved by elements", "[friction]
 }
 
 TEST_CASE("The force by the exact border always agrees with that by elements", "[friction]") {
-    std::mt19937 engine(20);
-    const auto random = [&] { return 2 * static_cast<double>(engine()) / 4294967295.0 - 1; };
+    support::Draw draw(20);
+    const auto random = [&] { return draw.uniform(-1, 1); };
     int exact = 0, by_elements = 0;
     for (int i = 0; i < 120; ++i) {
         double a[4];
@@ -561,3 +560,4 @@ TEST_CASE("The exact border in long double has its digits", "[friction]") {
 }
 
 }  // namespace
+}  // namespace friction_tests

@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
-#include <random>
 
 #include <Eigen/Core>
+
+#include "support/draw.hpp"
 
 namespace drawn_scenes {
 
@@ -19,16 +20,7 @@ inline std::uint64_t from_environment(const char* name, std::uint64_t otherwise)
     return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : generator_(seed) {}
-    int integer(int count) { return static_cast<int>(generator_() % static_cast<unsigned>(count)); }
-    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
-    double decades(double low, double high) { return std::pow(10, uniform(low, high)); }
-
-private:
-    std::mt19937_64 generator_;
-};
+using support::Draw;
 
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Matrices = std::array<Eigen::MatrixXd, 2>;

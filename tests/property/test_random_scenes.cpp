@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -76,7 +75,7 @@ SteadySolution<double> steady_of(const Scene& scene, const Kernel& kernel) {
 
 class Scenes {
 public:
-    explicit Scenes(std::uint64_t seed) : random_(seed) {}
+    explicit Scenes(std::uint64_t seed) : draw_(seed) {}
 
     Scene next() {
         std::ostringstream words;
@@ -151,12 +150,12 @@ public:
         return scene;
     }
 
-    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    double uniform(double low, double high) { return draw_.uniform(low, high); }
     double logarithmic(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-    int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+    int integer(int low, int high) { return low + draw_.integer(high - low + 1); }
 
 private:
-    std::mt19937_64 random_;
+    support::Draw draw_;
 };
 
 /// The mirrored scene: edges interchanged, alphas interchanged with opposite sign.

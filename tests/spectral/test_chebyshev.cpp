@@ -4,7 +4,6 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,6 +23,7 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
@@ -518,14 +518,13 @@ TEST_CASE("Steady states in long double have its digits", "[chebyshev]") {
 }
 
 TEST_CASE("Chebyshev states of random contacts are stable and within their error estimate", "[chebyshev]") {
-    std::mt19937_64 random(20181);
-    std::uniform_real_distribution<double> unit(0, 1);
+    support::Draw draw(20181);
     for (int scene = 0; scene < 200; ++scene) {
-        const double nu = unit(random) / 2, aspect = std::pow(10.0, -1 + 4 * unit(random));
-        const Eigen::Index m = 1 + static_cast<Eigen::Index>(40 * unit(random) * unit(random));
-        const bool lateral = unit(random) < 0.3;
+        const double nu = draw.uniform(0, 1) / 2, aspect = std::pow(10.0, -1 + 4 * draw.uniform(0, 1));
+        const Eigen::Index m = 1 + static_cast<Eigen::Index>(40 * draw.uniform(0, 1) * draw.uniform(0, 1));
+        const bool lateral = draw.uniform(0, 1) < 0.3;
         const StripKernel<double> kernel = lateral ? StripKernel<double>(aspect, 1, -nu) : strip(aspect, nu);
-        const double z = 3 * unit(random);
+        const double z = 3 * draw.uniform(0, 1);
         const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
         CAPTURE(scene, nu, aspect, m, lateral, z);
         CHECK(judge_stability(system).stable());

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 #include "vehicle/creep_force_scene.hpp"
@@ -142,15 +142,13 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
     std::vector<double> counts, errors, outside;
     for (const int levels : {6, 10, 16}) {
         const CreepForceTable table = creep_forces::table(levels, levels);
-        std::mt19937 random(3);
-        std::normal_distribution<double> normal;
-        std::uniform_real_distribution<double> uniform;
+        support::Draw draw(3);
         double sum = 0, beyond = 0;
         const int count = 300;
         for (int i = 0; i < count; ++i) {
-            const PatchContact<double> patch = contact(0.5 * std::pow(4.0, uniform(random)));
-            const Eigen::Array3d d = Eigen::Array3d(normal(random), normal(random), normal(random));
-            const double level = std::pow(10.0, 1.5 * uniform(random) - 0.5) / d.matrix().norm();
+            const PatchContact<double> patch = contact(0.5 * std::pow(4.0, draw.uniform(0, 1)));
+            const Eigen::Array3d d = Eigen::Array3d(draw.normal(), draw.normal(), draw.normal());
+            const double level = std::pow(10.0, 1.5 * draw.uniform(0, 1) - 0.5) / d.matrix().norm();
             const Creepage<double> v{level * d[0], level * d[1], level * d[2]};
             const Creepage<double> given = creepage(patch, v.longitudinal, v.lateral, v.spin);
             const Eigen::Array3d error =
@@ -177,13 +175,11 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
 
 TEST_CASE("creep_force_table: tangents are derivatives, and continuous across cells") {
     const CreepForceTable& table = small_table();
-    std::mt19937 random(5);
-    std::normal_distribution<double> normal;
+    support::Draw draw(5);
     for (int i = 0; i < 200; ++i) {
-        const PatchContact<double> patch = contact(std::exp(0.3 * normal(random)));
-        const double level = std::exp(1.5 * normal(random));
-        const Creepage<double> v =
-            creepage(patch, level * normal(random), level * normal(random), level * normal(random));
+        const PatchContact<double> patch = contact(std::exp(0.3 * draw.normal()));
+        const double level = std::exp(1.5 * draw.normal());
+        const Creepage<double> v = creepage(patch, level * draw.normal(), level * draw.normal(), level * draw.normal());
         const TabulatedForce at = table.look_up(patch, mu, load, v);
         const Creepage<double> unit = creepage(patch, 1, 1, 1);
         const auto along = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {

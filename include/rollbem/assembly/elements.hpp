@@ -43,28 +43,31 @@ struct Elements {
     }
 
     /// Throws std::invalid_argument if the invariant does not hold; `area` is what `who` calls it.
-    void require_valid(const char* who, const char* area) const {
-        const Eigen::Index n = size();
-        detail::require(n >= 1, who, "number of elements", n, "be at least 1");
-        for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require_positive(who, area, areas[i]);
-        }
-        for (const ArrayX<Scalar>* places : {&x, &y, &centre_x, &centre_y}) {
-            detail::require(places->size() == (places_are_known() ? n : 0), who, "number of places", places->size(),
-                            "equal the number of elements");
-            detail::require(detail::all_finite(*places), who, "a place", places->sum(), "be finite");
-        }
-        const Eigen::Index ways = intervals.size();
-        detail::require(ways == 0 || ways == n, who, "number of intervals", ways, "equal the number of elements");
-        detail::require(detail::all_finite(intervals), who, "an interval", intervals.sum(), "be finite");
-        detail::require(behind.size() == static_cast<std::size_t>(n), who, "number of equations behind", behind.size(),
-                        "equal the number of elements");
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Eigen::Index other = behind[static_cast<std::size_t>(i)];
-            detail::require(other >= -1 && other < n && other != i, who, "equation behind", other,
-                            "be that of another element, or -1");
-        }
-    }
+    void require_valid(const char* who, const char* area) const;
 };
+
+template <class Scalar>
+void Elements<Scalar>::require_valid(const char* who, const char* area) const {
+    const Eigen::Index n = size();
+    detail::require(n >= 1, who, "number of elements", n, "be at least 1");
+    for (Eigen::Index i = 0; i < n; ++i) {
+        detail::require_positive(who, area, areas[i]);
+    }
+    for (const ArrayX<Scalar>* places : {&x, &y, &centre_x, &centre_y}) {
+        detail::require(places->size() == (places_are_known() ? n : 0), who, "number of places", places->size(),
+                        "equal the number of elements");
+        detail::require(detail::all_finite(*places), who, "a place", places->sum(), "be finite");
+    }
+    const Eigen::Index ways = intervals.size();
+    detail::require(ways == 0 || ways == n, who, "number of intervals", ways, "equal the number of elements");
+    detail::require(detail::all_finite(intervals), who, "an interval", intervals.sum(), "be finite");
+    detail::require(behind.size() == static_cast<std::size_t>(n), who, "number of equations behind", behind.size(),
+                    "equal the number of elements");
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index other = behind[static_cast<std::size_t>(i)];
+        detail::require(other >= -1 && other < n && other != i, who, "equation behind", other,
+                        "be that of another element, or -1");
+    }
+}
 
 }  // namespace rollbem

@@ -74,7 +74,8 @@ ElementSystem<Scalar, 2> system_of(std::shared_ptr<const ShapeSet<Scalar>> set, 
 }  // namespace detail
 
 /// The system of a patch that may change its size but not its shape: a(t)/b(t) remains that of the contact (ellipses),
-/// or the outline grows evenly about its origin. Its mesh follows. Throws std::invalid_argument as rolling_system.
+/// or the outline grows evenly about its origin. Its mesh follows. Throws std::invalid_argument unless
+/// the scheme takes differences of u and fits the strips' mesh, and all entries are finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, LateralSlopeKernel Kernel>
 ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
                                           const Scheme& scheme, const Kernel& kernel) {
@@ -107,7 +108,8 @@ public:
     };
 
     /// Cosine meshes of n elements a strip and m strips. Throws std::invalid_argument unless
-    /// 0 < least < largest < inf and 1 < factor <= 2, and as rolling_system.
+    /// 0 < least < largest < inf and 1 < factor <= 2, the scheme takes differences of u and fits the strips' mesh, and
+    /// all entries are finite.
     template <RollingScheme<Scalar> Scheme, LateralSlopeKernel Kernel>
     PatchShapes(Eigen::Index n, Eigen::Index m, const Scheme& scheme, const Kernel& kernel, const Range& range = {})
         : PatchShapes(cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m), scheme, kernel, range) {}

@@ -40,20 +40,7 @@ public:
         : RollingSystem(std::move(G), std::move(G_prime), MatrixX<Scalar>::Ones(weights.size(), 1), weights.matrix()) {}
 
     /// The same for k creepages, a column each in `inputs`, and their forces, a column each in `outputs`.
-    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs, MatrixX<Scalar> outputs)
-        : G_(std::move(G)), G_prime_(std::move(G_prime)), inputs_(std::move(inputs)), outputs_(std::move(outputs)) {
-        const Eigen::Index n = outputs_.rows();
-        detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
-        detail::require(outputs_.cols() >= 1, "RollingSystem", "number of outputs", outputs_.cols(), "be at least 1");
-        detail::require(inputs_.cols() == outputs_.cols(), "RollingSystem", "number of inputs", inputs_.cols(),
-                        "equal the number of outputs");
-        detail::require_square("RollingSystem", "G", G_, n, "weights");
-        detail::require_square("RollingSystem", "G_prime", G_prime_, n, "weights");
-        detail::require(inputs_.rows() == n, "RollingSystem", "number of rows of inputs", inputs_.rows(),
-                        "equal the number of weights");
-        detail::require_finite("RollingSystem", "inputs", inputs_);
-        detail::require_finite("RollingSystem", outputs_.cols() == 1 ? "weights" : "outputs", outputs_);
-    }
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs, MatrixX<Scalar> outputs);
 
     Eigen::Index size() const { return outputs_.rows(); }        ///< n, number of unknowns
     Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
@@ -114,6 +101,23 @@ private:
     MatrixX<Scalar> G_, G_prime_, inputs_, outputs_;
 };
 
+template <class Scalar>
+RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs,
+                                     MatrixX<Scalar> outputs)
+    : G_(std::move(G)), G_prime_(std::move(G_prime)), inputs_(std::move(inputs)), outputs_(std::move(outputs)) {
+    const Eigen::Index n = outputs_.rows();
+    detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
+    detail::require(outputs_.cols() >= 1, "RollingSystem", "number of outputs", outputs_.cols(), "be at least 1");
+    detail::require(inputs_.cols() == outputs_.cols(), "RollingSystem", "number of inputs", inputs_.cols(),
+                    "equal the number of outputs");
+    detail::require_square("RollingSystem", "G", G_, n, "weights");
+    detail::require_square("RollingSystem", "G_prime", G_prime_, n, "weights");
+    detail::require(inputs_.rows() == n, "RollingSystem", "number of rows of inputs", inputs_.rows(),
+                    "equal the number of weights");
+    detail::require_finite("RollingSystem", "inputs", inputs_);
+    detail::require_finite("RollingSystem", outputs_.cols() == 1 ? "weights" : "outputs", outputs_);
+}
+
 /// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them, along
 /// one direction (this template) or two (its specialisation in element_blocks.hpp).
 ///
@@ -127,18 +131,7 @@ public:
 
     /// From ready matrices and the widths of the elements. Throws std::invalid_argument if they break the invariant, or
     /// if the signs of both diagonals show that G and G' have been exchanged.
-    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
-        : RollingSystem<Scalar>(std::move(G), std::move(G_prime), widths), element_count_(this->size()) {
-        this->unknowns_are_tractions_ = true;
-        elements_.areas = widths;
-        elements_.behind = Elements<Scalar>::one_strip(this->size());
-        elements_.require_valid("ElementSystem", "width");
-        // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
-        // itself
-        const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
-        detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
-                        "be positive, and that of G_prime negative: have they changed places?");
-    }
+    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths);
 
     /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
@@ -160,6 +153,21 @@ private:
     Eigen::Index element_count_;
     Elements<Scalar> elements_;
 };
+
+template <class Scalar, int directions>
+ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime,
+                                                 const ArrayX<Scalar>& widths)
+    : RollingSystem<Scalar>(std::move(G), std::move(G_prime), widths), element_count_(this->size()) {
+    this->unknowns_are_tractions_ = true;
+    elements_.areas = widths;
+    elements_.behind = Elements<Scalar>::one_strip(this->size());
+    elements_.require_valid("ElementSystem", "width");
+    // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
+    // itself
+    const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
+    detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
+                    "be positive, and that of G_prime negative: have they changed places?");
+}
 
 namespace detail {
 

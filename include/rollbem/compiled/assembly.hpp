@@ -8,6 +8,13 @@
 
 namespace rollbem {
 
+extern template class Mesh<double>;
+extern template Mesh<double> uniform_mesh<double>(Eigen::Index);
+extern template Mesh<double> cosine_mesh<double>(Eigen::Index);
+extern template Mesh<double> make_mesh<double>(const MeshSpecification&);
+extern template void detail::check_rows<double>(const SchemeRows<double>&, Quantity, Eigen::Index);
+extern template detail::KernelView<double>::KernelView(const PlaneKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const StripKernel<double>&);
 extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,
                                                                  const detail::KernelView<double>&, Quantity);
 extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const SchemeRows<double>&,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../adhesion/balanced_reduction.hpp"
+#include "decompositions.hpp"
 
 namespace rollbem {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../spectral/chebyshev.hpp"
+#include "decompositions.hpp"
 
 namespace rollbem {
 

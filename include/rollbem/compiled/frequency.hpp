@@ -2,7 +2,8 @@
 #pragma once
 
 #include "../adhesion/frequency.hpp"
-#include "assembly.hpp"
+#include "decompositions.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 

@@ -3,10 +3,20 @@
 #pragma once
 
 #include "../friction/friction.hpp"
-#include "assembly.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 
+extern template void detail::factorise_in_place<double>(detail::MatrixRef<double>, Eigen::Index*);
+extern template void detail::solve_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                    detail::VectorRef<double>);
+extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<double>&);
+extern template bool detail::converges<double>(const DirectionBlocks<double>&, const ArrayX<double>&);
+extern template void detail::require_blocks<double>(const char*, const char*, const DirectionBlocks<double>&,
+                                                    Eigen::Index);
+extern template MatrixX<double> rigid_slip<double>(const Elements<double>&);
+extern template MatrixX<double> force_weights<double>(const Elements<double>&);
+extern template class ElementSystem<double, 2>;
 extern template class detail::ActiveSet<double>;
 extern template class detail::CombinedSolver<double>;
 extern template class detail::FallingSet<detail::ActiveSetSlip<double>>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../spectral/polynomial.hpp"
+#include "decompositions.hpp"
 
 namespace rollbem {
 

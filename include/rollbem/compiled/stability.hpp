@@ -4,7 +4,8 @@
 
 #include "../adhesion/stability.hpp"
 #include "../adhesion/stability_count.hpp"
-#include "assembly.hpp"
+#include "decompositions.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 

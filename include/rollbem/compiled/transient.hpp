@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../adhesion/transient.hpp"
-#include "assembly.hpp"
+#include "rolling_system.hpp"
 
 namespace rollbem {
 

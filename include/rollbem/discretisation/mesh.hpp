@@ -40,27 +40,7 @@ public:
     };
 
     /// Throws std::invalid_argument if the data break the invariant.
-    explicit Mesh(Data data) : data_(std::move(data)) {
-        const Eigen::Index n = data_.widths.size();
-        detail::require(n >= 1, "Mesh", "number of elements", n, "be at least 1");
-        detail::require(data_.edges_from_trailing.size() == n + 1 && data_.edges_from_leading.size() == n + 1, "Mesh",
-                        "number of edges", data_.edges_from_trailing.size(), "be one more than the number of elements");
-        require_finite(data_.widths, "element width", "be positive and finite");
-        require_finite(data_.edges_from_trailing, "1 + x of an edge", "be finite");
-        require_finite(data_.edges_from_leading, "1 - x of an edge", "be finite");
-        for (Eigen::Index i = 0; i < n; ++i) {
-            detail::require(data_.widths[i] > 0, "Mesh", "element width", data_.widths[i], "be positive and finite");
-        }
-        check_edges(data_.edges_from_trailing, data_.edges_from_leading);
-        from_trailing_.resize(n);
-        from_leading_.resize(n);
-        centres_.resize(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            from_trailing_[i] = (data_.edges_from_trailing[i] + data_.edges_from_trailing[i + 1]) / 2;
-            from_leading_[i] = (data_.edges_from_leading[i] + data_.edges_from_leading[i + 1]) / 2;
-            centres_[i] = (from_trailing_[i] - from_leading_[i]) / 2;
-        }
-    }
+    explicit Mesh(Data data);
 
     Eigen::Index size() const { return data_.widths.size(); }  ///< n
     bool is_uniform() const { return data_.uniform; }
@@ -73,31 +53,59 @@ public:
     Array edges() const { return (data_.edges_from_trailing - data_.edges_from_leading) / 2; }  ///< n+1 edges x
 
 private:
-    // Tests all values at once, which is fast; one by one only to name the first that is not finite.
-    static void require_finite(const Array& values, const char* quantity, const char* rule) {
-        if (detail::all_finite(values)) return;
-        for (const Scalar& value : values) detail::require(detail::is_finite(value), "Mesh", quantity, value, rule);
-    }
-
-    // Near one edge of the contact, the distances of neighbours from the other edge may round to the same number.
-    static void check_edges(const Array& trailing, const Array& leading) {
-        const Eigen::Index n = trailing.size() - 1;
-        const char* rule = "be 0 at its own edge of the contact, 2 at the other, and monotonic between";
-        detail::require(trailing[0] == 0 && trailing[n] == 2, "Mesh", "1 + x of the edges", trailing[n], rule);
-        detail::require(leading[n] == 0 && leading[0] == 2, "Mesh", "1 - x of the edges", leading[0], rule);
-        for (Eigen::Index j = 0; j < n; ++j) {
-            const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
-                                 (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
-            detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
-            const Scalar excess = trailing[j] + leading[j] - 2;
-            detail::require(std::abs(excess) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
-                            "(1 + x) + (1 - x) - 2 of an edge", excess, "be 0 to rounding");
-        }
-    }
+    static void require_finite(const Array& values, const char* quantity, const char* rule);
+    static void check_edges(const Array& trailing, const Array& leading);
 
     Data data_;
     Array from_trailing_, from_leading_, centres_;
 };
+
+template <class Scalar>
+Mesh<Scalar>::Mesh(Data data) : data_(std::move(data)) {
+    const Eigen::Index n = data_.widths.size();
+    detail::require(n >= 1, "Mesh", "number of elements", n, "be at least 1");
+    detail::require(data_.edges_from_trailing.size() == n + 1 && data_.edges_from_leading.size() == n + 1, "Mesh",
+                    "number of edges", data_.edges_from_trailing.size(), "be one more than the number of elements");
+    require_finite(data_.widths, "element width", "be positive and finite");
+    require_finite(data_.edges_from_trailing, "1 + x of an edge", "be finite");
+    require_finite(data_.edges_from_leading, "1 - x of an edge", "be finite");
+    for (Eigen::Index i = 0; i < n; ++i) {
+        detail::require(data_.widths[i] > 0, "Mesh", "element width", data_.widths[i], "be positive and finite");
+    }
+    check_edges(data_.edges_from_trailing, data_.edges_from_leading);
+    from_trailing_.resize(n);
+    from_leading_.resize(n);
+    centres_.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        from_trailing_[i] = (data_.edges_from_trailing[i] + data_.edges_from_trailing[i + 1]) / 2;
+        from_leading_[i] = (data_.edges_from_leading[i] + data_.edges_from_leading[i + 1]) / 2;
+        centres_[i] = (from_trailing_[i] - from_leading_[i]) / 2;
+    }
+}
+
+// Tests all values at once, which is fast; one by one only to name the first that is not finite.
+template <class Scalar>
+void Mesh<Scalar>::require_finite(const Array& values, const char* quantity, const char* rule) {
+    if (detail::all_finite(values)) return;
+    for (const Scalar& value : values) detail::require(detail::is_finite(value), "Mesh", quantity, value, rule);
+}
+
+// Near one edge of the contact, the distances of neighbours from the other edge may round to the same number.
+template <class Scalar>
+void Mesh<Scalar>::check_edges(const Array& trailing, const Array& leading) {
+    const Eigen::Index n = trailing.size() - 1;
+    const char* rule = "be 0 at its own edge of the contact, 2 at the other, and monotonic between";
+    detail::require(trailing[0] == 0 && trailing[n] == 2, "Mesh", "1 + x of the edges", trailing[n], rule);
+    detail::require(leading[n] == 0 && leading[0] == 2, "Mesh", "1 - x of the edges", leading[0], rule);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const bool ordered = trailing[j + 1] >= trailing[j] && leading[j + 1] <= leading[j] &&
+                             (trailing[j + 1] > trailing[j] || leading[j + 1] < leading[j]);
+        detail::require(ordered, "Mesh", "1 + x of an edge", trailing[j + 1], rule);
+        const Scalar excess = trailing[j] + leading[j] - 2;
+        detail::require(std::abs(excess) <= 16 * std::numeric_limits<Scalar>::epsilon(), "Mesh",
+                        "(1 + x) + (1 - x) - 2 of an edge", excess, "be 0 to rounding");
+    }
+}
 
 /// How the elements of a mesh are laid out; each has a maker below.
 enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };

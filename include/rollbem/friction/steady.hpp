@@ -117,7 +117,8 @@ public:
     }
 
     /// A patch. The mesh must be in units of the contact's half_length(), as patch_mesh makes it; of an ellipse that is
-    /// checked. Throws as with lines.
+    /// checked. Throws std::invalid_argument also unless the scheme takes differences of u and fits the strips' mesh, or
+    /// if the law does not meet the requirements of Friction.
     template <RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
     requires(directions_ == 2)
         SteadyFrictionModel(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,

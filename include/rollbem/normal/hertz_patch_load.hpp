@@ -41,7 +41,8 @@ public:
         return HertzPatchLoad(ellipse, contact, mesh, false);
     }
 
-    /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws as breathing().
+    /// The mesh covers `contact`, the largest ellipse, with the present one in its middle. Throws
+    /// std::invalid_argument for an outline, or if the axes of the ellipse do not lie along x and y.
     static HertzPatchLoad fixed(const HertzEllipse<Scalar>& ellipse, const PatchContact<Scalar>& contact,
                                 const PatchMesh<Scalar>& mesh) {
         return HertzPatchLoad(ellipse, contact, mesh, true);

@@ -30,7 +30,7 @@ std::vector<Rectangle<Scalar>> rectangles(const PatchMesh<Scalar>& mesh, std::ty
 
 /// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load N
 /// [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for an
-/// outline, unless the load is positive and finite, and as HertzEllipse::pressures.
+/// outline, unless the load is positive and finite and the elements cover nine tenths of it, or if one has no area.
 template <class Scalar>
 ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const std::vector<Rectangle<Scalar>>& elements,
                                std::type_identity_t<Scalar> load) {

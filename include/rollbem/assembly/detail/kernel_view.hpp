@@ -21,24 +21,7 @@ struct KernelView {
     using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
     template <LineKernel Kernel>
-    KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor): a view of any kernel
-        : kernel_(&kernel), antiderivative_([](const void* self, int level, const Array& x) -> Array {
-              const Kernel& k = *static_cast<const Kernel*>(self);
-              if (level == 0) return k.g(x);
-              if (level == 1) return k.H(x);
-              return k.H_integral(x);
-          }) {
-        if constexpr (SplitKernel<Kernel>) {
-            log_split_ = [](const void* self, Scalar reach) {
-                return static_cast<const Kernel*>(self)->log_split(reach);
-            };
-        }
-        if constexpr (TaylorKernel<Kernel>) {
-            taylor_ = [](const void* self, const Array& x, Eigen::Index order) -> Table {
-                return static_cast<const Kernel*>(self)->taylor(x, order);
-            };
-        }
-    }
+    KernelView(const Kernel& kernel);  // NOLINT(google-explicit-constructor): a view of any kernel
 
     /// For a kernel with a delta: views its smooth part, and keeps the delta separately.
     template <DeltaKernel Kernel>
@@ -67,5 +50,24 @@ private:
     Table (*taylor_)(const void*, const Array&, Eigen::Index) = nullptr;
     Scalar compliance_ = 0;
 };
+
+template <class Scalar>
+template <LineKernel Kernel>
+KernelView<Scalar>::KernelView(const Kernel& kernel)
+    : kernel_(&kernel), antiderivative_([](const void* self, int level, const Array& x) -> Array {
+          const Kernel& k = *static_cast<const Kernel*>(self);
+          if (level == 0) return k.g(x);
+          if (level == 1) return k.H(x);
+          return k.H_integral(x);
+      }) {
+    if constexpr (SplitKernel<Kernel>) {
+        log_split_ = [](const void* self, Scalar reach) { return static_cast<const Kernel*>(self)->log_split(reach); };
+    }
+    if constexpr (TaylorKernel<Kernel>) {
+        taylor_ = [](const void* self, const Array& x, Eigen::Index order) -> Table {
+            return static_cast<const Kernel*>(self)->taylor(x, order);
+        };
+    }
+}
 
 }  // namespace rollbem::detail

@@ -1,0 +1,476 @@
+// rollbem/friction/transient.hpp, steady.hpp: what holds for every law, in one direction and in two, for both
+// integrators. Fulfilment of the law itself is checked on random scenes, in property/test_friction_scenes.cpp.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "friction/any_model.hpp"
+#include "support/catch.hpp"
+#include "support/draw.hpp"
+#include "support/observed_order.hpp"
+
+namespace any_model {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+/// Calls `function` with each setup, which a failure then names.
+template <class Function>
+void for_each(const std::vector<Setup>& setups, const Function& function) {
+    for (const Setup& setup : setups) {
+        INFO(words(setup));
+        function(setup);
+    }
+}
+
+/// Hertz's pressure of another load, and its half-length, on a mesh that breathes; the rates are derivatives by the
+/// factor of the pressures.
+Load breathing(const Setup& setup, double half_length) {
+    const ArrayX<double> pressure = setup.pressure();
+    return {half_length / a * pressure, half_length, pressure};
+}
+double breath(int k) { return a * std::sqrt(1 + 0.2 * std::sin(0.3 * k)); }
+
+/// Hertz's pressure of another load on a mesh of constant length; the contact ends at `half_length`.
+Load fixed(const Setup& setup, double half_length) {
+    const Eigen::ArrayXd x = a * setup.mesh.centres();
+    const Eigen::ArrayXd pressure = peak_pressure / a * (half_length * half_length - x.square()).max(0).sqrt();
+    return {pressure, a, pressure};
+}
+
+// Steps, shifts and steady solutions in turn, some under a load of their own, of a creepage of varying size and angle.
+Step varied(Ride& ride, const Setup& setup, int k, double degrees, double turning) {
+    const double size = 0.6 + 0.7 * std::sin(0.3 * k);
+    const auto at = [&](int when) { return creepage(0.6 + 0.7 * std::sin(0.3 * when), degrees + turning * when); };
+    const Load load = breathing(setup, breath(k));
+    switch (k % 6) {
+        case 0: return ride.step(0, shift(size, degrees + turning * k));
+        case 1: return ride.steady(at(k));
+        case 2: return ride.step(0.15, Motion::linear(at(k - 1), at(k)), &load);
+        case 3: return ride.step(0.1, at(k));
+        case 4: return ride.steady(at(k), &load);
+        default: return ride.step(0.2, at(k), &load);
+    }
+}
+
+TEST_CASE("A law that happens to be constant is Coulomb's", "[friction]") {
+    for (Setup setup : every_setup_in_time(3e-6)) {
+        if (!setup.falls) continue;
+        INFO(words(setup));
+        setup.constant = 0.25;
+        setup.falls = false;
+        Ride expected(setup);
+        setup.any = [](double) { return 0.25; };
+        Ride ride(setup);
+        int mixed = 0;
+        for (int k = 0; k < 60; ++k) {
+            CAPTURE(k);
+            const Step step = varied(ride, setup, k, 30, 3), coulomb = varied(expected, setup, k, 30, 3);
+            REQUIRE(step.status == StepStatus::ok);
+            mixed += step.stick_count > 0 && step.stick_count < 20 ? 1 : 0;
+            CHECK(ride.now.zones == expected.now.zones);
+            CHECK((ride.now.friction_coefficient - 0.25).abs().maxCoeff() < 1e-15);
+            CHECK((ratios(step) - ratios(coulomb)).norm() < 1e-10);
+            const double scale = matrix(coulomb.tangent).norm();
+            CHECK((matrix(step.tangent) - matrix(coulomb.tangent)).norm() <= 1e-8 * scale);
+            CHECK(step.slip_work_per_width == Approx(coulomb.slip_work_per_width).epsilon(1e-8));
+            CHECK((ride.own.slip() - expected.own.slip()).cwiseAbs().maxCoeff() < 1e-10 * sliding);
+            if (k % 6 != 2 && k % 6 != 5) continue;
+            CHECK((vector(step.tangent_by_load) - vector(coulomb.tangent_by_load)).norm() <
+                  1e-7 * vector(coulomb.tangent_by_load).norm());
+            CHECK((vector(step.tangent_by_half_length) - vector(coulomb.tangent_by_half_length)).norm() <
+                  1e-7 * vector(coulomb.tangent_by_half_length).norm());
+        }
+        CHECK(mixed > 20);
+    }
+}
+
+TEST_CASE("With creepage along one of them, two directions are one", "[friction]") {
+    for (Setup setup : every_setup_in_time()) {
+        if (setup.directions == 2) continue;
+        setup.mesh = cosine_mesh<double>(30);
+        for (const bool across : {false, true}) {
+            setup.across = across;
+            INFO(words(setup));
+            setup.directions = 2;
+            Ride both(setup);
+            setup.directions = 1;
+            Ride one(setup);
+            int mixed = 0;
+            for (int k = 0; k < 60; ++k) {
+                CAPTURE(k);
+                const Step step = varied(both, setup, k, across ? 90 : 0, 0);
+                const Step expected = varied(one, setup, k, across ? 90 : 0, 0);
+                REQUIRE(step.status == StepStatus::ok);
+                REQUIRE(expected.status == StepStatus::ok);
+                mixed += step.stick_count > 0 && step.stick_count < 30 ? 1 : 0;
+                const Eigen::Index own = across ? 1 : 0;
+                CHECK((ratios(step) - ratios(expected)).norm() < 1e-9);
+                CHECK(matrix(step.tangent)(own, own) == Approx(matrix(expected.tangent)(own, own)).epsilon(1e-6));
+                CHECK(step.slip_work_per_width == Approx(expected.slip_work_per_width).epsilon(1e-8).margin(1e-12));
+                CHECK(step.stick_count == expected.stick_count);
+                CHECK((both.now.traction - one.now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak_pressure);
+                CHECK((both.own.slip() - one.own.slip()).cwiseAbs().maxCoeff() < 1e-9 * sliding);
+                CHECK(both.model->elastic_energy_per_width(both.now) ==
+                      Approx(one.model->elastic_energy_per_width(one.now)).epsilon(1e-9).margin(1e-9));
+                if (k % 6 != 2 && k % 6 != 5) continue;
+                CHECK(vector(step.tangent_by_load)[own] ==
+                      Approx(vector(expected.tangent_by_load)[own]).epsilon(1e-6).margin(1e-9));
+                CHECK(vector(step.tangent_by_half_length)[own] ==
+                      Approx(vector(expected.tangent_by_half_length)[own]).epsilon(1e-6).margin(1e-9));
+            }
+            CHECK(mixed > 20);
+        }
+    }
+}
+
+TEST_CASE("With Poisson's ratio zero, the solution turns with the creepage", "[friction]") {
+    for (Setup setup : every_setup_in_time(5e-6)) {
+        if (setup.directions == 1) continue;
+        INFO(words(setup));
+        setup.nu = 0;
+        setup.turned = true;
+        Ride ride(setup), turned(setup);
+        setup.directions = 1;
+        Ride one(setup);
+        const Matrix2d turn = Eigen::Rotation2Dd(37 * std::numbers::pi / 180).toRotationMatrix();
+        for (int k = 0; k < 60; ++k) {
+            CAPTURE(k);
+            const Step step = varied(ride, setup, k, 0, 8), other = varied(turned, setup, k, 37, 8);
+            REQUIRE(step.status == StepStatus::ok);
+            REQUIRE(other.status == StepStatus::ok);
+            CHECK((ratios(other) - turn * ratios(step)).norm() < 1e-8);
+            CHECK((turned.now.traction - ride.now.traction * turn.transpose()).cwiseAbs().maxCoeff() <
+                  1e-8 * peak_pressure);
+            CHECK(other.slip_work_per_width == Approx(step.slip_work_per_width).epsilon(1e-7));
+        }
+        // along the creepage as in one direction; across it the force turns
+        for (const double ratio : {0.1, 0.4, 0.8, 3.0}) {
+            ride.now = ride.model->at_rest();
+            one.now = one.model->at_rest();
+            const Step expected = one.steady(creepage(ratio)), step = ride.steady(creepage(ratio, 37));
+            REQUIRE(step.status == StepStatus::ok);
+            const double force = expected.force_per_width.longitudinal;
+            CHECK((ratios(step) - turn * ratios(expected)).norm() < 1e-9);
+            Matrix2d tangent = Matrix2d::Zero();
+            tangent.diagonal() << expected.tangent_per_width.by_longitudinal.longitudinal, force / (sliding * ratio);
+            CHECK((matrix(step.tangent_per_width) - turn * tangent * turn.transpose()).norm() <
+                  (setup.turned ? 0.1 : 1e-7) * tangent.norm());
+        }
+    }
+}
+
+TEST_CASE("Left and right, and forth and back, are alike", "[friction]") {
+    for_each(every_setup_in_time(), [](Setup setup) {
+        setup.turned = true;
+        Ride ride(setup), reversed(setup), mirrored(setup);
+        for (int k = 0; k < 48; ++k) {
+            CAPTURE(k);
+            // by the angle: 180 degrees more reverses both directions, the opposite angle reverses the lateral one
+            const Step step = varied(ride, setup, k, 20, 11), back = varied(reversed, setup, k, 200, 11),
+                       left = varied(mirrored, setup, k, -20, -11);
+            REQUIRE(step.status == StepStatus::ok);
+            const auto alike = [&](const Step& other, const State& state, double x, double y) {
+                const Eigen::RowVector2d sign(x, y);
+                CHECK((ratios(other) - sign.transpose().cwiseProduct(ratios(step))).norm() < 1e-9);
+                CHECK((state.traction - ride.now.traction * sign.asDiagonal()).cwiseAbs().maxCoeff() <
+                      1e-9 * peak_pressure);
+                CHECK((matrix(other.tangent) - sign.asDiagonal() * matrix(step.tangent) * sign.asDiagonal()).norm() <=
+                      1e-6 * matrix(step.tangent).norm());
+                CHECK(other.slip_work_per_width == Approx(step.slip_work_per_width).epsilon(1e-9));
+            };
+            alike(back, reversed.now, -1, -1);
+            alike(left, mirrored.now, 1, -1);
+        }
+    });
+}
+
+TEST_CASE("In full sliding the force opposes the creepage, at the coefficient of its velocity", "[friction]") {
+    for_each(every_setup_in_time(), [](const Setup& setup) {
+        for (const double degrees : {0.0, 25.0, 160.0}) {
+            if (setup.directions == 1 && degrees != 0) continue;
+            double before = 1;
+            for (const double ratio : {5.0, 50.0, 5e3, 5e5}) {
+                Ride ride(setup);
+                const Step step = ride.steady(creepage(ratio, degrees));
+                CAPTURE(degrees, ratio);
+                CHECK(step.status == StepStatus::ok);
+                CHECK(step.stick_count == 0);
+                const double mu = setup.falls ? law(sliding * ratio * speed) : law.mu_0;
+                const double angle = degrees * std::numbers::pi / 180;
+                const double off = (ratios(step) - mu / law.mu_0 * Vector2d(std::cos(angle), std::sin(angle))).norm();
+                CHECK(off < (setup.distance > 0 ? 1 : 0.1) / ratio + 1e-12);
+                CHECK(off <= before + 1e-14);
+                before = off;
+                // the next steps in time are the same, at rates of slip that leave no time to remember
+                if (ratio < 5e3) continue;
+                for (int k = 0; k < 30; ++k) ride.step(0.2, creepage(ratio, degrees));
+                CHECK((ratios(ride.step(0.2, creepage(ratio, degrees))) - ratios(step)).norm() < 1e-3);
+            }
+        }
+    });
+}
+
+TEST_CASE("A run that stands still solves the equations of steady rolling", "[friction]") {
+    // G (p - p_before) = 0, and mu = mu_s(v) at the same v: steps of any length have the steady solutions
+    for (Setup setup : every_setup_in_time()) {
+        if (setup.distance > 0) continue;
+        for (const bool cosine : {false, true}) {
+            if (cosine) setup.mesh = cosine_mesh<double>(24);
+            if (!cosine) setup.mesh = uniform_mesh<double>(20);
+            for (const double ratio : {0.4, setup.falls ? 4 : 1.2}) {  // in between the law has several solutions
+                INFO(words(setup));
+                CAPTURE(cosine, ratio);
+                Ride ride(setup);
+                Step step;
+                double change = 1;
+                for (int k = 0; k < 100; ++k) {
+                    step = ride.step(4, creepage(ratio, 20));
+                    REQUIRE(step.status == StepStatus::ok);
+                    change = (ride.now.traction - ride.next.traction).cwiseAbs().maxCoeff() / peak_pressure;
+                }
+                CHECK(change < 1e-11);
+                const State settled = ride.now;
+                const auto agrees = [&](const Step& steady, const State& state) {
+                    CHECK(steady.status == StepStatus::ok);
+                    CHECK((ratios(steady) - ratios(step)).norm() < 1e-9);
+                    CHECK((state.traction - settled.traction).cwiseAbs().maxCoeff() < 1e-9 * peak_pressure);
+                    CHECK(state.zones == settled.zones);
+                    // work per distance rolled, and of a step of 4 a
+                    CHECK(4 * a * steady.slip_work_per_width == Approx(step.slip_work_per_width).epsilon(1e-7));
+                };
+                agrees(ride.try_steady(creepage(ratio, 20)), ride.next);
+                agrees(ride.model->solve_steady(settled, creepage(ratio, 20), speed, ride.next, ride.own), ride.next);
+            }
+        }
+    }
+}
+
+TEST_CASE("With memory, rolling in time tends to steady rolling as mesh and steps are refined", "[friction]") {
+    for (Setup setup : every_setup_in_time(20e-6)) {
+        if (setup.distance == 0) continue;
+        INFO(words(setup));
+        std::vector<double> counts, differences;
+        for (const Eigen::Index n : {20, 40, 80}) {
+            setup.mesh = uniform_mesh<double>(n);
+            Ride ride(setup);
+            const Step steady = ride.steady(creepage(0.75, 39));
+            Step step;
+            const double dq = 4.0 / static_cast<double>(n);
+            for (double q = 0; q < 16; q += dq) step = ride.step(dq, creepage(0.75, 39));
+            REQUIRE(step.status == StepStatus::ok);
+            counts.push_back(static_cast<double>(n));
+            differences.push_back((ratios(step) - ratios(steady)).norm());
+        }
+        CAPTURE(differences, support::observed_order(counts, differences));
+        CHECK(std::abs(support::observed_order(counts, differences) - 1) < 0.12);
+        CHECK(differences.back() < 1e-3);
+    }
+}
+
+TEST_CASE("Steady forces tend to a limit that meshes share", "[friction]") {
+    for_each(every_setup(), [](Setup setup) {
+        const auto solve = [&](const Mesh<double>& mesh) {
+            setup.mesh = mesh;
+            const Step step = Ride(setup).steady(creepage(0.25, 50));
+            REQUIRE(step.status == StepStatus::ok);
+            return ratios(step);
+        };
+        const Vector2d limit = solve(cosine_mesh<double>(160));
+        std::vector<double> counts, errors;
+        for (const Eigen::Index n : {20, 40, 80}) {
+            counts.push_back(static_cast<double>(n));
+            errors.push_back((solve(uniform_mesh<double>(n)) - limit).norm());
+        }
+        CAPTURE(errors, support::observed_order(counts, errors));
+        CHECK(std::abs(support::observed_order(counts, errors) - 1) < 0.2);
+        CHECK(errors.back() < 4e-3);
+    });
+}
+
+// Forces at eight places of a way of 4 a, in which the creepage rises, falls and turns, and the work up to there.
+struct Way {
+    explicit Way(const Setup& setup, int steps) : forces(16), works(8) {
+        Ride ride(setup);
+        const double dq = 4.0 / steps;
+        const auto at = [](double q) { return creepage(1.5 * std::pow(std::sin(0.7 * q), 2), 30 * std::sin(0.9 * q)); };
+        double work = 0;
+        for (int k = 0; k < steps; ++k) {
+            const Step step = ride.step(dq, Motion::linear(at(k * dq), at((k + 1) * dq)));
+            REQUIRE(step.status == StepStatus::ok);
+            work += step.slip_work_per_width / (full_force * sliding * a);
+            const int place = (k + 1) / (steps / 8) - 1;
+            if ((k + 1) % (steps / 8) != 0) continue;
+            forces.segment<2>(2 * place) = ratios(step);
+            works[place] = work;
+        }
+    }
+
+    VectorX<double> forces, works;
+};
+
+TEST_CASE("Forces and work converge in dq at the order of the integrator", "[friction]") {
+    for (Setup setup : every_setup(20e-6)) {
+        if (setup.falls && setup.distance == 0) continue;  // the force jumps
+        setup.mesh = uniform_mesh<double>(16);
+        const Way limit(setup, 5120);
+        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+            setup.integrator = integrator;
+            INFO(words(setup));
+            std::vector<double> counts, forces, works;
+            for (const int steps : {40, 80, 160, 320}) {
+                const Way way(setup, steps);
+                counts.push_back(steps);
+                forces.push_back((way.forces - limit.forces).norm());
+                works.push_back((way.works - limit.works).norm());
+            }
+            const double order = support::observed_order(counts, forces);
+            const double order_of_work = support::observed_order(counts, works);
+            CAPTURE(forces, works, order, order_of_work);
+            const bool second = integrator == Integrator::sdirk2;
+            CHECK(forces.back() < (second ? 2e-5 : 4e-3));
+            if (second && setup.falls) {  // somewhat less where elements begin to slip within steps
+                CHECK(std::abs(order - 1.8) < 0.2);
+                CHECK(std::abs(order_of_work - 1.35) < 0.2);
+            } else {
+                CHECK(std::abs(order - (second ? 2 : 1)) < 0.1);
+                CHECK(std::abs(order_of_work - (second ? 2 : 1)) < 0.1);
+            }
+        }
+    }
+}
+
+TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic energy, to second order", "[friction]") {
+    for_each(every_setup(20e-6), [](Setup setup) {
+        setup.half_width = 50 * a;
+        std::vector<double> counts, gaps;
+        double jumps = 0, spent = 0;
+        for (const int n : {20, 40, 80}) {
+            setup.mesh = cosine_mesh<double>(n);
+            Ride ride(setup);
+            const int steps = 10 * n;
+            const double dq = 4.0 / steps;
+            const auto rolled = [&](int k) {
+                return setup.directions == 1 ? creepage(1.2 * std::sin(dq * k) * std::cos(0.7 * dq * k))
+                                             : creepage(1.2 * std::sin(dq * k), 40 * dq * k);
+            };
+            double slips = 0;
+            jumps = spent = 0;
+            Vector2d before = Vector2d::Zero();
+            for (int k = 0; k < steps; ++k) {
+                const Load load = breathing(setup, a * std::sqrt(1 + 0.3 * std::sin(0.8 * dq * (k + 1))));
+                const Step step = ride.step(dq, Motion::linear(rolled(k), rolled(k + 1)), &load);
+                REQUIRE(step.status == StepStatus::ok);
+                const Vector2d force = vector(step.force_per_width);
+                spent -= dq * a / 2 * (vector(rolled(k)).dot(before) + vector(rolled(k + 1)).dot(force));
+                slips += step.slip_work_per_width;
+                jumps += step.jump_work_per_width;
+                before = force;
+            }
+            counts.push_back(n);
+            gaps.push_back((spent - slips - jumps - ride.model->elastic_energy_per_width(ride.now)) / spent);
+        }
+        CAPTURE(gaps, jumps / spent, support::observed_order(counts, gaps));
+        CHECK(std::abs(support::observed_order(counts, gaps) - 1.95) < 0.15);
+        CHECK(std::abs(gaps.back()) < 1.5e-3);
+        // without memory the forces jump, with constant friction nothing does
+        if (!setup.falls) CHECK(jumps == 0);
+        CHECK((jumps > 0.01 * spent) == (setup.falls && setup.distance == 0));
+    });
+}
+
+TEST_CASE("Tangents by creepage, shift, load and half-length agree with central differences", "[friction]") {
+    for (Setup setup : every_setup_in_time(10e-6)) {
+        setup.least = 0;  // where mu has no derivative
+        for (const bool breathes : {true, false}) {
+            INFO(words(setup));
+            CAPTURE(breathes);
+            setup.mesh = breathes ? cosine_mesh<double>(24) : uniform_mesh<double>(24);
+            Ride ride(setup);
+            double worst[4] = {};  // by both creepages, by the load, by the half-length
+            int compared[4] = {};
+            for (int k = 0; k < 40; ++k) {
+                const bool shifts = k % 5 == 0, steady = k % 5 == 1;
+                const double half_length = breath(k);
+                const Load load = breathes ? breathing(setup, shifts ? ride.now.half_length : half_length)
+                                           : fixed(setup, 0.8 * half_length);
+                const Creepage<double> at = creepage(0.5 + 0.25 * std::sin(0.3 * k), 8.0 * k);
+                const auto solve = [&](const Vector2d& more, double pressed, double longer) {
+                    const Creepage<double> end{at.longitudinal + more[0], at.lateral + more[1]};
+                    Load changed = load;
+                    changed.normal_pressure += pressed * load.pressure_rate;
+                    changed.half_length += longer;
+                    if (steady) return ride.try_steady(end, &changed);
+                    const Motion motion = shifts ? Motion::shift({0.1 * a * end.longitudinal, 0.1 * a * end.lateral})
+                                          : k % 5 == 2 ? Motion(end)
+                                                       : Motion::linear(creepage(0.5, 40), end);
+                    return ride.try_step(shifts ? 0 : 0.137, motion, &changed);
+                };
+                const Step step = solve(Vector2d::Zero(), 0, 0);
+                REQUIRE(step.status == StepStatus::ok);
+                if (steady) {
+                    CHECK(std::isnan(step.tangent_by_load.longitudinal));
+                } else {
+                    CHECK((vector(step.tangent_by_load) - 2 * setup.half_width * vector(step.tangent_by_load_per_width))
+                              .norm() <= 1e-14 * vector(step.tangent_by_load).norm());
+                }
+                CHECK((matrix(step.tangent) - 2 * setup.half_width * matrix(step.tangent_per_width)).norm() <=
+                      1e-14 * matrix(step.tangent).norm());
+                CHECK((vector(step.force) - 2 * setup.half_width * vector(step.force_per_width)).norm() <=
+                      1e-14 * vector(step.force).norm());
+                CHECK((vector(ride.model->force(ride.next)) - vector(step.force)).norm() <=
+                      1e-14 * vector(step.force).norm());
+                CHECK(step.slip_work == Approx(2 * setup.half_width * step.slip_work_per_width).epsilon(1e-14));
+                const State solved = ride.next;
+                const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent_per_width);
+                const auto compare = [&](std::size_t what, const Vector2d& own, const auto& moved) {
+                    constexpr double h = 1e-5;
+                    bool unchanged = true;
+                    const auto slope = [&](double change) {
+                        const Step high = moved(change);
+                        unchanged = unchanged && ride.next.zones == solved.zones;
+                        const Step low = moved(-change);
+                        unchanged = unchanged && ride.next.zones == solved.zones;
+                        return Vector2d((ratios(low) - ratios(high)) / (2 * change));
+                    };
+                    const Vector2d fine = slope(h), coarse = slope(2 * h);
+                    if (!unchanged) return;                                  // there is a kink in between
+                    const Vector2d difference = fine + (fine - coarse) / 3;  // of fourth order
+                    worst[what] = std::max(worst[what], (difference - own / full_force).norm());
+                    compared[what] += step.stick_count > 0 && step.stick_count < 24 ? 1 : 0;
+                };
+                for (const Eigen::Index by : {0, 1}) {
+                    compare(static_cast<std::size_t>(by), sliding * tangent.col(by),
+                            [&](double h) { return solve(sliding * h * Vector2d::Unit(by), 0, 0); });
+                }
+                if (!steady) {
+                    compare(2, vector(step.tangent_by_load_per_width),
+                            [&](double h) { return solve(Vector2d::Zero(), h, 0); });
+                }
+                if (breathes && !steady && !shifts) {
+                    compare(3, a * vector(step.tangent_by_half_length_per_width),
+                            [&](double h) { return solve(Vector2d::Zero(), 0, h * a); });
+                } else if (steady || shifts) {
+                    CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
+                }
+                solve(Vector2d::Zero(), 0, 0);
+                ride.accept();
+            }
+            for (std::size_t what = 0; what < 4; ++what) {
+                if (what == 3 && !breathes) continue;
+                CAPTURE(what, worst[what], compared[what]);
+                CHECK(worst[what] < 1e-7);
+                CHECK(compared[what] > 15);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace any_model

@@ -1,0 +1,456 @@
+// rollbem/friction/transient.hpp, steady.hpp, state.hpp: for every law, in one direction and in two, what results depend
+// on, and what becomes of input that is refused.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rollbem/compiled/stability.hpp>
+
+#include "friction/any_model.hpp"
+#include "support/catch.hpp"
+#include "support/draw.hpp"
+#include "support/refusal.hpp"
+
+namespace any_model {
+namespace {
+
+using support::Draw;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+
+/// A step, a shift or a steady solution, some under a load of their own.
+struct Task {
+    int kind;
+    double dq;
+    Creepage<double> start, end;
+    Load load;
+
+    static Task any(Draw& draw, const Setup& setup, double half_length) {
+        constexpr double lengths[] = {
+            0.05, 0.1, 0.1 * (1 + 1e-9), 0.1 * (1 - 5e-7), 0.1 * (1 - std::numbers::sqrt2 / 2), 1, 1e-9, 1e6};
+        const auto drawn = [&] { return creepage(draw.uniform(-1.6, 1.6), draw.uniform(-90, 90)); };
+        Task task{draw.integer(6), lengths[draw.integer(8)], drawn(), drawn(), {}};
+        const double longer = task.kind == 1 || task.kind == 2 ? 0 : draw.uniform(-0.04, 0.04) * std::min(task.dq, 1.0);
+        task.load = {draw.uniform(0.9, 1.1) * setup.pressure(), half_length + longer * a, setup.pressure()};
+        if (draw.one_in(4)) task.load.pressure_rate.resize(0);
+        return task;
+    }
+    Step run(const Model& model, const State& from, State& to, Workspace& workspace) const {
+        const Load* const own = kind % 2 == 0 ? nullptr : &load;
+        if (kind == 0) return model.steady(from, end, speed, nullptr, to, workspace);
+        if (kind < 3) {
+            const Motion shifts = Motion::shift({0.1 * a * end.longitudinal, 0.1 * a * end.lateral});
+            return model.advance(from, Ride::travel(0), shifts, own, to, workspace);
+        }
+        return model.advance(from, Ride::travel(dq), kind == 3 ? Motion(end) : Motion::linear(start, end), own, to,
+                             workspace);
+    }
+};
+
+TEST_CASE("Results depend on state and arguments alone, to the last bit", "[friction]") {
+    for (const Setup& setup : every_setup()) {
+        INFO(words(setup));
+        Draw draw(5);
+        int mixed = 0;
+        for (const int n : {4, 17}) {
+            // the same equations with another integrator, another law, without tangents; other equations
+            std::vector<Setup> setups(5, setup);
+            setups[1].integrator = Integrator::implicit_euler;
+            setups[2].constant *= 0.5;
+            setups[2].falling.half_velocity *= 0.5;
+            setups[3].with_tangents = false;
+            setups[4].scheme = {.alpha_L = 0, .alpha_T = 0.5};
+            for (Setup& each : setups) each.mesh = cosine_mesh<double>(n);
+            std::vector<Ride> rides;
+            for (const Setup& each : setups) rides.emplace_back(each);
+            Workspace used = rides[0].model->workspace();
+            for (int k = 0; k < 250; ++k) {
+                const int who = k < 60 ? 0 : draw.integer(5);
+                Ride& ride = rides[static_cast<std::size_t>(who)];
+                const Task task = Task::any(draw, setups[0], ride.now.half_length);
+                const State from = ride.now;
+                State alone = ride.now;
+                Workspace fresh = ride.model->workspace();
+                const Step found = task.run(*ride.model, ride.now, ride.next, used);
+                const Step expected = task.run(*ride.model, ride.now, alone, fresh);
+                CAPTURE(n, k, who, task.kind, task.dq, name(found.status));
+                REQUIRE((found.status == StepStatus::ok || setup.falls));
+                REQUIRE(same(found, expected));
+                REQUIRE(same(ride.next, alone));
+                REQUIRE(same(used.slip(), fresh.slip()));
+                REQUIRE(same(used.slip_work(), fresh.slip_work()));
+                REQUIRE(same(ride.now, from));
+                mixed += found.stick_count > 0 && found.stick_count < n ? 1 : 0;
+                // without tangents the step is the same
+                if (who == 0 && setup.falls) {
+                    const Step bare = task.run(*rides[3].model, from, alone, fresh);
+                    REQUIRE(same(ratios(bare), ratios(found)));
+                    REQUIRE(same(ride.next, alone));
+                    REQUIRE(std::isnan(bare.tangent.by_longitudinal.longitudinal));
+                    REQUIRE(std::isnan(bare.tangent_by_load.longitudinal));
+                }
+                if (!draw.one_in(3)) ride.accept();  // otherwise the trial is rejected
+            }
+        }
+        CHECK(mixed > 100);
+    }
+}
+
+TEST_CASE("A constant load gives bit for bit the same steps as no load", "[friction]") {
+    for (Setup setup : every_setup_in_time()) {
+        for (const bool strip : {false, true}) {
+            setup.strip = strip;
+            INFO(words(setup));
+            Ride plain(setup), loaded(setup);
+            const Load load{setup.pressure(), a, {}};
+            for (int k = 0; k < 30; ++k) {
+                CAPTURE(strip, k);
+                const double dq = k % 7 == 0 ? 0.4 : k % 7 == 3 ? 0 : 0.1, size = 1.2 * std::sin(0.3 * k);
+                const Motion motion = dq == 0      ? shift(size, 10.0 * k)
+                                      : k % 2 == 0 ? Motion(creepage(size, 10.0 * k))
+                                                   : Motion::linear(creepage(size, 30), creepage(0.5, 10.0 * k));
+                const Step step = plain.step(dq, motion);
+                Step same_step = loaded.step(dq, motion, &load);
+                REQUIRE(step.status == StepStatus::ok);
+                CHECK(std::isnan(same_step.tangent_by_load.longitudinal));
+                CHECK(std::isnan(same_step.tangent_by_load.lateral));
+                CHECK(std::isnan(same_step.tangent_by_half_length.longitudinal) == (strip || dq == 0));
+                CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
+                same_step.tangent_by_half_length = step.tangent_by_half_length;
+                REQUIRE(same(step, same_step));
+                REQUIRE(same(plain.now, loaded.now));
+                REQUIRE(same(plain.own.slip(), loaded.own.slip()));
+            }
+        }
+    }
+}
+
+TEST_CASE("Contact may be lost and regained", "[friction]") {
+    for (Setup setup : every_setup_in_time()) {
+        for (const int n : {1, 3, 24}) {
+            INFO(words(setup));
+            CAPTURE(n);
+            setup.mesh = uniform_mesh<double>(n);
+            setup.strip = n == 24;
+            Ride ride(setup);
+            Load load{setup.pressure(), a, setup.pressure()};
+            double largest = 0;
+            for (int k = 0; k < 68; ++k) {
+                const double part = std::max(0.0, 0.4 + std::sin(0.3 * k));  // lifts off at each trough
+                const Eigen::ArrayXd x = setup.mesh.centres();
+                load.normal_pressure = peak_pressure * (part - x.square()).max(0).sqrt();
+                const double dq = k % 6 == 5 ? 0 : 0.15;
+                const Step step = ride.step(dq, dq == 0 ? shift(0.6, 9.0 * k) : creepage(0.6, 9.0 * k), &load);
+                CAPTURE(k, part, step.rounds);
+                REQUIRE(step.status == StepStatus::ok);
+                CHECK(step.complementarity_residual < 1e-9);
+                CHECK(step.slip_work_per_width >= 0);
+                const Eigen::ArrayXd traction = ride.now.traction.rowwise().norm();
+                CHECK((traction <= law.mu_0 * load.normal_pressure * (1 + 1e-12)).all());
+                CHECK(matrix(step.tangent).allFinite());
+                CHECK(vector(step.tangent_by_load).allFinite());
+                if (setup.falls) CHECK((load.normal_pressure > 0 || ride.now.friction_coefficient == law.mu_0).all());
+                if (part == 0) {
+                    CHECK(vector(step.force).isZero(0));
+                    CHECK(matrix(step.tangent).isZero(0));
+                    CHECK(step.stick_count == 0);
+                }
+                largest = std::max(largest, traction.maxCoeff());
+            }
+            CHECK(largest > 0.1 * law.mu_0 * peak_pressure);
+        }
+    }
+}
+
+// What a refused call returns and leaves behind.
+void check_refused(const Ride& ride, const Step& step, StepStatus expected, const State& before,
+                   const Eigen::MatrixXd& slip) {
+    CAPTURE(name(step.status), name(expected));
+    CHECK(step.status == expected);
+    CHECK(std::isnan(step.force.longitudinal));
+    CHECK(std::isnan(step.force_per_width.lateral));
+    CHECK(std::isnan(step.tangent.by_longitudinal.longitudinal));
+    CHECK(std::isnan(step.tangent_by_load.longitudinal));
+    CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
+    CHECK(std::isnan(step.slip_work_per_width));
+    CHECK(same(ride.next, before));
+    CHECK(ride.own.slip() == slip);
+}
+
+TEST_CASE("Invalid steps, states and loads are reported by the status, and nothing is written", "[friction]") {
+    for (Setup setup : every_setup_in_time(1e-6)) {
+        INFO(words(setup));
+        setup.mesh = cosine_mesh<double>(8);
+        Ride ride(setup);
+        REQUIRE(ride.try_step(0.1, creepage(0.5, 30)).status == StepStatus::ok);
+        const State rest = ride.now, kept = ride.next;
+        const Eigen::MatrixXd slip = ride.own.slip();
+        const Creepage<double> creeps = creepage(0.5, 30);
+        const auto refused = [&](StepStatus expected, const Step& step) {
+            check_refused(ride, step, expected, kept, slip);
+        };
+        const auto advance = [&](const State& from, const Travel<double>& travel, const Motion& motion,
+                                 const Load* load = nullptr) {
+            return ride.model->advance(from, travel, motion, load, ride.next, ride.own);
+        };
+        // neither steps nor steady solutions continue a state
+        const auto refused_state = [&](StepStatus expected, const State& from, StepStatus alone) {
+            refused(expected, advance(from, Ride::travel(0.1), creeps));
+            refused(expected, advance(from, Ride::travel(0), shift(0.5)));
+            refused(expected, ride.model->steady(from, creeps, speed, nullptr, ride.next, ride.own));
+            refused(alone, ride.model->solve_steady(from, creeps, speed, ride.next, ride.own));
+        };
+
+        for (const double bad : {0.0, -1.0, nan, infinite}) {
+            CAPTURE(bad);
+            refused(StepStatus::invalid_step, advance(rest, {bad * a, 1e-5}, creeps));
+            if (bad != 0) refused(StepStatus::invalid_step, advance(rest, {bad * a, 1e-5}, shift(0.5)));
+            if (!setup.falls) continue;
+            refused(StepStatus::invalid_step, advance(rest, {0.1 * a, bad}, creeps));
+            refused(StepStatus::invalid_step, ride.model->steady(rest, creeps, bad, nullptr, ride.next, ride.own));
+            refused(StepStatus::invalid_step, ride.model->solve_steady(rest, creeps, bad, ride.next, ride.own));
+        }
+        for (const double bad : {nan, infinite}) {
+            for (const Creepage<double>& motion : {Creepage<double>{bad, bad}, {bad, 0}, {0, bad}}) {
+                if (setup.directions == 1 && motion.longitudinal == 0) continue;
+                CAPTURE(bad, motion.longitudinal);
+                refused(StepStatus::not_finite, advance(rest, Ride::travel(0.1), motion));
+                refused(StepStatus::not_finite, advance(rest, Ride::travel(0.1), Motion::linear(creeps, motion)));
+                refused(StepStatus::not_finite, advance(rest, Ride::travel(0.1), Motion::linear(motion, creeps)));
+                refused(StepStatus::not_finite, advance(rest, Ride::travel(0), Motion::shift(motion)));
+                refused(StepStatus::not_finite, ride.model->steady(rest, motion, speed, nullptr, ride.next, ride.own));
+                refused(StepStatus::not_finite, ride.model->solve_steady(rest, motion, speed, ride.next, ride.own));
+            }
+        }
+
+        // states of other models, and incomplete ones
+        std::vector<Setup> others(4, setup);
+        others[0].mesh = uniform_mesh<double>(8);
+        others[1].half_width *= 1.1;
+        others[2].scheme.alpha_L = 0;
+        others[3].own_pressure = 1.1 * setup.pressure();
+        std::vector<State> wrong{State{}};
+        for (const Setup& other : others) wrong.push_back(make(other)->at_rest());
+        const auto spoilt = [&](const auto& change) {
+            wrong.push_back(rest);
+            change(wrong.back());
+        };
+        spoilt([](State& state) { state.zones.pop_back(); });
+        spoilt([](State& state) { state.traction.conservativeResize(7, 2); });
+        spoilt([](State& state) { state.normal_pressure.conservativeResize(7); });
+        spoilt([](State& state) { state.system += 1; });
+        spoilt(
+            [](State& state) { state.friction_coefficient.setConstant(state.friction_coefficient.size() + 1, 0.3); });
+        spoilt([](State& state) { state.solver.stage_coefficient.setConstant(7, 0.3); });
+        for (const double bad : {-0.1, nan, infinite}) {
+            if (!setup.falls) continue;
+            spoilt([bad](State& state) { state.friction_coefficient[3] = bad; });
+            spoilt([bad](State& state) { state.solver.stage_coefficient[3] = bad; });
+        }
+        for (const State& from : wrong) refused_state(StepStatus::wrong_state, from, StepStatus::wrong_state);
+        for (const double bad : {-1e-300, nan, infinite}) {
+            State from = rest;
+            from.normal_pressure[3] = bad;
+            refused_state(StepStatus::invalid_load, from, StepStatus::invalid_load);
+            from = rest;
+            from.half_length = bad;
+            refused_state(StepStatus::invalid_load, from, StepStatus::invalid_load);
+        }
+        State breathed = rest;
+        breathed.half_length = 1.1 * a;
+        refused(StepStatus::needs_fixed_mesh, ride.model->solve_steady(breathed, creeps, speed, ride.next, ride.own));
+
+        // what is written to: another state of the same size
+        State here = rest, small = make(others[0])->at_rest();
+        small.zones.pop_back();
+        CHECK(ride.model->advance(here, Ride::travel(0.1), creeps, nullptr, here, ride.own).status ==
+              StepStatus::wrong_state);
+        CHECK(ride.model->advance(here, Ride::travel(0.1), creeps, nullptr, small, ride.own).status ==
+              StepStatus::wrong_state);
+        CHECK(same(here, rest));
+        Setup shorter = setup, unlike = setup;
+        shorter.mesh = cosine_mesh<double>(7);
+        unlike.falls = !setup.falls;
+        unlike.distance = 0;
+        for (const Setup& other : {shorter, unlike}) {
+            Workspace foreign = make(other)->workspace();
+            refused(StepStatus::wrong_state,
+                    ride.model->advance(rest, Ride::travel(0.1), creeps, nullptr, ride.next, foreign));
+            refused(StepStatus::wrong_state, ride.model->solve_steady(rest, creeps, speed, ride.next, foreign));
+        }
+
+        // loads
+        const Load good{setup.pressure(), a, setup.pressure()};
+        std::vector<Load> invalid(4, good);
+        invalid[0].normal_pressure.conservativeResize(7);
+        invalid[1].pressure_rate.conservativeResize(7);
+        invalid[2].pressure_rate[3] = nan;
+        invalid[3].half_length = 0;
+        for (const double bad : {-1e-300, nan, infinite}) {
+            for (const int what : {0, 1}) {
+                Load load = good;
+                (what == 0 ? load.normal_pressure[7] : load.half_length) = bad;
+                invalid.push_back(load);
+            }
+        }
+        for (const Load& load : invalid) {
+            CHECK(load.check(8) == StepStatus::invalid_load);
+            refused(StepStatus::invalid_load, advance(rest, Ride::travel(0.1), creeps, &load));
+            refused(StepStatus::invalid_load, ride.model->steady(rest, creeps, speed, &load, ride.next, ride.own));
+        }
+        Load longer = good;
+        for (const double way : {1.0, -1.0}) {
+            longer.half_length = a * (1 + way * 0.099);
+            State to = kept;
+            CHECK(ride.model->advance(rest, Ride::travel(0.1), creeps, &longer, to, ride.own).status == StepStatus::ok);
+            CHECK(to.half_length == longer.half_length);
+            for (const double change : {0.125, 0.11}) {
+                longer.half_length = a * (1 + way * change);
+                const double dq = change == 0.125 ? 0.125 : 0.1;
+                CHECK(advance(rest, Ride::travel(dq), creeps, &longer).status == StepStatus::needs_fixed_mesh);
+            }
+            longer.half_length = a * (1 + way * 1e-9);
+            CHECK(advance(rest, Ride::travel(0), shift(0.5), &longer).status == StepStatus::needs_fixed_mesh);
+            CHECK(same(ride.next, kept));
+        }
+    }
+}
+
+TEST_CASE("A system with a single half-length is reported as needs_fixed_mesh", "[friction]") {
+    for (Setup setup : every_setup()) {
+        setup.strip = true;
+        INFO(words(setup));
+        Ride ride(setup);
+        const State rest = ride.now;
+        const Creepage<double> creeps = creepage(0.5, 30);
+        Load load{setup.pressure(), a, {}};
+        CHECK(ride.try_step(0.1, creeps, &load).status == StepStatus::ok);
+        load.half_length = 1.001 * a;
+        CHECK(ride.try_step(0.1, creeps, &load).status == StepStatus::needs_fixed_mesh);
+        CHECK(ride.try_steady(creeps, &load).status == StepStatus::needs_fixed_mesh);
+        ride.now.half_length = 1.001 * a;
+        CHECK(ride.try_step(0.1, creeps, &load).status == StepStatus::needs_fixed_mesh);
+        CHECK(ride.try_step(0.1, creeps).status == StepStatus::needs_fixed_mesh);
+        CHECK(ride.try_step(0, shift(0.5)).status == StepStatus::needs_fixed_mesh);
+        CHECK(ride.try_steady(creeps).status == StepStatus::needs_fixed_mesh);
+        CHECK(std::isnan(ride.model->elastic_energy_per_width(ride.now)));
+        CHECK(ride.model->elastic_energy_per_width(rest) == 0);
+    }
+}
+
+TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction]") {
+    for (const Setup& setup : every_setup_in_time()) {
+        INFO(words(setup));
+        Ride ride(setup);
+        const State rest = ride.now;
+        REQUIRE(ride.step(1, creepage(0.7, 20)).status == StepStatus::ok);
+        REQUIRE(ride.now.zones != rest.zones);
+        const Step failed = ride.try_step(1e3, Creepage<double>{1e308, 1e308});
+        CHECK(failed.status == StepStatus::not_finite);
+        CHECK(std::isnan(failed.force.longitudinal));
+        CHECK(same(ride.next.traction, ride.now.traction));
+        CHECK(ride.next.zones == ride.now.zones);
+        CHECK(same(ride.next.friction_coefficient, ride.now.friction_coefficient));
+        CHECK(ride.next.system == ride.now.system);
+        CHECK(ride.own.slip().isZero(0));  // nothing slid
+        // a step from it is a step from the state itself, in the same workspace
+        const State copy = ride.next;
+        State after = rest;
+        Workspace fresh = ride.model->workspace();
+        const Step again = ride.model->advance(copy, Ride::travel(0.1), creepage(-0.3), nullptr, after, ride.own);
+        const Step alone = ride.model->advance(ride.now, Ride::travel(0.1), creepage(-0.3), nullptr, ride.next, fresh);
+        CHECK(again.status == StepStatus::ok);
+        CHECK(same(ratios(again), ratios(alone)));
+        // a traction that is no number
+        for (const Eigen::Index i : {0, 7, 19}) {
+            ride.now = rest;
+            ride.now.traction(i, setup.directions == 1 ? 0 : i % 2) = nan;
+            CHECK(ride.try_step(0.2, creepage(0.5)).status == StepStatus::not_finite);
+            CHECK(ride.next.traction.hasNaN());
+        }
+    }
+}
+
+TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[friction]") {
+    for (Setup setup : every_setup(1e-6)) {
+        INFO(words(setup));
+        setup.mesh = cosine_mesh<double>(8);
+        const Setup good = setup;
+        const auto refused = [&](const std::string& words) {
+            CHECK(refusal([&] { make(setup); }) == "FrictionModel: " + words);
+            if (setup.integrator == good.integrator) {
+                CHECK(refusal([&] { make_steady(setup); }) == "SteadyFrictionModel: " + words);
+            }
+            setup = good;
+        };
+        const std::string mu = setup.falls ? "friction coefficient at rest" : "friction_coefficient";
+        for (const auto& [bad, text] : {std::pair(-0.1, "-0.1"), std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
+            setup.constant = setup.falling.mu_0 = bad;
+            refused(mu + " = " + text + " must be finite and not negative");
+        }
+        if (setup.distance > 0) {
+            for (const auto& [bad, text] :
+                 {std::pair(-1e-6, "-1e-06"), std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
+                setup.distance = bad;
+                refused("distance of the memory = " + std::string(text) + " must be finite and not negative");
+                setup.least = bad;
+                refused("least_velocity of the memory = " + std::string(text) + " must be finite and not negative");
+            }
+        }
+        ArrayX<double> pressure = setup.pressure();
+        setup.own_pressure = pressure.head(7);
+        refused("length of normal_pressure = 7 must equal the number of elements");
+        setup.own_pressure = 0 * pressure;
+        refused("largest normal_pressure = 0 must be positive");
+        pressure[3] = -2;
+        setup.own_pressure = pressure;
+        refused("normal_pressure = -2 must be finite and not negative");
+        setup.integrator = Integrator::matrix_exponential;
+        refused("integrator = matrix_exponential must be implicit_euler or sdirk2");
+    }
+}
+
+TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
+    for (const int directions : {1, 2}) {
+        Setup setup{.directions = directions};
+        setup.any = [](double v) { return v > 0.05 ? nan : 0.3; };
+        Ride ride(setup);
+        ride.now.friction_coefficient.setConstant(0.2);
+        CHECK(ride.try_step(0.1, Creepage<double>{0, 0}).status == StepStatus::ok);
+        const Step step = ride.try_step(0.1, Creepage<double>{2e-2, 2e-2});
+        CHECK(step.status == StepStatus::not_finite);
+        CHECK(std::isnan(step.force.longitudinal));
+        CHECK(same(ride.next.traction, ride.now.traction));
+        CHECK((ride.next.friction_coefficient == 0.2).all());
+        CHECK(ride.try_steady({2e-2, 2e-2}).status == StepStatus::not_finite);
+    }
+}
+
+TEST_CASE("If no coefficient fits its slip, status and residual say so", "[friction]") {
+    for (const int directions : {1, 2}) {
+        Setup setup{.directions = directions, .integrator = Integrator::implicit_euler};
+        setup.mesh = uniform_mesh<double>(1);
+        // it sticks at the coefficient of slip, and slips at that of rest
+        setup.any = [](double v) { return v > 0 ? 0.3 : 0.1; };
+        Ride ride(setup);
+        int failed = 0;
+        for (int k = 1; k <= 60; ++k) {
+            const Step step = ride.try_step(0.1, Creepage<double>{8e-4 * k, 6e-4 * k});
+            if (step.status == StepStatus::ok) continue;
+            REQUIRE(step.status == StepStatus::no_solution);
+            CHECK(step.complementarity_residual > 0.05);
+            CHECK(step.complementarity_residual < 0.21);
+            CHECK(vector(step.force).allFinite());
+            CHECK(matrix(step.tangent).hasNaN());
+            ++failed;
+        }
+        CHECK(failed >= 5);
+        CHECK(failed <= 55);
+    }
+}
+
+}  // namespace
+}  // namespace any_model

@@ -1,0 +1,134 @@
+// rollbem/friction/transient.hpp: scenes drawn at random, in one direction and two, with constant friction and with
+// friction that falls with slip, steady and in time, against the conditions of the law.
+// ROLLBEM_SCENES sets how many tenths (default 10000), ROLLBEM_SEED the seed of the generator.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "drawn_scenes.hpp"
+#include "friction/any_model.hpp"
+#include "friction/conditions.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace any_model;
+using drawn_scenes::from_environment, support::Draw;
+using friction_conditions::Violation, friction_conditions::violation;
+
+enum class Kind { constant, forgetful, remembering };
+
+AnyLaw drawn_law(int kind, double mu_0, double mu_k, double half_velocity) {
+    switch (kind) {
+        case 0: return ExponentialFall<double>{mu_0, mu_k, half_velocity};
+        case 1: return RationalFall<double>{mu_0, mu_k, half_velocity};
+        default: return LinearFall<double>{mu_0, mu_k, half_velocity};
+    }
+}
+
+Mesh<double> drawn_mesh(Draw& draw, Eigen::Index n) {
+    switch (draw.integer(3)) {
+        case 0: return uniform_mesh<double>(n);
+        case 1: return geometric_mesh<double>(std::max<Eigen::Index>(n, 2), draw.decades(-0.5, 0.5));
+        default: return cosine_mesh<double>(n);
+    }
+}
+
+struct Tally {
+    int solutions = 0, unsolved = 0;
+    int mixed = 0, forgetting = 0;  // with stick and slip; with a coefficient well below that at rest
+};
+
+// A steady solution from rest, then implicit steps and shifts under pressures and creepages of every kind, with steady
+// solutions in between.
+void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
+    const double a = draw.decades(-4, -1), G = draw.decades(8, 11.5), V = draw.decades(-1, 2);
+    const Eigen::Index drawn = 1 + draw.integer(directions == 1 ? 30 : 20);
+    const double mu_0 = draw.uniform(0.05, 1), peak = G * draw.decades(-4, -2), full = mu_0 * peak / G;
+    const double aspect = draw.decades(0, 3.5);
+    Setup setup{.directions = directions, .integrator = Integrator::implicit_euler, .mesh = drawn_mesh(draw, drawn)};
+    const Eigen::Index n = setup.mesh.size();
+    setup.scheme.alpha_L = n == 1 || draw.one_in(2) ? 0.5 : draw.uniform(0.2, 0.5);
+    setup.strip = aspect < 100 || draw.one_in(2);
+    setup.constant = mu_0;
+    setup.own_contact = Contact<double>({.half_length = a,
+                                         .half_width = a * aspect,
+                                         .shear_modulus = G,
+                                         .poisson_ratio = draw.one_in(4) ? 0 : draw.uniform(0, 0.5)});
+    AnyLaw law = [mu_0](double) { return mu_0; };
+    if (kind != Kind::constant) {
+        law = drawn_law(draw.integer(3), mu_0, mu_0 * draw.uniform(0, 1.2), V * full * draw.decades(-1, 2));
+        setup.any = law;
+    }
+    setup.least = V * full * draw.decades(-4, -1);
+    if (kind == Kind::remembering) setup.distance = a * full * draw.decades(-2, 1);
+    const auto pressures = [&](bool holes) {
+        ArrayX<double> result = peak * mean_hertz_pressure(setup.mesh);
+        for (double& pressure : result) {
+            pressure *= draw.uniform(0.5, 1.2);
+            if (holes && draw.one_in(6)) pressure = 0;
+        }
+        if (!(result.maxCoeff() > 0)) result[0] = peak;
+        return result;
+    };
+    setup.own_pressure = pressures(false);
+    const FrictionMemory<double> memory{setup.distance, setup.least};
+    const ElementSystem<double, 2> system(setup.system(false), setup.system(true));
+    Ride ride(setup);
+    Load load{*setup.own_pressure, a, {}};
+    for (int k = 0; k < 10; ++k) {
+        const double size = full * draw.decades(-1.5, 1), angle = draw.uniform(-3.2, 3.2);
+        const bool along = directions == 1 || draw.one_in(6);
+        const Creepage<double> creepage{along ? (draw.one_in(3) ? -size : size) : size * std::cos(angle),
+                                        along ? 0 : size * std::sin(angle)};
+        if (draw.one_in(4)) load.normal_pressure = pressures(true);
+        const bool steady = k == 0 || draw.one_in(4), shifts = !steady && draw.one_in(5);
+        const double dq = shifts || steady ? 0 : draw.decades(-2, 0), duration = draw.decades(-2, 0) * a / V;
+        const double time = steady ? a / V : shifts ? duration : dq * a / V, way = steady || shifts ? 1 : dq;
+        const Motion motion =
+            shifts ? Motion::shift({a * creepage.longitudinal, a * creepage.lateral}) : Motion(creepage);
+        const Step step = steady ? ride.model->steady(ride.now, creepage, V, &load, ride.next, ride.own)
+                                 : ride.model->advance(ride.now, {dq * a, time}, motion, &load, ride.next, ride.own);
+        ++tally.solutions;
+        const Violation<double> found = violation<double>(law, memory, system, a, G, steady ? 1 : dq,
+                                                          {way * creepage.longitudinal, way * creepage.lateral}, time,
+                                                          steady ? nullptr : &ride.now, ride.next);
+        CAPTURE(n, k, aspect, steady, shifts, size / full, angle, dq, name(step.status), step.rounds, found.bound,
+                found.stick, found.direction, found.friction, found.mu, step.complementarity_residual);
+        if (step.status == StepStatus::no_solution && kind != Kind::constant) {
+            ++tally.unsolved;
+            REQUIRE(std::isfinite(step.force.longitudinal));
+            REQUIRE(found.mu <= 1.001 * step.complementarity_residual);  // which is not hidden
+            continue;
+        }
+        REQUIRE(step.status == StepStatus::ok);
+        REQUIRE(step.slip_work_per_width >= (directions == 1 ? 0 : -1e-9));
+        REQUIRE(found.worst() <= 1);
+        tally.mixed += step.stick_count > 0 && step.stick_count < n ? 1 : 0;
+        if (kind != Kind::constant) {
+            tally.forgetting += ride.next.friction_coefficient.minCoeff() < 0.95 * mu_0 ? 1 : 0;
+        }
+        ride.accept();
+    }
+}
+
+TEST_CASE("Friction obeys its law on random scenes", "[property]") {
+    const auto scenes = static_cast<int>(from_environment("ROLLBEM_SCENES", 10000) / 20);
+    for (const int directions : {1, 2}) {
+        for (const Kind kind : {Kind::constant, Kind::forgetful, Kind::remembering}) {
+            Draw draw(from_environment("ROLLBEM_SEED", 16) + static_cast<std::uint64_t>(kind));
+            Tally tally;
+            for (int k = 0; k < scenes; ++k) {
+                CAPTURE(directions, static_cast<int>(kind), k);
+                ride(draw, directions, kind, tally);
+            }
+            CAPTURE(directions, static_cast<int>(kind), tally.solutions, tally.unsolved, tally.mixed, tally.forgetting);
+            CHECK(tally.unsolved <= tally.solutions / 5000);
+            CHECK(tally.mixed > tally.solutions / 5);
+            if (kind != Kind::constant) CHECK(tally.forgetting > tally.solutions / 5);
+        }
+    }
+}
+
+}  // namespace
