@@ -138,9 +138,10 @@ TEST_CASE("The sweep and the direct solution agree at real frequencies and at co
             CHECK(point.rcond < 300 * full.rcond);
             CHECK(point.rcond > full.rcond / 300);
             // the residual of Eq. (16), independent of the header under test
-            const VectorX<Complex> left = system.G_prime() * full.traction - s * (system.G() * full.traction).eval();
-            const double size = (system.G_prime().cwiseAbs() * full.traction.cwiseAbs() +
-                                 std::abs(s) * (system.G().cwiseAbs() * full.traction.cwiseAbs()))
+            const VectorX<Complex> left =
+                system.G_prime() * full.unknowns.col(0) - s * (system.G() * full.unknowns.col(0)).eval();
+            const double size = (system.G_prime().cwiseAbs() * full.unknowns.col(0).cwiseAbs() +
+                                 std::abs(s) * (system.G().cwiseAbs() * full.unknowns.col(0).cwiseAbs()))
                                     .maxCoeff();
             CHECK((left.array() - 1.0).abs().maxCoeff() < 1e-13 * (size + 1));
         }
