@@ -88,7 +88,17 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 
 Options::Options(std::string program, const std::string& purpose)
     : program_(std::move(program)), app_(std::make_unique<CLI::App>(purpose, program_)) {
-    app_->get_formatter()->column_width(28);
+    const auto lay_out = [](auto& formatter) {
+        formatter.column_width(28);
+        // lines are wrapped here, also for a CLI11 (from 2.5 on) that would wrap them again
+        if constexpr (requires { formatter.right_column_width(0); }) {
+            constexpr std::size_t unlimited = 1 << 20;
+            formatter.right_column_width(unlimited);
+            formatter.description_paragraph_width(unlimited);
+            formatter.footer_paragraph_width(unlimited);
+        }
+    };
+    lay_out(*app_->get_formatter());
     app_->set_help_flag("-h,--help", "print this help and exit")->group("Program");
     app_->set_version_flag("--version", version())->group("Program");
     app_->get_option("--version")->description("print version and git revision and exit");
