@@ -39,7 +39,7 @@ Steady by_elements(const auto& mesh, const auto& scheme, const auto& kernel, boo
     // 3. Assemble G' and solve G' p = xi for unit creepage.
     const Eigen::MatrixXd G_prime = rollbem::assemble_G_prime(mesh, scheme, kernel);
     const Eigen::ArrayXd widths = rollbem::unknown_widths(mesh, scheme);
-    const rollbem::UnitSteadySolution<double> solution = rollbem::solve_steady<double>(G_prime, widths);
+    const rollbem::SteadySolution<double> solution = rollbem::solve_steady<double>(G_prime, widths);
     Steady result{.c11 = solution.c11, .status = solution.status, .residual = solution.residual};
 
     // 4. Time both steps, unless other jobs would spoil it.

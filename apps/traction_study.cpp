@@ -34,7 +34,7 @@ void emit_elements(const study::Scene& scene, study::RowRange elements, const st
     const auto solve = [](const auto& mesh, const auto& scheme, const auto& kernel) {
         return rollbem::solve_steady(mesh, scheme, kernel);
     };
-    const rollbem::UnitSteadySolution<double> solution = scene.visit(solve);
+    const rollbem::SteadySolution<double> solution = scene.visit(solve);
     Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
     traction.head(solution.traction.size()) = solution.traction;
     const std::string status = study::steady_status(scene, solution.status, solution.c11);

@@ -27,14 +27,14 @@ ElementSystem<double> system_of_paper(Eigen::Index n) { return rolling_system(un
 
 void finish(benchmark::State& state) { state.counters["n"] = static_cast<double>(state.range(0)); }
 
-double relative_error(const UnitSteadySolution<double>& solution) {
+double relative_error(const SteadySolution<double>& solution) {
     return solution.c11 / steady_c11(contact.poisson_ratio()) - 1;
 }
 
 void BM_SteadySolve(benchmark::State& state) {
     const Mesh<double> mesh = uniform_mesh(state.range(0));
     const MatrixX<double> G_prime = assemble_G_prime(mesh, of_paper, kernel);
-    UnitSteadySolution<double> solution;
+    SteadySolution<double> solution;
     for (auto _ : state) benchmark::DoNotOptimize(solution = solve_steady<double>(G_prime, mesh.widths()));
     state.counters["relative_error"] = relative_error(solution);
     finish(state);
@@ -43,7 +43,7 @@ BENCHMARK(BM_SteadySolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 
 template <class MakeMesh, class Scheme>
 void steady(benchmark::State& state, MakeMesh make_mesh, const Scheme& scheme) {
-    UnitSteadySolution<double> solution;
+    SteadySolution<double> solution;
     for (auto _ : state) {
         benchmark::DoNotOptimize(solution = solve_steady(make_mesh(state.range(0)), scheme, kernel));
     }
@@ -89,7 +89,7 @@ double sweep_error(const Response& c11) {
 
 void BM_SweepLU(benchmark::State& state) {
     const RollingSystem<double> system = system_of_paper(state.range(0));
-    const auto c11 = [&](double z) { return solve_exponential(system, std::complex<double>(0, z)).c11; };
+    const auto c11 = [&](double z) { return solve_response(system, std::complex<double>(0, z)).coefficients(0, 0); };
     for (auto _ : state) {
         std::complex<double> sum = 0;
         for (const double z : frequencies()) sum += c11(z);

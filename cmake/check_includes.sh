@@ -2,7 +2,7 @@
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
 # depend on meshes nor the reference on the assembly, only reference/ needs GSL, the time stepper includes no eigenvalue
-# headers, only compiled/ needs a compiled library, and nothing prints.
+# headers, only compiled/ needs a compiled library, nothing prints, and all reach the check of the language.
 set -eu
 cd "$1"
 
@@ -79,6 +79,7 @@ END {
         from = stage(file)
         if (!(from in rank)) complain(file ": folder " from " is none of the stages")
         count = split(includes[file], list, " ")
+        if (file != "rollbem/detail/language.hpp" && includes[file] !~ / rollbem\//) complain(file " does not check the language")
         for (i = 1; i <= count; ++i) {
             target = list[i]
             if (target ~ /^rollbem\//) {

@@ -1,6 +1,6 @@
-// A driven wheel (wheel.hpp) on a corrugated rail, in SI units: the normal load varies by 50 % over each wave, and with it the
-// length of the contact and the force it can transfer. Integrated implicitly; the slip work of the elements maps the
-// wear of the rail over the wave. Every joule is accounted for; the varying load does no work on the contact.
+// A driven wheel (wheel.hpp) on a corrugated rail, in SI units: the normal load varies by 50 % over each wave, and with
+// it the length of the contact and the force it can transfer. Integrated implicitly; the slip work of the elements maps
+// the wear of the rail over the wave. Every joule is accounted for; the varying load does no work on the contact.
 //
 //     ./examples/corrugated_rail
 //

@@ -27,7 +27,7 @@ struct Problem {
     double poisson_ratio = steel;
 };
 
-rollbem::UnitSteadySolution<double> solve(const Problem& p) {
+rollbem::SteadySolution<double> solve(const Problem& p) {
     const rollbem::Mesh<double> mesh = rollbem::make_mesh(p.mesh);
     if (std::isinf(p.aspect)) return rollbem::solve_steady(mesh, p.scheme, plane(p.aspect, p.poisson_ratio));
     return rollbem::solve_steady(mesh, p.scheme, strip(p.aspect, p.poisson_ratio));
@@ -36,7 +36,7 @@ rollbem::UnitSteadySolution<double> solve(const Problem& p) {
 double largest_width(const Problem& p) { return rollbem::make_mesh(p.mesh).widths().maxCoeff(); }
 
 Outcome against(const Problem& p, double reference, double bound) {
-    const rollbem::UnitSteadySolution<double> solution = solve(p);
+    const rollbem::SteadySolution<double> solution = solve(p);
     return compare(solution, solution.c11, reference, bound);
 }
 

@@ -42,7 +42,7 @@ Eigen::MatrixXd G_prime(const Case& c) {
     return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble_G_prime(mesh_of(c), scheme, strip()); });
 }
 
-rollbem::UnitSteadySolution<double> steady(const Case& c) {
+rollbem::SteadySolution<double> steady(const Case& c) {
     return with_scheme(c, [&](const auto& scheme) { return rollbem::solve_steady(mesh_of(c), scheme, strip()); });
 }
 
@@ -79,7 +79,7 @@ static bool is_solved(rollbem::Status status) {
 }
 
 SteadyRatio steady_ratio(const Case& c) {
-    const rollbem::UnitSteadySolution<double> solution = steady(c);
+    const rollbem::SteadySolution<double> solution = steady(c);
     return {solution.c11 / rollbem::steady_c11(poisson_ratio), solution.status};
 }
 
@@ -90,7 +90,7 @@ double c11_ratio(const Case& c) {
 
 Tractions tractions(const Case& c) {
     const Mesh mesh = mesh_of(c);
-    const rollbem::UnitSteadySolution<double> solution = steady(c);
+    const rollbem::SteadySolution<double> solution = steady(c);
     Tractions result{mesh.centres(), solution.traction, Eigen::ArrayXd(c.n),
                      rollbem::carter_mean_tractions(mesh, poisson_ratio), solution.status};
     if (!is_solved(solution.status)) result.value.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -105,10 +105,9 @@ double knothe_boundary_difference(Eigen::Index n, Derivative derivative) {
     const rollbem::PlaneKernel<double> plane =
         rollbem::PlaneKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
     const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
-    const rollbem::UnitSteadySolution<double> boundary =
+    const rollbem::SteadySolution<double> boundary =
         rollbem::solve_steady(rollbem::uniform_mesh(n + 1), rollbem::KnotheBoundary{derivative}, plane);
-    const rollbem::UnitSteadySolution<double> collocation =
-        rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
+    const rollbem::SteadySolution<double> collocation = rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
     return relative_difference(boundary.traction, collocation.traction);
 }
 

@@ -169,7 +169,7 @@ RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
         scene, [&](const auto& kernel) -> RollingSystem<double> { return rollbem::rolling_system(method, kernel); });
 }
 
-rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
 }
 
@@ -221,7 +221,7 @@ Values values(const Scene& scene, const Elements& elements, const Mesh<double>& 
         case Problem::varying_load: return load_forces(scene, elements, mesh, cover);
         case Problem::steady: break;
     }
-    const rollbem::UnitSteadySolution<double> solution = steady(scene, elements, mesh);
+    const rollbem::SteadySolution<double> solution = steady(scene, elements, mesh);
     return {solution.status == rollbem::Status::ok ? solution.c11 : nan};
 }
 

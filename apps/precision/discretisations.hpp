@@ -41,8 +41,7 @@ rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& ele
                                          const rollbem::Mesh<double>& mesh);
 rollbem::RollingSystem<double> system_of(const Scene& scene, const rollbem::Chebyshev& method);
 
-rollbem::UnitSteadySolution<double> steady(const Scene& scene, const Elements& elements,
-                                           const rollbem::Mesh<double>& mesh);
+rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
 rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
 
 /// A mesh that breathes with the contact, or that covers the largest one.

@@ -110,7 +110,7 @@ double Case::traction_error() const {
         return weighted_norm(computed.mesh, computed.values - exact) / weighted_norm(computed.mesh, exact);
     }
     if (scheme_ == "polynomial") {
-        const auto solution = rollbem::solve_chebyshev(Complex(0), nu, finite_aspect(scene_), n_);
+        const auto solution = rollbem::solve_polynomial(Complex(0), nu, finite_aspect(scene_), n_);
         return precision::traction_error(nu, [&](double x) { return solution.traction(x); });
     }
     const rollbem::ChebyshevSteadySolution<double> solution = steady(scene_, Chebyshev{n_});
@@ -165,7 +165,7 @@ double Case::run(const Quantity& quantity) const {
     if (const auto found = elements(scheme_)) return tractions(scene_, *found, n_).values[0];
     if (scheme_ == "chebyshev-states") return steady(scene_, Chebyshev{n_}).traction(0.5);
     if (scheme_ == "closed-form") return rollbem::carter_traction(0.5, nu);
-    return rollbem::solve_chebyshev(Complex(0), nu, finite_aspect(scene_), n_).traction(0.5).real();
+    return rollbem::solve_polynomial(Complex(0), nu, finite_aspect(scene_), n_).traction(0.5).real();
 }
 
 std::optional<bool> Case::stable() const {

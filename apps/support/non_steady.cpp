@@ -103,7 +103,7 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
 
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (!scene.chebyshev) {
-        const rollbem::UnitSteadySolution<double> solution = rollbem::solve_steady(system);
+        const rollbem::SteadySolution<double> solution = rollbem::solve_steady(system);
         return steady_status(scene, solution.status, solution.c11);
     }
     const auto status = [&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel).status; };

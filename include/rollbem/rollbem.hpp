@@ -3,8 +3,6 @@
 // which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
 #pragma once
 
-#include "detail/language.hpp"
-
 #include "accuracy/distance_tangent.hpp"
 #include "accuracy/recommendation.hpp"
 #include "accuracy/recommended_patch.hpp"

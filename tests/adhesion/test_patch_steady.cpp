@@ -171,9 +171,9 @@ TEST_CASE("patch_steady: forces in SI units are those of Kalker's coefficients")
     const double a = 6e-3, b = 4e-3, G = 8e10, c = std::sqrt(a * b), xi = 1e-4, eta = -2e-4, phi = 0.3;
     const PatchContact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
     const auto steady = solve_steady(contact, patch_mesh(contact, 6, 6), chebyshev);
-    const PatchForces<double> force = forces(contact, steady, xi, eta, phi);
-    CHECK_THAT(force.x, WithinRel(-G * a * b * steady.c11 * xi, 1e-13));
-    CHECK_THAT(force.y, WithinRel(-G * a * b * (steady.c22 * eta + c * steady.c23 * phi), 1e-12));
+    const TangentialForce<double> force = forces(contact, steady, xi, eta, phi);
+    CHECK_THAT(force.longitudinal, WithinRel(-G * a * b * steady.c11 * xi, 1e-13));
+    CHECK_THAT(force.lateral, WithinRel(-G * a * b * (steady.c22 * eta + c * steady.c23 * phi), 1e-12));
     CHECK_THAT(force.moment, WithinRel(-G * a * b * c * (steady.c32 * eta + c * steady.c33 * phi), 1e-12));
 }
 

@@ -87,12 +87,12 @@ TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady ro
         CHECK_THAT(all[k].moment, WithinRel(by_eta[k].moment + by_phi[k].moment, 1e-10));
     }
     const auto steady = solve_steady(circle.contact, circle.mesh, chebyshev);
-    const PatchForces<double> reached = forces(circle.contact, steady, xi, eta, phi);
-    CHECK_THAT(all.back().longitudinal, WithinRel(reached.x, 1e-6));
-    CHECK_THAT(all.back().lateral, WithinRel(reached.y, 1e-6));
+    const TangentialForce<double> reached = forces(circle.contact, steady, xi, eta, phi);
+    CHECK_THAT(all.back().longitudinal, WithinRel(reached.longitudinal, 1e-6));
+    CHECK_THAT(all.back().lateral, WithinRel(reached.lateral, 1e-6));
     CHECK_THAT(all.back().moment, WithinRel(reached.moment, 1e-6));
     const TangentialForce<double> at_once = model.force(model.steady({xi, eta, phi}));
-    CHECK_THAT(at_once.longitudinal, WithinRel(reached.x, 1e-10));
+    CHECK_THAT(at_once.longitudinal, WithinRel(reached.longitudinal, 1e-10));
     CHECK_THAT(at_once.moment, WithinRel(reached.moment, 1e-10));
 }
 

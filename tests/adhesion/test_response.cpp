@@ -68,7 +68,7 @@ TEST_CASE("a sweep, the response and the state space agree for three inputs") {
 TEST_CASE("what takes one creepage refuses a system of three") {
     const Both both;
     CHECK(refusal([&] { solve_steady(both.whole); }) == "solve_steady: number of inputs = 3 must be 1");
-    CHECK(refusal([&] { solve_exponential(both.whole, 0.0); }) == "solve_exponential: number of inputs = 3 must be 1");
+    CHECK(refusal([&] { solve_harmonic(both.whole, 0); }) == "solve_harmonic: number of inputs = 3 must be 1");
 }
 
 TEST_CASE("systems of both directions are checked") {

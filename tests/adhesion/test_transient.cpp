@@ -520,7 +520,7 @@ TEST_CASE("A nearly singular G' has a mode that decays slowly even in long steps
         const Mesh<Scalar> mesh = knothe_mesh<Scalar>(5, Scalar(0.075454283025000526));
         const Collocation scheme{-1.5365581400890833, 1.5378493630839927, Derivative::analytic, 0.21406187546799224};
         const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, StripKernel<Scalar>(b, 1 - nu, nu));
-        const UnitSteadySolution<Scalar> steady = solve_steady<Scalar>(matrices.G_prime, mesh.widths());
+        const SteadySolution<Scalar> steady = solve_steady<Scalar>(matrices.G_prime, mesh.widths());
         const AdhesionModel<1, Scalar> model(Contact<Scalar>::dimensionless(b, nu),
                                              ElementSystem<Scalar>(matrices.G, matrices.G_prime, mesh.widths()),
                                              unchecked);

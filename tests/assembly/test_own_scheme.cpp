@@ -81,7 +81,7 @@ TEST_CASE("A scheme with two points solves steady, stability, frequency and time
     const Mesh<double> mesh = uniform_mesh(20);
     const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
 
-    const UnitSteadySolution<double> steady = solve_steady(mesh, stable, kernel);
+    const SteadySolution<double> steady = solve_steady(mesh, stable, kernel);
     CHECK(steady.status == Status::ok);
     CHECK(steady.c11 == Approx(solve_steady<double>(mean.G_prime(), mesh.widths()).c11).epsilon(1e-12));
     CHECK(solve_steady(contact, mesh, stable, 1e-3).c11 == steady.c11);

@@ -217,7 +217,7 @@ TEST_CASE("A soft layer acts as a brush", "[layer]") {
     const Mesh<double> mesh = uniform_mesh<double>(40);
     std::vector<double> softness, errors;
     for (const double L : {1e2, 1e3, 1e4, 1e5}) {
-        const UnitSteadySolution<double> solution = solve_steady(mesh, halves, LayeredKernel(plane, L));
+        const SteadySolution<double> solution = solve_steady(mesh, halves, LayeredKernel(plane, L));
         REQUIRE(solution.status == Status::ok);
         softness.push_back(L);
         double error = 0;
@@ -249,7 +249,7 @@ TEST_CASE("Differences between centres of a uniform mesh give a brush exactly", 
     const PlaneKernel<double> stiff(std::numeric_limits<double>::infinity(), 1e-14, 0);
     for (const Eigen::Index n : {1, 2, 7, 40}) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
-        const UnitSteadySolution<double> brush = solve_steady(mesh, NodeDifference{}, LayeredKernel(stiff, 2));
+        const SteadySolution<double> brush = solve_steady(mesh, NodeDifference{}, LayeredKernel(stiff, 2));
         CAPTURE(n, brush.c11);
         CHECK((2 * brush.traction.array() + mesh.from_leading()).abs().maxCoeff() < 1e-12);
         CHECK(std::abs(brush.c11 - 1) < 1e-12);

@@ -114,7 +114,7 @@ TEST_CASE("Threads may share frequency sweeps and the polynomial approach", "[th
                 numbers.push_back(c11.imag());
             }
         }
-        const PolynomialSolution<double> solution = solve_chebyshev<double>({0, 1}, nu, 1000);
+        const PolynomialSolution<double> solution = solve_polynomial<double>({0, 1}, nu, 1000);
         numbers.push_back(solution.traction(0.3).real());
         return numbers;
     });

@@ -59,7 +59,7 @@ Violation<Scalar> violation(const Law& law, const rollbem::FrictionMemory<Scalar
     const rollbem::ArrayX<Scalar> mus = coefficients(after), mus_before = coefficients(before ? *before : after);
     rollbem::ElementVectors<Scalar> slip(n, 2);
     Scalar scale = 0;
-    for (const std::size_t d : {0, 1}) {
+    for (std::size_t d = 0; d < 2; ++d) {
         const auto col = static_cast<Eigen::Index>(d);
         const rollbem::VectorX<Scalar> p = after.traction.col(col) / shear_modulus;
         const rollbem::MatrixX<Scalar>& G_prime = system.G_prime(d, d);

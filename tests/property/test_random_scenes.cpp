@@ -69,7 +69,7 @@ InfluenceMatrices<double> assemble_both(const Mesh<double>& mesh, const Scheme& 
     return {assemble_one(mesh, scheme, kernel, Quantity::displacement),
             assemble_one(mesh, scheme, kernel, Quantity::slope)};
 }
-UnitSteadySolution<double> steady_of(const Scene& scene, const Kernel& kernel) {
+SteadySolution<double> steady_of(const Scene& scene, const Kernel& kernel) {
     return solve_steady<double>(assemble_one(scene.mesh, scene.scheme, kernel, Quantity::slope), scene.widths());
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
         const Matrix G_prime = assemble_one(scene.mesh, scene.scheme, kernel_of(scene), Quantity::slope);
         const ArrayX<double> widths = scene.widths();
-        const UnitSteadySolution<double> solution = solve_steady<double>(G_prime, widths);
+        const SteadySolution<double> solution = solve_steady<double>(G_prime, widths);
         if (scene.modest) {
             ++modest;
             if (solution.status != Status::ok) CHECK(solution.status == Status::ok);
@@ -297,7 +297,7 @@ TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one
             const double tolerance = 1000 * eps / std::min(up.rcond, full.rcond);
             if (!(routes <= tolerance)) CHECK(routes <= tolerance);
         }
-        const UnitSteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
+        const SteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const SweepPoint<double> still = sweep(0);
         if (steady.status != Status::ok || still.status != Status::ok) return;
         ++compared;
@@ -317,7 +317,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
         InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
         const ElementSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
-        const UnitSteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
+        const SteadySolution<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const Matrix lengths = Eigen::PartialPivLU<Matrix>(system.G_prime()).solve(system.G());
         const double longest = lengths.cwiseAbs().rowwise().sum().maxCoeff();
         const Model model(contact, system, unchecked,

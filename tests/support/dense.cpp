@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
+
+#include <rollbem/compiled/decompositions.hpp>
 
 namespace dense {
 

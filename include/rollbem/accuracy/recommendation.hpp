@@ -2,8 +2,6 @@
 // elements with friction. Based on tables of measured errors below; independent of any matrices.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

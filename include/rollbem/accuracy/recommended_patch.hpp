@@ -1,8 +1,6 @@
 // How to mesh a contact patch with friction for a required accuracy. Based on measured errors; independent of matrices.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // force. Independent of meshes and matrices.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -34,7 +32,7 @@ struct Extrapolation {
 /// positive and finite.
 template <class Value>
 Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
-    detail::require(detail::is_finite(order) && order > 0, "richardson", "order", order, "be positive and finite");
+    detail::require_positive("richardson", "order", order);
     return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
 
@@ -50,8 +48,8 @@ auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band
     using Value = std::decay_t<decltype(solve(n))>;
     using Real = typename Extrapolation<Value>::Real;
     detail::require(n >= 1, "extrapolate", "n", n, "be at least 1");
-    detail::require(detail::is_finite(order) && order > 0, "extrapolate", "order", order, "be positive and finite");
-    detail::require(detail::is_finite(band) && band > 0, "extrapolate", "band", band, "be positive and finite");
+    detail::require_positive("extrapolate", "order", order);
+    detail::require_positive("extrapolate", "band", band);
     const Value coarse = solve(n), middle = solve(2 * n), fine = solve(4 * n);
     Extrapolation<Value> result;
     result.value = fine;

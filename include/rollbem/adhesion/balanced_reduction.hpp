@@ -2,8 +2,6 @@
 // steady state and a bound of the error at every frequency.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <complex>
 #include <limits>

@@ -2,8 +2,6 @@
 // unstable set need not be an interval, so the scan starts from below and bisects only the first crossing.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -69,13 +67,11 @@ template <class Scalar, class SchemeOf, LineKernel Kernel>
 requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> std::optional<double> critical_alpha_T(
     const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
     const CriticalAlphaOptions& options = {}) {
-    detail::require(detail::is_finite(options.first), "critical_alpha_T", "first", options.first, "be finite");
+    detail::require_finite("critical_alpha_T", "first", options.first);
     detail::require(detail::is_finite(options.last) && options.last >= options.first, "critical_alpha_T", "last",
                     options.last, "be finite and at least first");
-    detail::require(detail::is_finite(options.step) && options.step > 0, "critical_alpha_T", "step", options.step,
-                    "be positive and finite");
-    detail::require(detail::is_finite(options.tolerance) && options.tolerance > 0, "critical_alpha_T", "tolerance",
-                    options.tolerance, "be positive and finite");
+    detail::require_positive("critical_alpha_T", "step", options.step);
+    detail::require_positive("critical_alpha_T", "tolerance", options.tolerance);
     detail::require(options.largest_stride >= 1, "critical_alpha_T", "largest_stride", options.largest_stride,
                     "be at least 1");
     const detail::CriticalAlphaSearch<Scalar, Kernel, SchemeOf> search(mesh, scheme_of, kernel);

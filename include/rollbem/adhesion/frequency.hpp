@@ -2,8 +2,6 @@
 // One LU per frequency, or for sweeps one reduction to Hessenberg form and then O(n^2) per frequency.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -21,12 +19,11 @@
 #include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
 #include "detail/consistency.hpp"
-#include "detail/pencil.hpp"
 #include "response.hpp"
 
 namespace rollbem {
 
-/// Response to creepage xi e^{st}, s = i omega for harmonic creepage; dimensionless, s in units of V/a.
+/// Response to harmonic creepage xi e^{st}, s = i omega; dimensionless, s in units of V/a.
 template <class Scalar>
 struct HarmonicSolution {
     VectorX<std::complex<Scalar>> traction;  ///< p / (G xi) of every unknown element, trailing to leading [-]
@@ -59,23 +56,16 @@ Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
 
 }  // namespace detail
 
-/// Response to creepage e^{st} for any complex s: (G' - s G) p = 1. The status does not say whether the scheme
-/// converges (Status::inconsistent); that of FrequencySweep does. Throws std::invalid_argument if s is not finite or
-/// the system has several inputs.
-template <class Scalar>
-HarmonicSolution<Scalar> solve_exponential(const RollingSystem<Scalar>& system,
-                                           std::type_identity_t<std::complex<Scalar>> s) {
-    detail::require_single_input("solve_exponential", system);
-    Response<std::complex<Scalar>> response = solve_response(system, s);
-    return {response.unknowns.col(0), response.coefficients(0, 0), response.residual, response.rcond, response.status};
-}
-
 /// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent if the
-/// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument if z is not finite.
+/// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument if z is not finite or the system
+/// has several inputs. For other growth, e^{st}, and several inputs see solve_response.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
-    detail::require(detail::is_finite(z), "solve_harmonic", "omega a/V", z, "be finite");
-    HarmonicSolution<Scalar> solution = solve_exponential(system, std::complex<Scalar>(0, z));
+    detail::require_finite("solve_harmonic", "omega a/V", z);
+    detail::require_single_input("solve_harmonic", system);
+    const Response<std::complex<Scalar>> response = solve_response(system, std::complex<Scalar>(0, z));
+    HarmonicSolution<Scalar> solution{response.unknowns.col(0), response.coefficients(0, 0), response.residual,
+                                      response.rcond, response.status};
     if (solution.status != Status::ok || !system.unknowns_are_tractions()) return solution;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
     const VectorX<Scalar> steady = lu.solve(system.inputs().col(0));
@@ -108,7 +98,7 @@ public:
 
     /// Response at z = omega a/V, of either sign. Throws std::invalid_argument if z is not finite.
     SweepPoint<Scalar> operator()(Scalar z) const {
-        detail::require(detail::is_finite(z), "FrequencySweep", "omega a/V", z, "be finite");
+        detail::require_finite("FrequencySweep", "omega a/V", z);
         return at(Complex(0, z));
     }
 

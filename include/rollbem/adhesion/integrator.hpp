@@ -1,8 +1,6 @@
 // Time integrators, and the check of a scheme's eigenvalues that they require.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -37,9 +35,20 @@ constexpr const char* name(Integrator integrator) {
     return "matrix_exponential";
 }
 
-/// Tag instead of a verdict: builds the model whatever its eigenvalues, and whether or not the scheme converges.
+/// Tag in place of checks: builds a model whatever its eigenvalues, and whether or not the scheme converges.
 struct Unchecked {};
 inline constexpr Unchecked unchecked{};
+
+/// What a model checks when it is made: in time the verdict on its system's eigenvalues, and always that its scheme
+/// converges to full adhesion; or nothing.
+struct Checks {
+    bool wanted = true;
+    StabilityVerdict verdict;  ///< in time
+
+    Checks() = default;
+    Checks(const StabilityVerdict& known) : verdict(known) {}  // NOLINT: implicit on purpose
+    Checks(Unchecked) : wanted(false) {}                       // NOLINT: implicit on purpose
+};
 
 namespace detail {
 
@@ -77,19 +86,21 @@ void require_convergent(const char* who, const VectorX<Scalar>& steady, const Ar
             "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
 }
 
-/// The requirements of every model in time.
+/// The requirements of every model in time, if they are wanted.
 template <class Scalar>
-void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const StabilityVerdict& verdict) {
-    require_stable(who, system.size(), verdict);
+void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const Checks& checks) {
+    if (!checks.wanted) return;
+    require_stable(who, system.size(), checks.verdict);
     if (!system.unknowns_are_tractions()) return;
     require_convergent<Scalar>(who, steady_tractions(system.G_prime(), 0, system.size()), system.weights());
 }
 
 /// The same in two directions, with a verdict on all 2n eigenvalues.
 template <class Scalar>
-void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
+void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const Checks& checks) {
+    if (!checks.wanted) return;
     const Eigen::Index n = system.size();
-    require_stable(who, 2 * n, verdict);
+    require_stable(who, 2 * n, checks.verdict);
     for (std::size_t d = 0; d < 2; ++d) {
         const VectorX<Scalar> steady = system.coupled()
                                            ? steady_tractions(joined(system.G_prime_blocks()), d == 0 ? 0 : n, n)

@@ -1,8 +1,6 @@
 // Response of a contact patch to harmonic creepages and spin, at many frequencies.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <complex>
 #include <utility>

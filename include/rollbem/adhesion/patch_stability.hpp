@@ -1,8 +1,6 @@
 // Whether a contact patch in full adhesion is stable in time.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>

@@ -2,8 +2,6 @@
 // mirrored.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -15,6 +13,7 @@
 #include "../discretisation/patch_mesh.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../scene/creep_coefficients.hpp"
+#include "../scene/force.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
@@ -41,18 +40,12 @@ struct PatchSteadySolution : CreepCoefficients<Scalar> {
     Status status = Status::ok;
 };
 
-/// What a patch exerts on body 1.
+/// The forces on body 1 [N] and the moment about the origin [N m] of steady rolling at creepages xi, eta [-] and spin phi
+/// [1/m], also of an outline without symmetry.
 template <class Scalar>
-struct PatchForces {
-    Scalar x, y;    ///< F_x, F_y [N]
-    Scalar moment;  ///< M_z about the origin [N m]
-};
-
-/// The forces of steady rolling at creepages xi, eta [-] and spin phi [1/m], also of an outline without symmetry.
-template <class Scalar>
-PatchForces<Scalar> forces(const PatchContact<Scalar>& contact, const PatchSteadySolution<Scalar>& solution,
-                           std::type_identity_t<Scalar> xi, std::type_identity_t<Scalar> eta,
-                           std::type_identity_t<Scalar> phi) {
+TangentialForce<Scalar> forces(const PatchContact<Scalar>& contact, const PatchSteadySolution<Scalar>& solution,
+                               std::type_identity_t<Scalar> xi, std::type_identity_t<Scalar> eta,
+                               std::type_identity_t<Scalar> phi) {
     const Scalar a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
     const MatrixX<Scalar>& c = solution.coefficients;
     const auto force = [&](Eigen::Index i) { return scale * (c(i, 0) * xi + c(i, 1) * eta + c(i, 2) * (phi * a)); };

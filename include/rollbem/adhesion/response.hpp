@@ -2,8 +2,6 @@
 // All coefficients of a patch and its frequency response come from here.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -61,8 +59,8 @@ Response<Value> solve_response(const MatrixX<Value>& A, const MatrixX<Value>& in
 
 template <class Scalar>
 void require_growth(const char* who, const std::complex<Scalar>& s) {
-    require(is_finite(s.real()), who, "Re(s)", s.real(), "be finite");
-    require(is_finite(s.imag()), who, "Im(s)", s.imag(), "be finite");
+    require_finite(who, "Re(s)", s.real());
+    require_finite(who, "Im(s)", s.imag());
 }
 
 /// The divisor of equations in G' - s G that prevents overflow for any finite s.

@@ -2,8 +2,6 @@
 // and which signs of their real parts are certain. stability_count.hpp only counts.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -2,8 +2,6 @@
 // fast as the QZ algorithm of stability.hpp; no vectors, and no analysis of rounding.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <complex>
 
@@ -14,7 +12,6 @@
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
-#include "detail/pencil.hpp"
 
 namespace rollbem {
 

@@ -2,8 +2,6 @@
 // separate from the headers that compute it.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 
 #include <Eigen/Core>

@@ -1,8 +1,6 @@
 // What a contact in full adhesion carries from step to step, and what a step returns: plain data.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstdint>
 #include <limits>
 

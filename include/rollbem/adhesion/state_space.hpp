@@ -2,8 +2,6 @@
 // linearisation or controller design: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -84,8 +82,8 @@ StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const K
 template <class Scalar>
 StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
                            std::type_identity_t<Scalar> speed) {
-    detail::require(detail::is_finite(speed) && speed > 0, "in_si", "speed", speed, "be positive and finite");
-    detail::require(detail::is_finite(contact.half_width()), "in_si", "half_width", contact.half_width(), "be finite");
+    detail::require_positive("in_si", "speed", speed);
+    detail::require_finite("in_si", "half_width", contact.half_width());
     const Scalar rate = speed / contact.half_length();
     const Scalar force = -2 * contact.half_width() * contact.half_length() * contact.shear_modulus();
     return {.A = rate * dimensionless.A,

@@ -3,8 +3,6 @@
 // allocation in a step.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -80,31 +78,21 @@ public:
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
     /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
-    /// Creepage, as both_directions() makes them. Throws std::invalid_argument if the verdict does not belong to this
-    /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
-    /// (Status::inconsistent), or if the contact's half-width is infinite or not that of the system's kernel.
-    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2)
-        : AdhesionModel(contact, std::move(system), unchecked, integrator) {
-        detail::require_usable_in_time(name, system_, verdict);
-    }
-    /// The same without checks of the eigenvalues and of convergence.
-    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, Unchecked,
+    /// Creepage, as both_directions() makes them. `checks` is the verdict on the system, or `unchecked`. Throws
+    /// std::invalid_argument if the verdict does not belong to this system or does not establish that no eigenvalue
+    /// grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), or if the contact's
+    /// half-width is infinite or not that of the system's kernel.
+    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const Checks& checks,
                   Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
+        detail::require_usable_in_time(name, system_, checks);
     }
 
     /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
     /// the verdict on system.whole(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
-    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
-        : AdhesionModel(contact, system, unchecked, integrator) {
-        detail::require_usable_in_time(name, system, verdict);
-    }
-    template <class AnyContact>
-    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, Unchecked,
+    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const Checks& checks,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
         : AdhesionModel(Units(contact), system.whole(), integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
@@ -116,6 +104,7 @@ public:
         a_over_b_ = system.a_over_b();
         detail::require(system.elements().places_are_known(), name, "number of places of elements",
                         system.elements().x.size(), "equal the number of elements: spin needs them");
+        detail::require_usable_in_time(name, system, checks);
     }
 
     Eigen::Index size() const { return outputs_in_si_.rows(); }  ///< number of unknowns
@@ -147,8 +136,16 @@ public:
         to.traction.setZero();
         if constexpr (inputs == 3) {
             if (shapes_ && at != contact_axes) {
-                auto& stages = workspace.shape_stages();
-                stages.solve_steady(~preparation_, *shapes_, a_over_b_, inputs_in_si_, at, workspace.factors());
+                constexpr Scalar steadily = -2;  // stands for the distance rolled
+                auto& stages = workspace.stages();
+                stages.solve_steady(
+                    ~preparation_,
+                    {*shapes_,
+                     a_over_b_,
+                     inputs_in_si_,
+                     at,
+                     {.distance = steadily, .half_length = at.half_length, .half_width = at.half_width}},
+                    workspace.factors());
                 for (Eigen::Index j = 0; j < inputs; ++j) {
                     to.traction += units_.length * value[j] * stages.per_end().col(j);
                 }
@@ -297,11 +294,6 @@ private:
 
     Step roll(const State& from, Scalar dq, const Motion& motion, const SemiAxes<Scalar>& semi_axes, bool by_length,
               State& to, Workspace& workspace) const noexcept;
-    // The same where semi-axes may vary.
-    Step roll_shape(const State& from, Scalar dq, const detail::ImposedMotion<inputs, Scalar>& imposed,
-                    const SemiAxes<Scalar>& semi_axes, bool by_axes, State& to, Workspace& workspace) const noexcept
-        requires(inputs_ == 3);
-
     Units units_;
     RollingSystem<Scalar> system_;
     std::uint64_t fingerprint_, preparation_;  // the latter also of the integrator
@@ -315,16 +307,10 @@ private:
 };
 
 template <class Scalar>
-AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const StabilityVerdict&, Integrator = Integrator::sdirk2)
-    -> AdhesionModel<1, Scalar>;
-template <class Scalar>
-AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, Unchecked, Integrator = Integrator::sdirk2)
+AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const Checks&, Integrator = Integrator::sdirk2)
     -> AdhesionModel<1, Scalar>;
 template <class AnyContact, class Scalar>
-AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const StabilityVerdict&,
-              Integrator = Integrator::sdirk2) -> AdhesionModel<3, Scalar>;
-template <class AnyContact, class Scalar>
-AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, Unchecked, Integrator = Integrator::sdirk2)
+AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const Checks&, Integrator = Integrator::sdirk2)
     -> AdhesionModel<3, Scalar>;
 
 template <int inputs_, class Scalar_>
@@ -366,7 +352,7 @@ template <int inputs_, class Scalar_>
 auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> State {
     const Inputs value = Values::vector(creepage);
     for (const Scalar component : value) {
-        detail::require(detail::is_finite(component), name, "creepage", component, "be finite");
+        detail::require_finite(name, "creepage", component);
     }
     State state = at_rest();
     state.traction.noalias() = steady_ * value;
@@ -388,13 +374,9 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
     if (start != end && !(std::abs(half_length - from.half_length) < dq)) return failed(StepStatus::needs_fixed_mesh);
 
     const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
-    if constexpr (inputs == 3) {
-        if (shapes_ && (by_length || start != contact_axes || end != contact_axes)) {
-            return roll_shape(from, dq, imposed, semi_axes, by_length, to, workspace);
-        }
-    }
-    const bool repeats = dq > 0 && dq == from.distance && !by_length && half_length == units_.length;
-    if (repeats || is_exponential()) {
+    const bool reshapes = shapes_ && (by_length || start != contact_axes || end != contact_axes);
+    const bool repeats = dq > 0 && dq == from.distance && !by_length && end == contact_axes;
+    if (is_exponential() || (repeats && !reshapes)) {
         detail::StepMap<inputs, Scalar>& map = workspace.map();
         if (!map.is_of(preparation_, dq)) {
             map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, dq,
@@ -404,44 +386,47 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
         return finish(from, semi_axes, dq, map.tangent(imposed), to);
     }
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
-    stages.solve(preparation_, detail::influence(system_), rational_, inputs_in_si_, from.traction,
-                 from.half_length / units_.length, half_length / units_.length, dq / units_.length, imposed, by_length,
-                 workspace.factors());
-    to.traction = from.traction + stages.change();
-    Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);
-    if (by_length && step.status == StepStatus::ok) {
-        const Inputs by_change = force_of(stages.per_length(), end);
-        step.tangent_by_half_length =
-            Values::force(Inputs((force_of(to.traction, contact_axes) + by_change) / units_.length));
+    const auto stage = [&](Scalar part, Scalar progress) {
+        return detail::RollingStage<Scalar>::of(part, progress, dq / units_.length, start, end);
+    };
+    const bool single = reshapes && shapes_->is_single();
+    if (reshapes) {
+        if constexpr (inputs == 3) {
+            const auto equations = [&](Scalar part, Scalar progress) {
+                return detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, inputs_in_si_, start, stage(part, progress));
+            };
+            // its matrices differ by rounding from those of a fixed mesh
+            stages.solve(~preparation_, equations, rational_, start != end, from.traction, imposed,
+                         !by_length ? 0
+                         : single   ? 1
+                                    : 2,
+                         workspace.factors());
+        }
+    } else {
+        const detail::Influence<Scalar> influence = detail::influence(system_);
+        const auto equations = [&](Scalar part, Scalar progress) {
+            return detail::LineEquations<Scalar>{influence, inputs_in_si_, start.half_length, stage(part, progress)};
+        };
+        stages.solve(preparation_, equations, rational_, start != end, from.traction, imposed, by_length ? 1 : 0,
+                     workspace.factors());
     }
-    return step;
-}
-
-template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::roll_shape(const State& from, Scalar dq,
-                                                 const detail::ImposedMotion<inputs, Scalar>& imposed,
-                                                 const SemiAxes<Scalar>& semi_axes, bool by_axes, State& to,
-                                                 Workspace& workspace) const noexcept -> Step requires(inputs_ == 3) {
-    const Axes end = axes(semi_axes);
-    detail::ShapeStages<Scalar>& stages = workspace.shape_stages();
-    // its matrices differ by rounding from those of a fixed mesh
-    stages.solve(~preparation_, *shapes_, a_over_b_, rational_, inputs_in_si_, from.traction, axes(from), end,
-                 dq / units_.length, imposed, by_axes, workspace.factors());
     to.traction = from.traction + stages.change();
     Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);
-    if (!by_axes || step.status != StepStatus::ok) return step;
+    if (!by_length || step.status != StepStatus::ok) return step;
     const auto tangent = [&](const VectorX<Scalar>& per_axis, const Axes& twice, Scalar power, Scalar at, Scalar unit) {
         const Inputs direct = force_of(to.traction, end, twice) * (power / at);
         return Values::force(Inputs(direct + force_of(per_axis, end) / unit));
     };
-    const Scalar a = semi_axes.half_length, b = semi_axes.half_width;
-    if (shapes_->is_single()) {  // forces grow as the square of the size, moments as its cube
+    const Scalar a = semi_axes.half_length;
+    if (single) {  // forces grow as the square of the size, moments as its cube
         step.tangent_by_half_length = tangent(stages.per_length(), {1.5, 1.5}, 2, a, units_.length);
-        step.tangent_by_half_width = {0, 0, 0};
+        if constexpr (inputs == 3) step.tangent_by_half_width = {0, 0, 0};
         return step;
     }
     step.tangent_by_half_length = tangent(stages.per_length(), {2, 1}, 1, a, units_.length);
-    step.tangent_by_half_width = tangent(stages.per_width(), {1, 2}, 1, b, units_.half_width);
+    if constexpr (inputs == 3) {
+        step.tangent_by_half_width = tangent(stages.per_width(), {1, 2}, 1, semi_axes.half_width, units_.half_width);
+    }
     return step;
 }
 

@@ -1,13 +1,8 @@
 // Matrix factors and scratch memory of full adhesion in time. They make steps fast and never change a result.
 #pragma once
 
-#include "../detail/language.hpp"
-
-#include <type_traits>
-
 #include <Eigen/Core>
 
-#include "detail/shape_stages.hpp"
 #include "detail/stages.hpp"
 #include "detail/step_map.hpp"
 
@@ -22,24 +17,17 @@ public:
     using Scalar = Scalar_;
 
     /// For n unknowns.
-    explicit AdhesionWorkspace(Eigen::Index n) : factors_(n), stages_(n), shape_stages_(n), map_(n) {}
+    explicit AdhesionWorkspace(Eigen::Index n) : factors_(n), stages_(n), map_(n) {}
 
     Eigen::Index size() const { return factors_.size(); }
 
     detail::StageFactors<Scalar>& factors() { return factors_; }          ///< for the models
     detail::AdhesionStages<inputs, Scalar>& stages() { return stages_; }  ///< for the models
-    detail::ShapeStages<Scalar>& shape_stages() requires(inputs == 3) {
-        return shape_stages_;
-    }                                                        ///< for the models, with three inputs
-    detail::StepMap<inputs, Scalar>& map() { return map_; }  ///< for the models
+    detail::StepMap<inputs, Scalar>& map() { return map_; }               ///< for the models
 
 private:
     detail::StageFactors<Scalar> factors_;
     detail::AdhesionStages<inputs, Scalar> stages_;
-    struct Nothing {
-        explicit Nothing(Eigen::Index) {}
-    };
-    std::conditional_t<inputs == 3, detail::ShapeStages<Scalar>, Nothing> shape_stages_;
     detail::StepMap<inputs, Scalar> map_;
 };
 

@@ -2,8 +2,6 @@
 // On a line the directions do not couple, and the blocks that couple them are empty.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>

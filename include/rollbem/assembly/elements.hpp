@@ -2,8 +2,6 @@
 // patch alike.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstddef>
 #include <vector>
 
@@ -53,7 +51,7 @@ void Elements<Scalar>::require_valid(const char* who, const char* area) const {
     const Eigen::Index n = size();
     detail::require(n >= 1, who, "number of elements", n, "be at least 1");
     for (Eigen::Index i = 0; i < n; ++i) {
-        detail::require(detail::is_finite(areas[i]) && areas[i] > 0, who, area, areas[i], "be positive and finite");
+        detail::require_positive(who, area, areas[i]);
     }
     for (const ArrayX<Scalar>* places : {&x, &y, &centre_x, &centre_y}) {
         detail::require(places->size() == (places_are_known() ? n : 0), who, "number of places", places->size(),

@@ -2,8 +2,6 @@
 // rolling_system.hpp combines them with the weights that turn tractions into the force.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"

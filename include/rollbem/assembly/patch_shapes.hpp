@@ -1,8 +1,6 @@
 // Systems of patches that change their size and shape in time: of one a/b, or of every a/b in a range.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

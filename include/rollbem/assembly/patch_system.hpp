@@ -2,8 +2,6 @@
 // are mirror images.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <utility>
 #include <vector>
 

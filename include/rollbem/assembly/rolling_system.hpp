@@ -2,8 +2,6 @@
 // problems that are not steady start from it, and know nothing of meshes, schemes and kernels.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <limits>

@@ -2,8 +2,6 @@
 // creep coefficients. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -39,12 +37,37 @@ Scalar ellipse_limit_c11(Scalar poisson_ratio) {
     return std::numbers::pi_v<Scalar> / 2 * steady_c11(poisson_ratio);
 }
 
+namespace detail {
+
+/// Throws std::invalid_argument unless lengths over a are finite and not negative and together that of the contact.
+template <std::floating_point Scalar>
+void require_parts_of_contact(const char* who, Scalar trailing, Scalar width, Scalar leading) {
+    require(is_finite(trailing) && trailing >= 0, who, "trailing", trailing, "be at least 0");
+    require(is_finite(width) && width >= 0, who, "width", width, "be positive");
+    require(is_finite(leading) && leading >= 0, who, "leading", leading, "be at least 0");
+    const Scalar sum = trailing + width + leading;
+    require(std::abs(sum - 2) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), who, "length of all parts", sum,
+            "be 2");
+}
+
+}  // namespace detail
+
 /// A position in the contact by its distances from both edges, over a: trailing = 1 + x/a, leading = 1 - x/a. Near an
 /// edge these keep the digits that x/a loses. Invariant: trailing >= 0, leading >= 0, trailing + leading = 2.
 template <std::floating_point Scalar>
 struct EdgeDistances {
-    Scalar trailing;
-    Scalar leading;
+    Scalar trailing, leading;
+
+    /// Throws std::invalid_argument if the distances break the invariant.
+    EdgeDistances(Scalar from_trailing, Scalar from_leading) : trailing(from_trailing), leading(from_leading) {
+        detail::require_parts_of_contact("EdgeDistances", trailing, Scalar(0), leading);
+    }
+    /// At x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    static EdgeDistances at(Scalar x_over_a) {
+        detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= 1, "EdgeDistances", "x/a", x_over_a,
+                        "lie in [-1, 1]");
+        return {1 + x_over_a, 1 - x_over_a};
+    }
 };
 
 /// An interval of the contact: `trailing` is the distance of its trailing end from the trailing edge of the contact,
@@ -52,52 +75,36 @@ struct EdgeDistances {
 /// width > 0, trailing + width + leading = 2.
 template <std::floating_point Scalar>
 struct ContactInterval {
-    Scalar trailing;
-    Scalar width;
-    Scalar leading;
+    Scalar trailing, width, leading;
+
+    /// Throws std::invalid_argument if the lengths break the invariant.
+    ContactInterval(Scalar behind, Scalar length, Scalar ahead) : trailing(behind), width(length), leading(ahead) {
+        detail::require(width > 0, "ContactInterval", "width", width, "be positive");
+        detail::require_parts_of_contact("ContactInterval", trailing, width, leading);
+    }
 };
 
 /// Carter's traction p/(G xi) = -sqrt((a-x)/(a+x))/(2(1-nu)) (negative; minus infinity at the trailing edge). Throws
-/// std::invalid_argument for negative distances, distances whose sum is not 2, or a Poisson's ratio outside [0, 0.5].
+/// std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_ratio) {
-    using std::abs, std::sqrt;
     detail::require_poisson_ratio("carter_traction", poisson_ratio);
-    detail::require(detail::is_finite(position.trailing) && position.trailing >= Scalar(0), "carter_traction",
-                    "trailing", position.trailing, "be at least 0");
-    detail::require(detail::is_finite(position.leading) && position.leading >= Scalar(0), "carter_traction", "leading",
-                    position.leading, "be at least 0");
-    const Scalar sum = position.trailing + position.leading;
-    detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_traction",
-                    "trailing + leading", sum, "be 2");
-    return -sqrt(position.leading / position.trailing) / (2 * (1 - poisson_ratio));
+    return -std::sqrt(position.leading / position.trailing) / (2 * (1 - poisson_ratio));
 }
 
-/// Carter's traction p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1 and 0 <= poisson_ratio <= 0.5.
+/// The same at x/a. Throws std::invalid_argument also unless -1 <= x/a <= 1.
 template <std::floating_point Scalar>
 Scalar carter_traction(Scalar x_over_a, Scalar poisson_ratio) {
-    detail::require(detail::is_finite(x_over_a) && x_over_a >= Scalar(-1) && x_over_a <= Scalar(1), "carter_traction",
-                    "x/a", x_over_a, "lie in [-1, 1]");
-    return carter_traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a}, poisson_ratio);
+    return carter_traction(EdgeDistances<Scalar>::at(x_over_a), poisson_ratio);
 }
 
 /// Exact mean of Carter's traction p/(G xi) over an interval, to a few units in the last place of the given distances,
-/// however short the interval and however close to an edge. Throws std::invalid_argument if the interval breaks its
-/// invariant or Poisson's ratio lies outside [0, 0.5].
+/// however short the interval and however close to an edge. Throws std::invalid_argument unless
+/// 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar carter_mean_traction(const ContactInterval<Scalar>& interval, Scalar poisson_ratio) {
-    using std::abs, std::atan2, std::sqrt;
+    using std::atan2, std::sqrt;
     detail::require_poisson_ratio("carter_mean_traction", poisson_ratio);
-    detail::require(detail::is_finite(interval.trailing) && interval.trailing >= Scalar(0), "carter_mean_traction",
-                    "trailing", interval.trailing, "be at least 0");
-    detail::require(detail::is_finite(interval.leading) && interval.leading >= Scalar(0), "carter_mean_traction",
-                    "leading", interval.leading, "be at least 0");
-    detail::require(detail::is_finite(interval.width) && interval.width > Scalar(0), "carter_mean_traction", "width",
-                    interval.width, "be positive");
-    const Scalar sum = interval.trailing + interval.width + interval.leading;
-    detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "carter_mean_traction",
-                    "trailing + width + leading", sum, "be 2");
-
     // With x = -cos(theta) the integral of sqrt((1-x)/(1+x)) is theta + sin(theta). Between theta_1 and theta_2, with
     // mean m and half the difference h, that is 2 (h - sin h) + 2 sin(h) (1 + cos m): a sum of positive terms. All
     // functions of m and h follow from sines and cosines of theta/2, which are square roots of half the edge distances.

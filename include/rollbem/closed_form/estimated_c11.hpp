@@ -1,8 +1,6 @@
 // EstimatedC11: a creep coefficient and its estimated accuracy.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <complex>
 #include <concepts>
 

@@ -2,8 +2,6 @@
 // partial slip and Cattaneo's shift from rest. Dimensionless: x in a, tractions in mu p0, forces in mu N.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>

@@ -2,8 +2,6 @@
 // discretisation. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <concepts>
 #include <numbers>
@@ -15,12 +13,6 @@
 namespace rollbem {
 
 namespace detail {
-
-template <std::floating_point Scalar>
-void require_poisson_ratio(const char* who, Scalar poisson_ratio) {
-    require(is_finite(poisson_ratio) && poisson_ratio >= Scalar(0) && poisson_ratio <= Scalar(0.5), who,
-            "poisson_ratio", poisson_ratio, "lie in [0, 0.5]");
-}
 
 /// Lambda = ln(4b/a) + c2/c1, with c2/c1 = nu/(1-nu) for longitudinal creepage and -nu for lateral; not checked.
 template <std::floating_point Scalar>

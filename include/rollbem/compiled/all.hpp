@@ -1,8 +1,6 @@
 // Everything in rollbem::compiled, in addition to or in place of rollbem.hpp.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "assembly.hpp"
 #include "balanced_reduction.hpp"
 #include "chebyshev.hpp"

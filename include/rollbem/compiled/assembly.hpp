@@ -4,8 +4,6 @@
 // that affect the layout of Eigen's objects (-march and the like).
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../assembly/influence.hpp"
 
 namespace rollbem {

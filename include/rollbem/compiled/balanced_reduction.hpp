@@ -1,8 +1,6 @@
 // Balanced reduction compiled for double. Replaces adhesion/balanced_reduction.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/balanced_reduction.hpp"
 #include "decompositions.hpp"
 

@@ -1,8 +1,6 @@
 // Chebyshev states compiled for double and both kernels. Replaces spectral/chebyshev.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../spectral/chebyshev.hpp"
 #include "decompositions.hpp"
 

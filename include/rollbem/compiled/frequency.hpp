@@ -1,8 +1,6 @@
 // Frequency response compiled for double. Replaces adhesion/frequency.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/frequency.hpp"
 #include "decompositions.hpp"
 #include "rolling_system.hpp"

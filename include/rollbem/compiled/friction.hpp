@@ -2,8 +2,6 @@
 // friction/friction.hpp; link rollbem::compiled. Other laws are compiled where they are used.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../friction/friction.hpp"
 #include "rolling_system.hpp"
 

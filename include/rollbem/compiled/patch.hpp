@@ -2,8 +2,6 @@
 // assembly/patch_system.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/patch_steady.hpp"
 #include "assembly.hpp"
 

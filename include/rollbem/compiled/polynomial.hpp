@@ -1,8 +1,6 @@
 // The monomial approach compiled for double. Replaces spectral/polynomial.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../spectral/polynomial.hpp"
 #include "decompositions.hpp"
 

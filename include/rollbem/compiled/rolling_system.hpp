@@ -2,8 +2,6 @@
 // assembly/rolling_system.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../assembly/rolling_system.hpp"
 #include "assembly.hpp"
 

@@ -2,8 +2,6 @@
 // rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/stability.hpp"
 #include "../adhesion/stability_count.hpp"
 #include "decompositions.hpp"

@@ -1,8 +1,6 @@
 // Steady rolling compiled for double. Replaces adhesion/steady.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/steady.hpp"
 #include "assembly.hpp"
 
@@ -10,8 +8,8 @@ namespace rollbem {
 
 extern template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&,
                                                                                   const ArrayX<double>&);
-extern template UnitSteadySolution<double> solve_steady<double>(MatrixX<double>, const ArrayX<double>&);
-extern template UnitSteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
-                                                                        const ArrayX<double>&, const VectorX<double>&);
+extern template SteadySolution<double> solve_steady<double>(MatrixX<double>, const ArrayX<double>&);
+extern template SteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
+                                                                    const ArrayX<double>&, const VectorX<double>&);
 
 }  // namespace rollbem

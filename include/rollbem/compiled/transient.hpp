@@ -1,8 +1,6 @@
 // Steps in time compiled for double. Replaces adhesion/transient.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../adhesion/transient.hpp"
 #include "rolling_system.hpp"
 

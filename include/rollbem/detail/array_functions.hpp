@@ -5,6 +5,10 @@
 #include "language.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -42,11 +46,6 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> constant_array(Eigen::Index size, Scalar
     return result;
 }
 
-template <class Scalar>
-Scalar largest(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
-    return x.maxCoeff();
-}
-
 /// Entries first ... first + count - 1.
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> segment(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x, Eigen::Index first,
@@ -61,6 +60,36 @@ template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> halved(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
     Eigen::Array<Scalar, Eigen::Dynamic, 1> result(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] / 2;
+    return result;
+}
+
+/// For vectors of equal length; faster than ==. Zeros of different sign count as different, and so may equal values of
+/// long double, because of padding: use it only to decide whether something is computed again.
+template <class Values>
+bool same_bits(const Values& x, const Values& y) {
+    return std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(*x.data())) == 0;
+}
+
+/// ln|x|, with ln 0 replaced by a finite number so that x ln|x| is 0 at x = 0.
+template <class Scalar>
+Eigen::Array<Scalar, Eigen::Dynamic, 1> finite_log(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+    Eigen::Array<Scalar, Eigen::Dynamic, 1> result(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        result[i] = std::max(std::abs(x[i]), std::numeric_limits<Scalar>::min());
+    }
+    log_in_place(result);
+    return result;
+}
+
+/// ln(1 + u) for u >= 0 to full relative accuracy: in ln(w) u / (w - 1) with w = 1 + u rounded, the rounding of w
+/// cancels; if w = 1, the result is u.
+template <class Scalar>
+Eigen::Array<Scalar, Eigen::Dynamic, 1> log1p_array(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& u) {
+    Eigen::Array<Scalar, Eigen::Dynamic, 1> result(u.size());
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+        const Scalar w = u[i] + 1;
+        result[i] = w == 1 ? u[i] : std::log(w) * (u[i] / (w - 1));
+    }
     return result;
 }
 

@@ -1,5 +1,6 @@
 // Checks the language standard before anything else: without it an older compiler mode would report errors in every
-// line of every header. Each header includes this one first.
+// line of every header. Headers that include no other header of the library include this one, so that each header
+// reaches it before its own code.
 #pragma once
 
 // Microsoft's compiler keeps __cplusplus at 199711 by default; _MSVC_LANG holds the standard in use.

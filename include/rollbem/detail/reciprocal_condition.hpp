@@ -2,8 +2,6 @@
 // estimate for all problems.
 #pragma once
 
-#include "language.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -110,5 +108,8 @@ typename Factors::RealScalar reciprocal_condition(const Factors& lu, typename Fa
     }
     return std::min<Scalar>(estimate, std::abs(lu.matrixLU()(last, last)) / norm);
 }
+
+/// Below this rcond(G') no result is taken from G'^-1 G: it could have lost more than four digits.
+inline constexpr double least_rcond_of_G_prime = 1e-4;
 
 }  // namespace rollbem::detail

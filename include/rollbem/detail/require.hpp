@@ -2,8 +2,7 @@
 // Used where objects are constructed; never in a time loop.
 #pragma once
 
-#include "language.hpp"
-
+#include <concepts>
 #include <cstddef>
 #include <cstdio>
 #include <stdexcept>
@@ -34,6 +33,23 @@ void require(bool holds, const char* who, const char* quantity, Value value, con
     if (!holds) {
         throw std::invalid_argument(std::string(who) + ": " + quantity + " = " + to_text(value) + " must " + rule);
     }
+}
+
+template <class Value>
+void require_positive(const char* who, const char* quantity, Value value) {
+    require(is_finite(value) && value > 0, who, quantity, value, "be positive and finite");
+}
+template <class Value>
+void require_not_negative(const char* who, const char* quantity, Value value) {
+    require(is_finite(value) && value >= 0, who, quantity, value, "be finite and not negative");
+}
+template <std::floating_point Value>
+void require_finite(const char* who, const char* quantity, const Value& value) {
+    require(is_finite(value), who, quantity, value, "be finite");
+}
+template <class Value>
+void require_poisson_ratio(const char* who, Value value) {
+    require(is_finite(value) && value >= 0 && value <= Value(0.5), who, "poisson_ratio", value, "lie in [0, 0.5]");
 }
 
 /// Throws std::invalid_argument if a matrix has an entry that is not finite, naming the first, by row and column from

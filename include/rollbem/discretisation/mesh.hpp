@@ -3,8 +3,6 @@
 // the trailing edge (index 0) to the leading edge (index n-1).
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -192,8 +190,7 @@ Mesh<Scalar> uniform_mesh(Eigen::Index n) {
 template <class Scalar = double>
 Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
     detail::require_elements("geometric_mesh", Topology::geometric, n);
-    detail::require(detail::is_finite(size_ratio) && size_ratio > 0, "geometric_mesh", "size_ratio", size_ratio,
-                    "be positive and finite");
+    detail::require_positive("geometric_mesh", "size_ratio", size_ratio);
     // width i is proportional to exp(i * growth); expm1 keeps the sums accurate when growth is small
     const Scalar growth = -std::log(size_ratio) / static_cast<Scalar>(n - 1);
     if (growth == 0) return uniform_mesh<Scalar>(n);
@@ -211,8 +208,7 @@ Mesh<Scalar> geometric_mesh(Eigen::Index n, Scalar size_ratio) {
 template <class Scalar = double>
 Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("knothe_mesh", Topology::knothe, n);
-    detail::require(detail::is_finite(epsilon) && epsilon > 0, "knothe_mesh", "epsilon", epsilon,
-                    "be positive and finite");
+    detail::require_positive("knothe_mesh", "epsilon", epsilon);
     const Scalar inner = 2 / (static_cast<Scalar>(n - 2) + 2 * epsilon);
     const auto edge = [=](Eigen::Index j) {
         return j == 0 ? Scalar(0) : j == n ? Scalar(2) : inner * (epsilon + static_cast<Scalar>(j - 1));
@@ -227,8 +223,7 @@ Mesh<Scalar> knothe_mesh(Eigen::Index n, Scalar epsilon) {
 template <class Scalar = double>
 Mesh<Scalar> modified_knothe_mesh(Eigen::Index n, Scalar epsilon) {
     detail::require_elements("modified_knothe_mesh", Topology::modified_knothe, n);
-    detail::require(detail::is_finite(epsilon) && epsilon > 0, "modified_knothe_mesh", "epsilon", epsilon,
-                    "be positive and finite");
+    detail::require_positive("modified_knothe_mesh", "epsilon", epsilon);
     const Scalar inner = 2 / (static_cast<Scalar>(n - 1) + epsilon);
     return Mesh<Scalar>(detail::mesh_data<Scalar>(
         n,

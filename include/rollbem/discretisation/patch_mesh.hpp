@@ -3,12 +3,9 @@
 // and strip by strip from small to large y.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <type_traits>
 #include <utility>
 
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/outline.hpp"
 #include "../scene/patch_contact.hpp"
@@ -46,12 +43,11 @@ public:
         widths_.resize(m);
         for (Eigen::Index j = 0; j < m; ++j) {
             widths_[j] = data_.edges[j + 1] - data_.edges[j];
-            require_positive("width of a strip", widths_[j]);
-            require_positive("half-length of a strip", data_.half_lengths[j]);
+            detail::require_positive("PatchMesh", "width of a strip", widths_[j]);
+            detail::require_positive("PatchMesh", "half-length of a strip", data_.half_lengths[j]);
             detail::require(data_.middles_y[j] > data_.edges[j] && data_.middles_y[j] < data_.edges[j + 1], "PatchMesh",
                             "y of the middle of a strip", data_.middles_y[j], "lie between its edges");
-            detail::require(detail::is_finite(data_.middles_x[j]), "PatchMesh", "x of the middle of a strip",
-                            data_.middles_x[j], "be finite");
+            detail::require_finite("PatchMesh", "x of the middle of a strip", data_.middles_x[j]);
         }
         mirrored_ = true;
         for (Eigen::Index j = 0; j < m && mirrored_; ++j) {
@@ -75,10 +71,6 @@ public:
     bool is_mirrored() const { return mirrored_; }
 
 private:
-    static void require_positive(const char* quantity, Scalar value) {
-        detail::require(detail::is_finite(value) && value > 0, "PatchMesh", quantity, value, "be positive and finite");
-    }
-
     Data data_;
     Array widths_;
     bool mirrored_ = false;
@@ -89,8 +81,7 @@ private:
 /// ten times the error in c11. Throws std::invalid_argument unless a_over_b is positive and finite.
 template <class Scalar>
 PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across) {
-    detail::require(detail::is_finite(a_over_b) && a_over_b > 0, "ellipse_mesh", "a_over_b", a_over_b,
-                    "be positive and finite");
+    detail::require_positive("ellipse_mesh", "a_over_b", a_over_b);
     // sqrt(1 - (y/b)^2) by the distances from both ends, without cancellation
     return PatchMesh<Scalar>({.along = std::move(along),
                               .edges = across.edges() / a_over_b,

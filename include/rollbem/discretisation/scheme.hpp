@@ -3,8 +3,6 @@
 // nodes; any other type that defines its rows can serve as a scheme.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -219,9 +217,8 @@ void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index 
     require(rows.alpha.size() == n, "SchemeRows", "number of alphas", rows.alpha.size(), "equal that of elements");
     require(rows.lengths.size() == n, "SchemeRows", "number of lengths", rows.lengths.size(), "equal that of elements");
     for (Eigen::Index l = 0; l < n; ++l) {
-        require(is_finite(rows.alpha[l]), "SchemeRows", "alpha", rows.alpha[l], "be finite");
-        require(is_finite(rows.lengths[l]) && rows.lengths[l] > 0, "SchemeRows", "length", rows.lengths[l],
-                "be positive and finite");
+        require_finite("SchemeRows", "alpha", rows.alpha[l]);
+        require_positive("SchemeRows", "length", rows.lengths[l]);
     }
     const Eigen::Index points = rows.offsets.size();
     require(points >= 1, "SchemeRows", "number of offsets", points, "be at least 1");
@@ -229,7 +226,7 @@ void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index 
             "equal that of offsets");
     Scalar sum = 0;
     for (Eigen::Index k = 0; k < points; ++k) {
-        require(is_finite(rows.offsets[k]), "SchemeRows", "offset", rows.offsets[k], "be finite");
+        require_finite("SchemeRows", "offset", rows.offsets[k]);
         sum += rows.weights[k];
     }
     require(is_finite(sum) && std::abs(sum - 1) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), "SchemeRows",

@@ -2,8 +2,6 @@
 // antiderivatives; and what a kernel may offer in addition, which some computations require.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <concepts>
 #include <optional>
 

@@ -2,8 +2,6 @@
 // assembly requires of a kernel that is the sum of a smooth one and a delta function.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -12,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
 #include "line_kernel.hpp"
@@ -51,8 +48,7 @@ public:
     /// finite and not negative.
     LayeredKernel(Kernel kernel, std::type_identity_t<Scalar> compliance)
         : kernel_(std::move(kernel)), compliance_(compliance) {
-        detail::require(detail::is_finite(compliance) && compliance >= 0, "LayeredKernel", "compliance", compliance,
-                        "be finite and not negative");
+        detail::require_not_negative("LayeredKernel", "compliance", compliance);
     }
 
     const Kernel& elastic() const { return kernel_; }  ///< the kernel without the layer

@@ -2,8 +2,6 @@
 // independent of any mesh.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "kernel_concepts.hpp"
 #include "plane_kernel.hpp"
 #include "strip_kernel.hpp"

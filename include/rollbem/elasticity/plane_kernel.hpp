@@ -1,8 +1,6 @@
 // PlaneKernel: the line kernel of a contact far wider than long, b >> a.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,7 +8,6 @@
 
 #include "../closed_form/plane_lambda.hpp"
 #include "../detail/array_functions.hpp"
-#include "../detail/logarithms.hpp"
 #include "../scene/contact.hpp"
 #include "../types.hpp"
 #include "detail/parameters.hpp"

@@ -2,8 +2,6 @@
 // steady checks this.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "line_kernel.hpp"

@@ -2,15 +2,12 @@
 // equal elastic half-spaces.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <numbers>
 
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 namespace rollbem {
@@ -64,10 +61,7 @@ public:
     using Scalar = Scalar_;
 
     /// Throws std::invalid_argument unless 0 <= nu <= 0.5.
-    explicit HalfSpace(Scalar poisson_ratio) : nu_(poisson_ratio) {
-        detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= Scalar(0.5), "HalfSpace", "poisson_ratio", nu_,
-                        "lie in [0, 0.5]");
-    }
+    explicit HalfSpace(Scalar poisson_ratio) : nu_(poisson_ratio) { detail::require_poisson_ratio("HalfSpace", nu_); }
 
     bool couples() const { return nu_ != 0; }
 

@@ -1,8 +1,6 @@
 // StripKernel: the line kernel of a contact of finite half-width b.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +11,6 @@
 
 #include "../detail/array_functions.hpp"
 #include "../detail/finite.hpp"
-#include "../detail/logarithms.hpp"
 #include "../scene/contact.hpp"
 #include "../types.hpp"
 #include "detail/parameters.hpp"

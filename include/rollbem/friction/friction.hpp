@@ -2,8 +2,6 @@
 // Umbrella of the friction headers.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../normal/hertz.hpp"
 #include "../normal/hertz_load.hpp"
 #include "../normal/load.hpp"

@@ -2,8 +2,6 @@
 // once or, with a memory, gradually. SI units.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -122,16 +120,13 @@ void require_valid(const char* who, const Friction<Law, Scalar>& friction, Eigen
             is_constant<Law> ? "friction_coefficient" : "friction coefficient at rest", at_rest,
             "be finite and not negative");
     const FrictionMemory<Scalar>& memory = friction.memory;
-    require(is_finite(memory.distance) && memory.distance >= 0, who, "distance of the memory", memory.distance,
-            "be finite and not negative");
-    require(is_finite(memory.least_velocity) && memory.least_velocity >= 0, who, "least_velocity of the memory",
-            memory.least_velocity, "be finite and not negative");
+    require_not_negative(who, "distance of the memory", memory.distance);
+    require_not_negative(who, "least_velocity of the memory", memory.least_velocity);
     const ArrayX<Scalar>& pressure = friction.normal_pressure;
     require(pressure.size() == mesh_size, who, "length of normal_pressure", pressure.size(),
             "equal the number of elements");
     for (Eigen::Index i = 0; i < mesh_size; ++i) {
-        require(is_finite(pressure[i]) && pressure[i] >= 0, who, "normal_pressure", pressure[i],
-                "be finite and not negative");
+        require_not_negative(who, "normal_pressure", pressure[i]);
     }
     require(pressure.maxCoeff() > 0, who, "largest normal_pressure", pressure.maxCoeff(), "be positive");
 }

@@ -1,8 +1,6 @@
 // What friction carries from step to step, and what a step returns: plain data, for one direction of creepage or two.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstdint>
 #include <limits>
 #include <type_traits>

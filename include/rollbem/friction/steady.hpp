@@ -3,8 +3,6 @@
 // previous one.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <limits>

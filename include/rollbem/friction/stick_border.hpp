@@ -2,8 +2,6 @@
 // border, force and tractions exactly, by series instead of elements.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -25,7 +23,6 @@
 #include "../types.hpp"
 #include "detail/angular_points.hpp"
 #include "detail/exact_border.hpp"
-#include "detail/pressure_scan.hpp"
 #include "detail/stick_zone.hpp"
 #include "steady.hpp"
 
@@ -71,14 +68,14 @@ struct StickBorderSolution {
     Scalar traction(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->traction[elements->index(x_over_a)];
-        const Scalar p = x_over_a > border ? zone.traction(x_over_a) : -bound(x_over_a);
-        return sign * shear_modulus * p;
+        const Scalar p = x_over_a > border ? zone_.traction(x_over_a) : -bound_(x_over_a);
+        return sign_ * shear_modulus_ * p;
     }
     /// Slip s/V [-] at x/a, zero in stick. NaN where the traction is.
     Scalar slip(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->slip[elements->index(x_over_a)];
-        return x_over_a > border || !(zone.y > 0) ? Scalar(0) : sign * zone.slip(x_over_a, smooth_slope);
+        return x_over_a > border || !(zone_.y > 0) ? Scalar(0) : sign_ * zone_.slip(x_over_a, smooth_slope_);
     }
 
     /// The solution by elements, if it is not exact.
@@ -95,16 +92,22 @@ struct StickBorderSolution {
     };
     std::optional<Elements> elements;  ///< empty if the solution is exact
 
-    // the data for traction() and slip() of an exact solution
-    detail::StickZone<Scalar> zone;
-    std::function<Scalar(Scalar)> bound, smooth_slope;
-    Scalar sign = 1, shear_modulus = 1;
+    template <class S, SlopeSplitKernel Kernel, PressureLaw<S> Pressure>
+    friend StickBorderSolution<S> solve_stick_border(const Contact<S>& contact, const Kernel& kernel,
+                                                     std::type_identity_t<S> friction_coefficient,
+                                                     const Pressure& pressure, std::type_identity_t<S> creepage,
+                                                     Eigen::Index fallback_elements);
 
 private:
     bool defined_at(Scalar x) const {
         const bool solved = status == StepStatus::ok || status == StepStatus::no_solution;
         return solved && detail::is_finite(x) && x >= -1 && x <= 1;
     }
+
+    // of an exact solution
+    detail::StickZone<Scalar> zone_;
+    std::function<Scalar(Scalar)> bound_, smooth_slope_;
+    Scalar sign_ = 1, shear_modulus_ = 1;
 };
 
 namespace detail {
@@ -153,11 +156,10 @@ template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage,
-                                               Eigen::Index fallback_elements = 40) {
+                                               Eigen::Index fallback_elements) {
     constexpr const char* who = "solve_stick_border";
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
-    detail::require(detail::is_finite(friction_coefficient) && friction_coefficient >= 0, who, "friction_coefficient",
-                    friction_coefficient, "be finite and not negative");
+    detail::require_not_negative(who, "friction_coefficient", friction_coefficient);
     // of one type for all pressures, so that what follows is compiled once a kernel
     const std::function<Scalar(Scalar)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
                                                     Scalar x) -> Scalar { return scale * pressure(x); };
@@ -167,24 +169,24 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
                     "be positive");
 
     StickBorderSolution<Scalar> result;
-    result.shear_modulus = contact.shear_modulus();
+    result.shear_modulus_ = contact.shear_modulus();
     if (!detail::is_finite(creepage)) return result;
-    result.sign = creepage < 0 ? Scalar(-1) : Scalar(1);
+    result.sign_ = creepage < 0 ? Scalar(-1) : Scalar(1);
     const Scalar force_unit = contact.half_length() * contact.shear_modulus();
     const std::optional<detail::ExactBorder<Scalar>> exact =
         detail::find_exact_border(kernel, bound, scan, levels, std::abs(creepage), result.evaluations);
     if (exact) {
         result.exact = true;
         result.border = exact->zone.y - 1;
-        result.force_per_width = result.sign * force_unit * exact->force;
+        result.force_per_width = result.sign_ * force_unit * exact->force;
         result.force_error = force_unit * exact->force_error;
         result.tangent_per_width = force_unit * exact->tangent;
         result.complementarity_residual = exact->residual;
         result.coefficients = exact->coefficients;
         result.unknowns = exact->unknowns;
-        result.zone = exact->zone;
-        result.bound = bound;
-        result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
+        result.zone_ = exact->zone;
+        result.bound_ = bound;
+        result.smooth_slope_ = [kernel](Scalar x) { return kernel.smooth_slope(x); };
         result.status = StepStatus::ok;
     } else {
         detail::solve_on_elements<Scalar>(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements,
@@ -192,6 +194,14 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     }
     result.slip_work_per_width = -result.force_per_width * creepage;
     return result;
+}
+
+/// The same with 40 elements, should they be needed.
+template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
+                                               std::type_identity_t<Scalar> friction_coefficient,
+                                               const Pressure& pressure, std::type_identity_t<Scalar> creepage) {
+    return solve_stick_border(contact, kernel, friction_coefficient, pressure, creepage, 40);
 }
 
 }  // namespace rollbem

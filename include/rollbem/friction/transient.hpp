@@ -2,8 +2,6 @@
 // direction of creepage or two. s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -96,22 +94,14 @@ public:
     /// A plain dq will do if mu is constant.
     using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
 
-    /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths).
-    /// Throws std::invalid_argument if the verdict does not belong to this system or does not establish that no
-    /// eigenvalue grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), if the
-    /// contact's half-width is infinite or not that of the system's kernel, if the law does not meet the requirements
-    /// of Friction (one pressure per element of the mesh) or has a memory although the points of the system's equations
-    /// are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
+    /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); `checks` is the
+    /// verdict on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this system
+    /// or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
+    /// (Status::inconsistent), if the contact's half-width is infinite or not that of the system's kernel, if the law
+    /// does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although the
+    /// points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
     template <class AnyContact>
-    FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
-                  const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
-        : FrictionModel(contact, std::move(system), unchecked, friction, integrator) {
-        detail::require_usable_in_time(name, system_, verdict);
-    }
-
-    /// The same without checks of the eigenvalues and of convergence.
-    template <class AnyContact>
-    FrictionModel(const AnyContact& contact, System system, Unchecked, const Friction<Law, Scalar>& friction,
+    FrictionModel(const AnyContact& contact, System system, const Checks& checks, const Friction<Law, Scalar>& friction,
                   Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
           core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
@@ -130,6 +120,7 @@ public:
         detail::require(friction.memory.distance == 0 || system_.elements().places_are_known(), name,
                         "distance of the memory", friction.memory.distance,
                         "be 0 for a system that does not know the points of its equations");
+        detail::require_usable_in_time(name, system_, checks);
     }
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
@@ -256,19 +247,9 @@ private:
     Integrator integrator_;
 };
 
-template <class AnyContact, class Scalar, int directions, class Law>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
-              const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class AnyContact, class Scalar, int directions>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
-              const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
-    -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
-template <class AnyContact, class Scalar, int directions, class Law>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, Unchecked, const Friction<Law, Scalar>&,
+// A law in braces, which is not deduced, has a constant coefficient.
+template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Checks&, const Friction<Law, Scalar>&,
               Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class AnyContact, class Scalar, int directions>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, Unchecked,
-              const Friction<ConstantFriction<Scalar>, Scalar>&, Integrator = Integrator::sdirk2)
-    -> FrictionModel<ConstantFriction<Scalar>, directions, Scalar>;
 
 }  // namespace rollbem

@@ -1,8 +1,6 @@
 // Matrix factors and scratch memory of friction. They make steps fast and never change a result.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <Eigen/Core>
 
 #include "../types.hpp"

@@ -2,13 +2,10 @@
 // of a friction problem; in SI units.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "../detail/angle_minus_sine.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../scene/contact.hpp"
@@ -55,23 +52,17 @@ public:
 
     /// Throws std::invalid_argument naming the parameter that is out of range.
     explicit HertzLine(const Parameters& parameters) : parameters_(parameters) {
-        const auto positive = [](Scalar value, const char* name) {
-            detail::require(detail::is_finite(value) && value > 0, "HertzLine", name, value, "be positive and finite");
-        };
-        positive(parameters.load_per_width, "load_per_width");
-        positive(parameters.combined_radius, "combined_radius");
+        detail::require_positive("HertzLine", "load_per_width", parameters.load_per_width);
+        detail::require_positive("HertzLine", "combined_radius", parameters.combined_radius);
         Scalar compliance = 0;
         for (const ElasticBody<Scalar>& body : {parameters.body_1, parameters.body_2}) {
-            positive(body.young_modulus, "young_modulus");
-            detail::require(
-                detail::is_finite(body.poisson_ratio) && body.poisson_ratio >= 0 && body.poisson_ratio <= Scalar(0.5),
-                "HertzLine", "poisson_ratio", body.poisson_ratio, "lie in [0, 0.5]");
+            detail::require_positive("HertzLine", "young_modulus", body.young_modulus);
+            detail::require_poisson_ratio("HertzLine", body.poisson_ratio);
             compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
         }
         half_length_ = std::sqrt(4 / std::numbers::pi_v<Scalar> * parameters.load_per_width *
                                  parameters.combined_radius * compliance);
-        detail::require(detail::is_finite(half_length_) && half_length_ > 0, "HertzLine", "half_length", half_length_,
-                        "be positive and finite");
+        detail::require_positive("HertzLine", "half_length", half_length_);
     }
 
     /// The line contact with a = 1 and p0 = `peak`, under P = pi/2 peak. Throws std::invalid_argument unless peak is

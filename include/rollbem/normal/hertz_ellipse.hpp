@@ -2,8 +2,6 @@
 // pressures of rectangular elements under the same or another load. In SI units.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -207,7 +205,7 @@ public:
     /// The same bodies under another load [N]: a, b and p0 vary as its cube root, the approach as its square. Throws
     /// std::invalid_argument unless the load is positive and finite.
     HertzEllipse under(Scalar load) const {
-        require_positive(load, "load");
+        detail::require_positive("HertzEllipse", "load", load);
         HertzEllipse other = *this;
         const Scalar scale = std::cbrt(load / load_);
         other.load_ = load;
@@ -230,10 +228,6 @@ public:
     }
 
 private:
-    static void require_positive(Scalar value, const char* name) {
-        detail::require(detail::is_finite(value) && value > 0, "HertzEllipse", name, value, "be positive and finite");
-    }
-
     static Scalar curvature(Scalar radius, const char* name) {
         detail::require(!detail::is_nan(radius) && radius != 0, "HertzEllipse", name, radius,
                         "be a number other than 0 (infinite if flat, negative if concave)");
@@ -245,14 +239,12 @@ private:
 
 template <class Scalar_>
 HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parameters.load) {
-    require_positive(load_, "load");
-    detail::require(detail::is_finite(parameters.angle), "HertzEllipse", "angle", parameters.angle, "be finite");
+    detail::require_positive("HertzEllipse", "load", load_);
+    detail::require_finite("HertzEllipse", "angle", parameters.angle);
     Scalar compliance = 0;
     for (const ElasticBody<Scalar>& body : {parameters.body_1, parameters.body_2}) {
-        require_positive(body.young_modulus, "young_modulus");
-        detail::require(
-            detail::is_finite(body.poisson_ratio) && body.poisson_ratio >= 0 && body.poisson_ratio <= Scalar(0.5),
-            "HertzEllipse", "poisson_ratio", body.poisson_ratio, "lie in [0, 0.5]");
+        detail::require_positive("HertzEllipse", "young_modulus", body.young_modulus);
+        detail::require_poisson_ratio("HertzEllipse", body.poisson_ratio);
         compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
     }
     const Scalar x_1 = curvature(parameters.radii_1.rolling, "radii_1.rolling"),
@@ -278,8 +270,8 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parame
     a_ = across ? longer : shorter;
     b_ = across ? shorter : longer;
     approach_ = 3 * load_ * compliance * integrals.K / (2 * pi * longer);
-    require_positive(shorter, "shorter semi-axis");
-    require_positive(longer, "longer semi-axis");
+    detail::require_positive("HertzEllipse", "shorter semi-axis", shorter);
+    detail::require_positive("HertzEllipse", "longer semi-axis", longer);
 }
 
 }  // namespace rollbem

@@ -2,8 +2,6 @@
 // breathes with the contact, or on a fixed mesh on which the contact grows and shrinks.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,8 +40,7 @@ public:
     /// contact may be partly covered; each carries its exact mean pressure. Throws std::invalid_argument unless
     /// 0 < half_length < inf.
     static HertzLoad fixed(const HertzLine<Scalar>& line, const Mesh<Scalar>& mesh, Scalar half_length) {
-        detail::require(detail::is_finite(half_length) && half_length > 0, "HertzLoad", "half_length", half_length,
-                        "be positive and finite");
+        detail::require_positive("HertzLoad", "half_length", half_length);
         return HertzLoad(line, mesh, half_length);
     }
 

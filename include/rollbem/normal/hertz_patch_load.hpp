@@ -2,8 +2,6 @@
 // follows the ellipse, or on a fixed mesh on which the ellipse grows and shrinks.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

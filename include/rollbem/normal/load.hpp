@@ -2,8 +2,6 @@
 // friction takes the load at its end.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"

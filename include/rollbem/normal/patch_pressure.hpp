@@ -1,14 +1,11 @@
 // Hertz's pressure on the elements of a patch, for friction.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../scene/patch_contact.hpp"
@@ -39,7 +36,7 @@ ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const std::v
                                std::type_identity_t<Scalar> load) {
     detail::require(!contact.outline(), "hertz_pressures", "number of lines of an outline",
                     contact.outline() ? contact.outline()->y().size() : 0, "be 0: Hertz's contact is an ellipse");
-    detail::require(detail::is_finite(load) && load > 0, "hertz_pressures", "load", load, "be positive and finite");
+    detail::require_positive("hertz_pressures", "load", load);
     return detail::ellipse_pressures(contact.half_length(), contact.half_width(), load, elements).mean;
 }
 

@@ -1,8 +1,6 @@
 // A normal pressure given on a grid over a contact patch, and its mean over rectangular elements.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -30,11 +28,10 @@ public:
         detail::require(pressure_.rows() == x_.size() && pressure_.cols() == y_.size(), "PressureGrid",
                         "number of pressures", pressure_.size(), "equal that of points");
         for (const Scalar value : pressure_.reshaped()) {
-            detail::require(detail::is_finite(value) && value >= 0, "PressureGrid", "pressure", value,
-                            "be finite and not negative");
+            detail::require_not_negative("PressureGrid", "pressure", value);
         }
         const Scalar load = integral();
-        detail::require(detail::is_finite(load) && load > 0, "PressureGrid", "load", load, "be positive and finite");
+        detail::require_positive("PressureGrid", "load", load);
     }
 
     /// Integral of the pressure over the grid.

@@ -2,8 +2,6 @@
 // not that of Hertz.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -33,11 +31,10 @@ public:
                             "lie in [-1, 1]");
             detail::require(i == 0 || x_[i] >= x_[i - 1], "PressureTable", "x/a", x_[i],
                             "not be less than at the previous point");
-            detail::require(detail::is_finite(pressure_[i]) && pressure_[i] >= 0, "PressureTable", "pressure",
-                            pressure_[i], "be finite and not negative");
+            detail::require_not_negative("PressureTable", "pressure", pressure_[i]);
         }
         const Scalar load = integral();
-        detail::require(detail::is_finite(load) && load > 0, "PressureTable", "load", load, "be positive and finite");
+        detail::require_positive("PressureTable", "load", load);
     }
 
     /// Integral of the pressure over x/a: the load per width over a.

@@ -2,8 +2,6 @@
 // GSL; includes nothing of the discretised problem, so that the two cannot share errors. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +19,6 @@
 #include <gsl/gsl_sf_bessel.h>
 
 #include "../closed_form/carter.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 
 /// Independent references. With u = A e^{sx} - xi/s the zero-slip condition du/dx - s u = xi holds for any A; the
@@ -33,6 +30,8 @@ namespace rollbem::reference {
 namespace detail {
 
 using rollbem::detail::require;
+using rollbem::detail::require_finite;
+using rollbem::detail::require_positive;
 using Complex = std::complex<long double>;
 
 /// I0(s), I1(s) and I0(s) + I1(s), each times e^{-|Re s|}. Computed in long double so that double results are exact to
@@ -271,8 +270,8 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
 inline std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, double aspect) {
     const double lambda = s == 0.0 ? plane_lambda(poisson_ratio, aspect)
                                    : stable_plane_lambda("reference::plane_c11", poisson_ratio, aspect);
-    detail::require(rollbem::detail::is_finite(s.real()), "reference::plane_c11", "Re s", s.real(), "be finite");
-    detail::require(rollbem::detail::is_finite(s.imag()), "reference::plane_c11", "Im s", s.imag(), "be finite");
+    detail::require_finite("reference::plane_c11", "Re s", s.real());
+    detail::require_finite("reference::plane_c11", "Im s", s.imag());
     if (s.real() == 0 && std::abs(s.imag()) < detail::asymptotic_radius) {
         return detail::harmonic_c11(s.imag(), poisson_ratio, lambda);
     }

@@ -2,8 +2,6 @@
 // logarithm and the root singularities in the weight. Independent of the closed form in spectral/polynomial.hpp.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <memory>

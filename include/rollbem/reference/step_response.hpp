@@ -3,8 +3,6 @@
 // independent check.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -14,7 +12,6 @@
 #include <vector>
 
 #include "../closed_form/carter.hpp"
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "bessel.hpp"
 
@@ -27,8 +24,7 @@ namespace rollbem::reference {
 template <typename Transform>
 double invert_laplace(const Transform& transform, double q, int terms = 40) {
     using detail::Complex;
-    detail::require(rollbem::detail::is_finite(q) && q > 0, "reference::invert_laplace", "q/a", q,
-                    "be positive and finite");
+    detail::require_positive("reference::invert_laplace", "q/a", q);
     detail::require(terms > 0, "reference::invert_laplace", "terms", terms, "be positive");
     const long double period = 2 * static_cast<long double>(q);
     const long double abscissa = std::log(1e14L) / (2 * period);
@@ -146,8 +142,7 @@ public:
     /// -F/(a G amplitude) at q/a for creepage amplitude * sin(omega q) from rest; omega in V/a. Throws
     /// std::invalid_argument unless omega is positive and finite.
     double sine(double omega, double q_over_a) const {
-        detail::require(rollbem::detail::is_finite(omega) && omega > 0, "StepResponse", "omega", omega,
-                        "be positive and finite");
+        detail::require_positive("StepResponse", "omega", omega);
         if (!(q_over_a > 0)) {
             return 0;
         }

@@ -2,8 +2,6 @@
 // in Chebyshev polynomials over sqrt(1 - x^2). Shares nothing with the assembly. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>

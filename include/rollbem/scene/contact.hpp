@@ -2,8 +2,6 @@
 // shear modulus G and Poisson's ratio nu, checked once on construction.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <limits>
 
 #include "../detail/finite.hpp"
@@ -31,14 +29,11 @@ public:
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
     explicit Contact(const Parameters& parameters) : parameters_(parameters) {
         const Parameters& p = parameters_;
-        detail::require(detail::is_finite(p.half_length) && p.half_length > 0, "Contact", "half_length", p.half_length,
-                        "be positive and finite");
+        detail::require_positive("Contact", "half_length", p.half_length);
         detail::require(!detail::is_nan(p.half_width) && p.half_width > 0, "Contact", "half_width", p.half_width,
                         "be positive");
-        detail::require(detail::is_finite(p.shear_modulus) && p.shear_modulus > 0, "Contact", "shear_modulus",
-                        p.shear_modulus, "be positive and finite");
-        detail::require(detail::is_finite(p.poisson_ratio) && p.poisson_ratio >= 0 && p.poisson_ratio <= Scalar(0.5),
-                        "Contact", "poisson_ratio", p.poisson_ratio, "lie in [0, 0.5]");
+        detail::require_positive("Contact", "shear_modulus", p.shear_modulus);
+        detail::require_poisson_ratio("Contact", p.poisson_ratio);
         detail::require(aspect() > 0, "Contact", "half_width / half_length", aspect(), "be positive");
     }
 

@@ -1,8 +1,6 @@
 // Longitudinal and lateral creepage together, with spin.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../detail/finite.hpp"
 
 namespace rollbem {

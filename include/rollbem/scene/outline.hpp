@@ -2,8 +2,6 @@
 // leading edge at some y, and straight between them.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -48,7 +46,7 @@ public:
         for (Eigen::Index i = 1; i < lines; ++i) {
             area_ += (y_[i] - y_[i - 1]) * ((leading_[i] - trailing_[i]) + (leading_[i - 1] - trailing_[i - 1])) / 2;
         }
-        detail::require(detail::is_finite(area_) && area_ > 0, "Outline", "area", area_, "be positive and finite");
+        detail::require_positive("Outline", "area", area_);
     }
 
     const ArrayX<Scalar>& y() const { return y_; }

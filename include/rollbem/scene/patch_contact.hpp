@@ -2,14 +2,11 @@
 // modulus G and Poisson's ratio nu, checked once on construction.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
 
-#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "outline.hpp"
 
@@ -34,13 +31,12 @@ public:
     /// An ellipse. Throws std::invalid_argument naming the parameter that breaks the invariant.
     explicit PatchContact(const Parameters& parameters) : parameters_(parameters) {
         const Parameters& p = parameters_;
-        require_positive("half_length", p.half_length);
-        require_positive("half_width", p.half_width);
-        require_positive("shear_modulus", p.shear_modulus);
-        detail::require(detail::is_finite(p.poisson_ratio) && p.poisson_ratio >= 0 && p.poisson_ratio <= Scalar(0.5),
-                        "PatchContact", "poisson_ratio", p.poisson_ratio, "lie in [0, 0.5]");
-        require_positive("half_length / half_width", a_over_b());
-        require_positive("half_width / half_length", p.half_width / p.half_length);
+        detail::require_positive("PatchContact", "half_length", p.half_length);
+        detail::require_positive("PatchContact", "half_width", p.half_width);
+        detail::require_positive("PatchContact", "shear_modulus", p.shear_modulus);
+        detail::require_poisson_ratio("PatchContact", p.poisson_ratio);
+        detail::require_positive("PatchContact", "half_length / half_width", a_over_b());
+        detail::require_positive("PatchContact", "half_width / half_length", p.half_width / p.half_length);
     }
 
     /// Any outline, in metres. a and b are both the radius c of the circle of equal area.
@@ -51,7 +47,7 @@ public:
 
     /// The ellipse with a = G = 1.
     static PatchContact dimensionless(Scalar a_over_b, Scalar poisson_ratio) {
-        require_positive("a_over_b", a_over_b);
+        detail::require_positive("PatchContact", "a_over_b", a_over_b);
         return PatchContact(Parameters{1, 1 / a_over_b, 1, poisson_ratio});
     }
 
@@ -66,10 +62,6 @@ public:
     const Outline<Scalar>* outline() const { return outline_.get(); }  ///< null for an ellipse
 
 private:
-    static void require_positive(const char* quantity, Scalar value) {
-        detail::require(detail::is_finite(value) && value > 0, "PatchContact", quantity, value,
-                        "be positive and finite");
-    }
     static Scalar radius_of(const Outline<Scalar>& outline) {
         return std::sqrt(outline.area() / std::numbers::pi_v<Scalar>);
     }

@@ -1,8 +1,6 @@
 // The relative rigid-body motion of the two bodies while the contact rolls.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../detail/finite.hpp"
 #include "../status.hpp"
 #include "creepage.hpp"

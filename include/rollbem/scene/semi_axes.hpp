@@ -1,8 +1,6 @@
 // Semi-axes of an ellipse of contact, where they vary.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include "../detail/finite.hpp"
 
 namespace rollbem {

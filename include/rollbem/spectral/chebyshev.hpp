@@ -3,8 +3,6 @@
 // on it unchanged.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -46,14 +44,13 @@ struct ChebyshevTraction {
 
     VectorX<Value> coefficients;
 
-    /// Throws std::invalid_argument for distances that are negative or do not add up to 2.
-    Value operator()(const EdgeDistances<Scalar>& position) const;
-
+    Value operator()(const EdgeDistances<Scalar>& position) const {
+        return detail::quotient_by_leading(coefficients, position.leading) *
+               std::sqrt(position.leading / position.trailing);
+    }
     /// At x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
     Value operator()(std::type_identity_t<Scalar> x_over_a) const {
-        detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= 1, "ChebyshevTraction", "x/a", x_over_a,
-                        "lie in [-1, 1]");
-        return (*this)(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a});
+        return (*this)(EdgeDistances<Scalar>::at(x_over_a));
     }
 };
 
@@ -98,52 +95,18 @@ private:
     MatrixX<Scalar> stiffness_;  // (m+1) x m: a_0 ... a_m of u
 };
 
-/// Steady rolling at unit creepage, dimensionless.
+/// Steady rolling; for unit creepage dimensionless, with a = G = xi = 1. With a lateral kernel c11 is c22.
 template <class Scalar>
 struct ChebyshevSteadySolution {
-    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is p/(G xi) [-]
-    Scalar c11 = 0;                      ///< creep coefficient -F_bar/(a G xi) [-], Eq. (30)
+    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is p on body 1 [Pa]
+    Scalar force_per_width = 0;          ///< F_bar = -a G c11 xi [N/m], Eq. (30)
+    Scalar c11 = 0;                      ///< creep coefficient [-]
     /// Relative error of c11: twice the contribution of the kernel's smooth part to the last two coefficients, which
     /// decay geometrically.
     Scalar error_estimate = 0;
     Scalar rcond = 0;                    ///< estimate of 1/(|K| |K^-1|) of the scaled equations in the 1-norm [-]
     Status status = Status::not_finite;  ///< not_converged if error_estimate exceeds 1e-2
 };
-
-/// Steady rolling in the units of the contact's parameters.
-template <class Scalar>
-struct ChebyshevSteadySolutionSI {
-    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is p on body 1 [Pa]
-    Scalar force_per_width = 0;          ///< F_bar = -a G c11 xi [N/m], Eq. (30)
-    Scalar c11 = 0;                      ///< creep coefficient [-]
-    Scalar error_estimate = 0;           ///< as in ChebyshevSteadySolution
-    Scalar rcond = 0;                    ///< as in ChebyshevSteadySolution
-    Status status = Status::not_finite;
-};
-
-/// Steady rolling under lateral creepage, in the units of the contact's parameters.
-template <class Scalar>
-struct LateralChebyshevSteadySolution {
-    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is q along y on body 1 [Pa]
-    Scalar force_per_width = 0;          ///< F_y = -a G c22 xi_y [N/m]
-    Scalar c22 = 0;                      ///< lateral creep coefficient [-]; pi/2 for b >> a, see steady_c22
-    Scalar error_estimate = 0;           ///< as in ChebyshevSteadySolution
-    Scalar rcond = 0;                    ///< as in ChebyshevSteadySolution
-    Status status = Status::not_finite;
-};
-
-template <class Value>
-Value ChebyshevTraction<Value>::operator()(const EdgeDistances<Scalar>& position) const {
-    detail::require(detail::is_finite(position.trailing) && position.trailing >= 0, "ChebyshevTraction", "trailing",
-                    position.trailing, "be at least 0");
-    detail::require(detail::is_finite(position.leading) && position.leading >= 0, "ChebyshevTraction", "leading",
-                    position.leading, "be at least 0");
-    const Scalar sum = position.trailing + position.leading;
-    detail::require(std::abs(sum - 2) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), "ChebyshevTraction",
-                    "trailing + leading", sum, "be 2");
-    return detail::quotient_by_leading(coefficients, position.leading) *
-           std::sqrt(position.leading / position.trailing);
-}
 
 template <class Scalar_>
 MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
@@ -230,7 +193,8 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Ch
     ChebyshevSteadySolution<Scalar> solution;
     VectorX<Scalar>& a = solution.traction.coefficients;
     a = lu.solve(right);
-    solution.c11 = -std::numbers::pi_v<Scalar> * a[0];
+    solution.force_per_width = std::numbers::pi_v<Scalar> * a[0];
+    solution.c11 = -solution.force_per_width;
     if (!detail::all_finite(a) || !detail::is_finite(solution.c11)) return solution;
     solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(equations));
     const auto by_smooth_part = [&](Eigen::Index k) {
@@ -246,20 +210,6 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Ch
     return solution;
 }
 
-template <class Scalar, SmoothSplitKernel Kernel>
-ChebyshevSteadySolutionSI<Scalar> solve_chebyshev_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                                         const Kernel& kernel, Scalar creepage) {
-    require_same_aspect("solve_steady", contact, aspect_of<Scalar>(kernel));
-    const ChebyshevSteadySolution<Scalar> unit = solve_chebyshev_steady(method, kernel);
-    ChebyshevSteadySolutionSI<Scalar> solution{
-        .traction = unit.traction, .c11 = unit.c11, .error_estimate = unit.error_estimate, .rcond = unit.rcond};
-    solution.traction.coefficients *= contact.shear_modulus() * creepage;
-    solution.force_per_width = -contact.half_length() * contact.shear_modulus() * unit.c11 * creepage;
-    const bool finite = all_finite(solution.traction.coefficients) && is_finite(solution.force_per_width);
-    solution.status = is_finite(creepage) && finite ? unit.status : Status::not_finite;
-    return solution;
-}
-
 }  // namespace detail
 
 /// Steady rolling at unit creepage. There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not
@@ -272,33 +222,27 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& m
 template <class Kernel>
 void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a SmoothSplitKernel
 
-/// Steady rolling of a contact at a longitudinal creepage [-] (positive creepage, negative traction), strip kernel.
-/// Throws std::invalid_argument unless there is at least one state and b/a >= 0.001; a creepage or a result that is not
-/// finite gives Status::not_finite.
-template <class Scalar>
-ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                               std::type_identity_t<Scalar> creepage) {
-    return detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
+/// Steady rolling of a contact at a creepage [-] along the direction of one of its kernels (positive creepage, negative
+/// traction). Throws std::invalid_argument unless there is at least one state, b/a >= 0.001 and the kernel's b/a is the
+/// contact's; a creepage or a result that is not finite gives Status::not_finite.
+template <class Scalar, SmoothSplitKernel Kernel>
+ChebyshevSteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                             const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
+    detail::require_same_aspect("solve_steady", contact, detail::aspect_of<Scalar>(kernel));
+    ChebyshevSteadySolution<Scalar> solution = detail::solve_chebyshev_steady(method, kernel);
+    VectorX<Scalar>& a = solution.traction.coefficients;
+    a *= contact.shear_modulus() * creepage;
+    solution.force_per_width = -contact.half_length() * contact.shear_modulus() * solution.c11 * creepage;
+    const bool finite = detail::all_finite(a) && detail::is_finite(solution.force_per_width);
+    if (!detail::is_finite(creepage) || !finite) solution.status = Status::not_finite;
+    return solution;
 }
 
-/// The same with any kernel of the contact, in whose direction creepage, traction and force act: with a lateral kernel
-/// c11 is c22. Throws std::invalid_argument also if the kernel's b/a is not the contact's.
-template <class Scalar, class Kernel>
-ChebyshevSteadySolutionSI<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                               const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
-    return detail::solve_chebyshev_steady<Scalar>(contact, method, kernel, creepage);
-}
-
-/// Steady rolling of a contact at a lateral creepage [-] (positive creepage, negative traction), strip kernel.
-/// Throws std::invalid_argument unless there is at least one state and b/a >= 0.001; a creepage or a result that is not
-/// finite gives Status::not_finite.
+/// The same at a longitudinal creepage, strip kernel.
 template <class Scalar>
-LateralChebyshevSteadySolution<Scalar> solve_steady_lateral(const Contact<Scalar>& contact, const Chebyshev& method,
-                                                            std::type_identity_t<Scalar> creepage) {
-    ChebyshevSteadySolutionSI<Scalar> solution =
-        detail::solve_chebyshev_steady(contact, method, StripKernel<Scalar>::lateral(contact), creepage);
-    return {std::move(solution.traction), solution.force_per_width, solution.c11,
-            solution.error_estimate,      solution.rcond,           solution.status};
+ChebyshevSteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
+                                             std::type_identity_t<Scalar> creepage) {
+    return solve_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
 }
 
 }  // namespace rollbem

@@ -2,8 +2,6 @@
 // Chebyshev polynomials, where it costs O(order) and is accurate to rounding. Dimensionless: a = G = V = 1.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -20,6 +18,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
+#include "../types.hpp"
 #include "detail/quotient.hpp"
 
 namespace rollbem {
@@ -56,7 +55,7 @@ Eigen::Index default_polynomial_order(std::complex<Scalar> s) {
 template <std::floating_point Scalar>
 struct PolynomialSolution {
     using Complex = std::complex<Scalar>;
-    using Vector = Eigen::Matrix<Complex, Eigen::Dynamic, 1>;
+    using Vector = VectorX<Complex>;
 
     PolynomialBasis basis;
     Complex c11;                       ///< Eq. (30): force per unit width over -a G xi
@@ -66,25 +65,13 @@ struct PolynomialSolution {
     Scalar condition;                  ///< monomial: estimated 1-norm condition; Chebyshev: 1, no matrix is inverted
     Status status = Status::not_finite;
 
-    /// p/(G xi), Eq. (17). Throws std::invalid_argument for distances that are negative or do not add up to 2.
+    /// p/(G xi), Eq. (17).
     Complex traction(const EdgeDistances<Scalar>& position) const {
-        using std::abs, std::sqrt;
-        detail::require(detail::is_finite(position.trailing) && position.trailing >= Scalar(0), "PolynomialSolution",
-                        "trailing", position.trailing, "be at least 0");
-        detail::require(detail::is_finite(position.leading) && position.leading >= Scalar(0), "PolynomialSolution",
-                        "leading", position.leading, "be at least 0");
-        const Scalar sum = position.trailing + position.leading;
-        detail::require(abs(sum - 2) <= sqrt(std::numeric_limits<Scalar>::epsilon()), "PolynomialSolution",
-                        "trailing + leading", sum, "be 2");
-        return quotient(position) * sqrt(position.leading / position.trailing);
+        return quotient(position) * std::sqrt(position.leading / position.trailing);
     }
 
-    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
-    Complex traction(Scalar x_over_a) const {
-        detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= Scalar(1), "PolynomialSolution", "x/a",
-                        x_over_a, "lie in [-1, 1]");
-        return traction(EdgeDistances<Scalar>{1 + x_over_a, 1 - x_over_a});
-    }
+    /// The same at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    Complex traction(Scalar x_over_a) const { return traction(EdgeDistances<Scalar>::at(x_over_a)); }
 
     /// u/(a xi) at x/a, Eq. (21). Throws std::invalid_argument unless -1 <= x/a <= 1.
     Complex displacement(Scalar x_over_a) const {
@@ -126,14 +113,14 @@ namespace detail {
 template <std::floating_point Scalar>
 Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
                          Eigen::Index order) {
-    require(is_finite(s.real()), who, "Re s", s.real(), "be finite");
-    require(is_finite(s.imag()), who, "Im s", s.imag(), "be finite");
+    require_finite(who, "Re s", s.real());
+    require_finite(who, "Im s", s.imag());
     require(order >= 1, who, "order", order, "be at least 1");
     return s == std::complex<Scalar>(0) ? plane_lambda(poisson_ratio, aspect)
                                         : stable_plane_lambda(who, poisson_ratio, aspect);
 }
 
-/// r_k = P_{k+1}/P_k from r_{k+1}, see solve_chebyshev. A vanishing denominator means P_k = 0: r_k is then infinite,
+/// r_k = P_{k+1}/P_k from r_{k+1}, see solve_polynomial. A vanishing denominator means P_k = 0: r_k is then infinite,
 /// and any huge number will do, because only P_k r_k matters.
 template <std::floating_point Scalar>
 std::complex<Scalar> chebyshev_ratio(std::complex<Scalar> s, Eigen::Index k, std::complex<Scalar> next) {
@@ -150,17 +137,13 @@ std::complex<Scalar> chebyshev_ratio(std::complex<Scalar> s, Eigen::Index k, std
 template <std::floating_point Scalar>
 std::complex<Scalar> chebyshev_sum(std::complex<Scalar> s, Eigen::Index order, std::complex<Scalar> ratio,
                                    std::complex<Scalar> tail) {
-    if (order == 1) {
-        return Scalar(1);
-    }
+    if (order == 1) return Scalar(1);
     return Scalar(1) + s * (Scalar(0.5) + ratio / Scalar(4) - tail / static_cast<Scalar>(2 * order));
 }
 
 template <std::floating_point Scalar>
 Status polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar tolerance) {
-    if (!is_finite(c11)) {
-        return Status::not_finite;
-    }
+    if (!is_finite(c11)) return Status::not_finite;
     return is_finite(error_estimate) && error_estimate <= tolerance ? Status::ok : Status::not_converged;
 }
 
@@ -173,7 +156,7 @@ Scalar chebyshev_tolerance() {
 }  // namespace detail
 
 /// Creep coefficient of the plane model under creepage xi e^{s V t/a}, s = i omega a/V in the harmonic case, by the
-/// Chebyshev basis: solve_chebyshev without storing the coefficients, and so without any allocation. `aspect` is b/a.
+/// Chebyshev basis: solve_polynomial without storing the coefficients, and so without any allocation. `aspect` is b/a.
 /// Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf, order >= 1 and either
 /// Lambda > 0 or s = 0.
 template <std::floating_point Scalar>
@@ -219,11 +202,11 @@ EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s
 /// std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf, order >= 1 and either
 /// Lambda > 0 or s = 0.
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
-                                           std::type_identity_t<Scalar> aspect, Eigen::Index order) {
+PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                            std::type_identity_t<Scalar> aspect, Eigen::Index order) {
     using Complex = std::complex<Scalar>;
     using Vector = typename PolynomialSolution<Scalar>::Vector;
-    const Scalar lambda = detail::polynomial_lambda("solve_chebyshev", s, poisson_ratio, aspect, order);
+    const Scalar lambda = detail::polynomial_lambda("solve_polynomial", s, poisson_ratio, aspect, order);
     Vector traction(order + 1);
     Vector displacement(order + 1);
     Complex ratio = 0;
@@ -232,16 +215,12 @@ PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Sca
         traction[k + 1] = ratio;
     }
     traction[1] = 1;
-    for (Eigen::Index n = 2; n <= order; ++n) {
-        traction[n] *= traction[n - 1];
-    }
+    for (Eigen::Index n = 2; n <= order; ++n) traction[n] *= traction[n - 1];
     const Complex sum = detail::chebyshev_sum(s, order, ratio, Complex(traction[order]));
     traction[0] = -sum;
     traction /= Scalar(1) + s * (lambda * sum + ratio / Scalar(4));
     displacement[0] = lambda * traction[0];
-    for (Eigen::Index n = 1; n <= order; ++n) {
-        displacement[n] = traction[n] / static_cast<Scalar>(n);
-    }
+    for (Eigen::Index n = 1; n <= order; ++n) displacement[n] = traction[n] / static_cast<Scalar>(n);
     traction /= 2 * (1 - poisson_ratio);
     const EstimatedC11<Scalar> scalar = polynomial_c11(s, poisson_ratio, aspect, order);
     return {PolynomialBasis::chebyshev, scalar.c11, traction,     displacement,
@@ -250,9 +229,9 @@ PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Sca
 
 /// The same at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
-                                           std::type_identity_t<Scalar> aspect) {
-    return solve_chebyshev(s, poisson_ratio, aspect, default_polynomial_order(s));
+PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                            std::type_identity_t<Scalar> aspect) {
+    return solve_polynomial(s, poisson_ratio, aspect, default_polynomial_order(s));
 }
 
 /// The homogeneous problem in the Chebyshev basis as a standard eigenproblem M P = (1/s) P, P = (P_1, ..., P_order),
@@ -260,20 +239,14 @@ PolynomialSolution<Scalar> solve_chebyshev(std::type_identity_t<std::complex<Sca
 /// the plane kernel, the smallest first. Throws std::invalid_argument unless order >= 1, 0 <= poisson_ratio <= 0.5,
 /// 0 < aspect < inf and Lambda > 0.
 template <std::floating_point Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::Index order, Scalar poisson_ratio,
-                                                                       Scalar aspect) {
+MatrixX<Scalar> chebyshev_pencil(Eigen::Index order, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda =
         detail::polynomial_lambda("chebyshev_pencil", std::complex<Scalar>(1), poisson_ratio, aspect, order);
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> matrix =
-        Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>::Zero(order, order);
+    MatrixX<Scalar> matrix = MatrixX<Scalar>::Zero(order, order);
     matrix.row(0).setConstant(-lambda);
     for (Eigen::Index k = 0; k < order; ++k) {  // row k is that of U_k, column j of P_{j+1}
-        if (k > 0) {
-            matrix(k, k - 1) = Scalar(0.5) / static_cast<Scalar>(k);
-        }
-        if (k + 1 < order) {
-            matrix(k, k + 1) -= Scalar(0.5) / static_cast<Scalar>(k + 2);
-        }
+        if (k > 0) matrix(k, k - 1) = Scalar(0.5) / static_cast<Scalar>(k);
+        if (k + 1 < order) matrix(k, k + 1) -= Scalar(0.5) / static_cast<Scalar>(k + 2);
     }
     return matrix;
 }
@@ -281,9 +254,9 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> chebyshev_pencil(Eigen::In
 /// Moments mu_j = (1/pi) int x^j/sqrt(1-x^2) dx, j = 0 ... order: binomial(j, j/2)/2^j for even j, 0 for odd. Throws
 /// std::invalid_argument if order < 0.
 template <std::floating_point Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, 1> monomial_moments(Eigen::Index order) {
+VectorX<Scalar> monomial_moments(Eigen::Index order) {
     detail::require(order >= 0, "monomial_moments", "order", order, "be at least 0");
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> moments = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>::Zero(order + 1);
+    VectorX<Scalar> moments = VectorX<Scalar>::Zero(order + 1);
     moments[0] = 1;
     for (Eigen::Index j = 2; j <= order; j += 2) {
         moments[j] = moments[j - 2] * static_cast<Scalar>(j - 1) / static_cast<Scalar>(j);
@@ -296,13 +269,12 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, 1> monomial_moments(Eigen::Index order) {
 /// (1-nu) sum_l mu_{j-1-l} x^l, free of cancellation, and U_j(0) by the derivative of mu_j with respect to j. Throws
 /// std::invalid_argument unless order >= 0, 0 <= poisson_ratio <= 0.5 and 0 < aspect < inf.
 template <std::floating_point Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> displacement_matrix(Eigen::Index order, Scalar poisson_ratio,
-                                                                          Scalar aspect) {
-    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+MatrixX<Scalar> displacement_matrix(Eigen::Index order, Scalar poisson_ratio, Scalar aspect) {
+    using Matrix = MatrixX<Scalar>;
     const Scalar stiffness = 2 * (1 - poisson_ratio);
     const Scalar ln2 = std::numbers::ln2_v<Scalar>;
     const Scalar level = plane_lambda(poisson_ratio, aspect) - ln2;
-    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> moments = monomial_moments<Scalar>(order);
+    const VectorX<Scalar> moments = monomial_moments<Scalar>(order);
     Matrix b = Matrix::Zero(order + 1, order + 1);
     Scalar logarithmic = -ln2;  // (1/pi) int x^j ln|x|/sqrt(1-x^2) dx, even j
     for (Eigen::Index j = 0; j <= order; ++j) {
@@ -313,9 +285,7 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> displacement_matrix(Eigen:
             }
             b(j, 0) = stiffness * (level * moments[j] - logarithmic);
         }
-        for (Eigen::Index l = 1; l <= j; ++l) {
-            b(j, l) = stiffness * moments[j - l] / static_cast<Scalar>(l);
-        }
+        for (Eigen::Index l = 1; l <= j; ++l) b(j, l) = stiffness * moments[j - l] / static_cast<Scalar>(l);
     }
     return b;
 }
@@ -332,11 +302,10 @@ struct MonomialOptions {
 namespace detail {
 
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_monomial_once(
-    std::complex<Scalar> s, const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>& b) {
+PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eigen::Ref<const MatrixX<Scalar>>& b) {
     using Complex = std::complex<Scalar>;
     using Vector = typename PolynomialSolution<Scalar>::Vector;
-    using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
+    using Matrix = MatrixX<Complex>;
     const Eigen::Index order = b.rows() - 1;
     Matrix matrix(order + 1, order + 1);
     for (Eigen::Index l = 0; l < order; ++l) {
@@ -365,10 +334,10 @@ PolynomialSolution<Scalar> solve_monomial_once(
 /// to `options`; monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument
 /// unless B is square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
 template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_monomial(
-    std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio, std::type_identity_t<Scalar> aspect,
-    const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>& b,
-    const MonomialOptions<Scalar>& options = {}) {
+PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
+                                          std::type_identity_t<Scalar> aspect,
+                                          const Eigen::Ref<const MatrixX<Scalar>>& b,
+                                          const MonomialOptions<Scalar>& options = {}) {
     detail::require(b.rows() == b.cols(), "solve_monomial", "columns of B", b.cols(), "equal its rows");
     const Eigen::Index order = b.rows() - 1;
     detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);

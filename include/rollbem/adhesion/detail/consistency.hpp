@@ -2,8 +2,6 @@
 // Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,6 @@
 // Controllability Gramians of triangular systems by Hammarling's method, for balanced reduction. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cmath>
 #include <complex>
 

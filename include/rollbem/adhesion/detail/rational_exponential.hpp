@@ -1,8 +1,6 @@
 // The rational function of an integrator, and the motion in a step.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -2,8 +2,6 @@
 // assembled again. Independent of friction and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cmath>
 
 #include <Eigen/Core>
@@ -22,19 +20,10 @@ struct RollingStage {
     Scalar growth = 0;                    ///< change of the half-length that belongs to the stage, |growth| < distance
     Scalar half_width = 1, widening = 0;  ///< the same of the half-width of a patch, in that of the contact
 
-    /// A stage that takes `part` of a step and ends within it; the step rolls by `dq` while the half-length varies
-    /// linearly.
-    static RollingStage within(Scalar part, Scalar dq, Scalar from, Scalar to) {
-        return {part * dq, from + part * (to - from), part * (to - from)};
-    }
-    /// A stage that ends with the step.
-    static RollingStage last(Scalar part, Scalar dq, Scalar from, Scalar to) {
-        return {part * dq, to, part * (to - from)};
-    }
-
-    /// Of a patch: a stage that ends when `progress` of the step is done.
-    static RollingStage of_patch(Scalar part, Scalar progress, Scalar dq, const SemiAxes<Scalar>& from,
-                                 const SemiAxes<Scalar>& to) {
+    /// A stage that takes `part` of a step and ends when `progress` of it is done; the step rolls by `dq` while the
+    /// semi-axes vary linearly.
+    static RollingStage of(Scalar part, Scalar progress, Scalar dq, const SemiAxes<Scalar>& from,
+                           const SemiAxes<Scalar>& to) {
         const auto at = [&](Scalar start, Scalar end) {
             return progress == 1 ? end : start + progress * (end - start);
         };

@@ -2,8 +2,6 @@
 // ShapeSet, and scaled by the present size. Independent of friction and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,6 @@
 // The factors of a stage's matrix, kept as long as model and stage stay the same.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>

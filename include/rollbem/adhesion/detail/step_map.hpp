@@ -1,8 +1,6 @@
 // The linear map from the unknowns before a step to those after it, for steps of one distance at one half-length.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

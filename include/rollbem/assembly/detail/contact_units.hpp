@@ -1,8 +1,6 @@
 // The units of a contact's systems: of a line contact 2a x 2b, or of a patch.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstdint>
 
 #include "../../detail/fingerprint.hpp"

@@ -2,8 +2,6 @@
 // only on which points lie in which elements.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // all ways of computing an entry.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,7 +85,7 @@ struct Entries {
             from[l] = std::max(rows.from_leading[l], rows.from_trailing[l]) + std::abs(rows.offset[l]) +
                       Scalar(averages) * rows.half[l];
         }
-        return largest(from) + largest(columns.half);
+        return from.maxCoeff() + columns.half.maxCoeff();
     }
 
 private:

@@ -2,8 +2,6 @@
 // scalar type: schemes come as their rows, kernels as a view.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

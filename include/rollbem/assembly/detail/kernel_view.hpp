@@ -2,8 +2,6 @@
 // type.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <optional>
 
 #include <Eigen/Core>

@@ -2,8 +2,6 @@
 // Every entry of G and G' of Eqs. (12)-(14) is such an integral; this header fills whole matrices of them.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <optional>
 
 #include "../../detail/require.hpp"

@@ -2,8 +2,6 @@
 // Several rows are computed at once, in registers.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // neighbours in a row share the values of the antiderivatives.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
-#include "../../detail/logarithms.hpp"
 #include "../../elasticity/line_kernel.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"

@@ -1,8 +1,6 @@
 // Influence of the rectangles of a patch on the rows of node differences: the entries of G and G', strip by strip.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -2,8 +2,6 @@
 // once for a matrix.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 
 #include <Eigen/Core>

@@ -2,8 +2,6 @@
 // scheme requires it.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <limits>
 
 #include "../../detail/array_functions.hpp"

@@ -1,8 +1,6 @@
 // Influence between the elements of elliptic patches of several a/b, and of ellipses between them.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,8 +2,6 @@
 // but the series serves any kernel that is smooth away from zero.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstddef>
 #include <vector>
 

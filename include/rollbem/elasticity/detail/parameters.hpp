@@ -2,8 +2,6 @@
 // Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include "../../detail/finite.hpp"
 #include "../../detail/require.hpp"
 #include "../../scene/contact.hpp"
@@ -14,8 +12,8 @@ namespace rollbem::detail {
 template <class Scalar>
 void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2) {
     require(!is_nan(half_width) && half_width > 0, who, "half_width", half_width, "be positive");
-    require(is_finite(c1), who, "c1", c1, "be finite");
-    require(is_finite(c2), who, "c2", c2, "be finite");
+    require_finite(who, "c1", c1);
+    require_finite(who, "c2", c2);
 }
 
 /// The kernel of a contact, with the (c1, c2) of each direction of creepage.

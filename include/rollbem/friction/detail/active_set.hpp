@@ -2,8 +2,6 @@
 // Core of the steady and the non-steady friction problem, independent of rolling and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,12 +9,12 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "complementary_path.hpp"
-#include "same_bits.hpp"
 #include "stick_equations.hpp"
 #include "stick_transform.hpp"
 

@@ -2,8 +2,6 @@
 // slip and is found together with the tractions.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 
@@ -15,9 +13,9 @@
 #include "../law.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
-#include "falling_scratch.hpp"
 #include "falling_set.hpp"
 #include "rolling_stage.hpp"
+#include "scratch.hpp"
 
 namespace rollbem::detail {
 

@@ -2,8 +2,6 @@
 // The result depends on the arguments alone, to the last bit, never on what was solved before.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -1,8 +1,6 @@
 // Which elements stick, which slip and in what direction, and the conditions of friction in two directions for each.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

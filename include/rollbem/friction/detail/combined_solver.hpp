@@ -2,8 +2,6 @@
 // The core of the friction problems with both creepages; knows neither rolling nor units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

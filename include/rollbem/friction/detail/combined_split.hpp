@@ -1,8 +1,6 @@
 // Friction in two directions, one direction at a time: a starting point for when Newton's method has failed.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <vector>

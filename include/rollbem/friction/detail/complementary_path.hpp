@@ -2,8 +2,6 @@
 // Independent of rolling and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // with a scheme that does not; in full adhesion it shows.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,8 +10,6 @@
 #include <Eigen/Core>
 
 #include "../../adhesion/detail/consistency.hpp"
-#include "../../adhesion/integrator.hpp"
-#include "../../adhesion/stability_verdict.hpp"
 #include "../../assembly/element_blocks.hpp"
 #include "../../assembly/elements.hpp"
 #include "../../assembly/rolling_system.hpp"
@@ -21,18 +17,9 @@
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../detail/require.hpp"
-#include "../../scene/contact.hpp"
 #include "../../types.hpp"
 
 namespace rollbem {
-
-/// Whether a model refuses schemes that do not converge: it does unless it is made `unchecked`.
-struct Checks {
-    bool wanted = true;
-
-    Checks() = default;
-    Checks(Unchecked) : wanted(false) {}  // NOLINT: implicit on purpose
-};
 
 namespace detail {
 

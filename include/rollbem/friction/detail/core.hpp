@@ -2,8 +2,6 @@
 // and dimensionless equations s = M p + c.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -382,17 +380,43 @@ private:
         step.jump_work_per_width = shear_modulus_ * half_length_ * half_length_ * work;
     }
 
-    // By a creepage or spin of the given number, which changes the motion imposed on the stage by `imposed`.
-    void find_tangent(Tangent& tangent, std::size_t creepage, Scalar imposed, const Axes& axes) const {
-        if (creepage < directions) {
-            tangent.by_creepage(imposed);
-        } else {
-            tangent.by_spin(imposed * half_length_, axes, spin_);
-        }
-    }
     std::size_t creepage_count() const { return directions == 2 && spin_.rows() == 0 ? 2 : By::creepages; }
 
-    // For the second stage, what dp of the first adds to its constants. `spin` is the angle imposed on the first.
+    // Calls found(tangent, parameter) with dp by each parameter in scratch.response: by the creepages, unless they are
+    // kept, and by what is asked for. `imposed` is the derivative of the motion imposed on the stage by the creepage at
+    // the end of the step, `spin` the angle imposed; `carried`: there was an earlier stage.
+    template <class Found>
+    void for_tangents(Bounds& bounds, const System* system, const Place& place, Scalar imposed, Scalar spin,
+                      bool carried, const Asked& asked, const Axes& axes, Scratch& scratch, const Found& found) const {
+        const auto tangent = [&](std::size_t parameter) { return Tangent(bounds, scratch, parameter, carried); };
+        for (std::size_t creepage = 0; !keeps_tangents && creepage < creepage_count(); ++creepage) {
+            Tangent by = tangent(creepage);
+            if (creepage < directions) {
+                by.by_creepage(imposed);
+            } else {
+                by.by_spin(imposed * half_length_, axes, spin_);
+            }
+            found(by, creepage);
+        }
+        if (asked.by_load) {
+            Tangent by = tangent(By::load);
+            by.by_load(place.progress);
+            found(by, By::load);
+        }
+        if (asked.by_half_length) {
+            Tangent by = tangent(By::half_length);
+            by.by_half_length(*system, place, place.progress * spin, spin_);
+            found(by, By::half_length);
+        }
+        if constexpr (directions == 2) {
+            if (!asked.by_half_width) return;
+            Tangent by = tangent(By::half_width);
+            by.by_half_width(*system, place, place.progress * spin, spin_);
+            found(by, By::half_width);
+        }
+    }
+
+    // For the second stage, what dp of the first adds to its constants.
     void carry_tangents(Bounds& bounds, const System& system, Scalar imposed, Scalar spin, const Asked& asked,
                         Scratch& scratch) const {
         if constexpr (keeps_tangents) {
@@ -403,39 +427,19 @@ private:
                 scratch.carried_revision = scratch.solver.revision();
                 scratch.tangent_revision = Scratch::never;
             }
-        } else {
-            for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
-                Tangent tangent(bounds, scratch, creepage, false);
-                find_tangent(tangent, creepage, imposed, axes_of(scratch.stage));
-                tangent.carry(system, ratio, gamma);
-            }
         }
-        if (asked.by_load) {
-            Tangent tangent(bounds, scratch, By::load, false);
-            tangent.by_load(gamma);
-            tangent.carry(system, ratio, gamma);
-        }
-        if (asked.by_half_length) {
-            Tangent tangent(bounds, scratch, By::half_length, false);
-            tangent.by_half_length(system, {gamma, gamma}, gamma * spin, spin_);
-            tangent.carry(system, ratio, gamma);
-        }
-        if constexpr (directions == 2) {
-            if (asked.by_half_width) {
-                Tangent tangent(bounds, scratch, By::half_width, false);
-                tangent.by_half_width(system, {gamma, gamma}, gamma * spin, spin_);
-                tangent.carry(system, ratio, gamma);
-            }
-        }
+        for_tangents(bounds, &system, {gamma, gamma}, imposed, spin, false, asked, axes_of(scratch.stage), scratch,
+                     [&](Tangent& tangent, std::size_t) { tangent.carry(system, ratio, gamma); });
     }
 
-    // By the creepages at the end of the last or only stage; `imposed` and `carried` are the derivatives of the motion
+    // By the parameters at the end of the last or only stage; `imposed` and `carried` are the derivatives of the motion
     // imposed on this stage and on an earlier one by the creepage, 0 without an earlier one.
-    void add_creepage_tangents(Bounds& bounds, Scalar imposed, Scalar carried, const Load& load, Scratch& scratch,
-                               Step& step) const {
+    void add_tangents(Bounds& bounds, const System* system, const Place& place, Scalar imposed, Scalar carried,
+                      Scalar spin, const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
         const Axes present = axes(load);
-        const Scalar unit = load.half_length * present.half_width * shear_modulus_;
-        const Arms arm = arms(load.half_length, present);
+        const Scalar a = load.half_length, b = present.half_width;
+        const Scalar unit = a * b * shear_modulus_;
+        const Arms arm = arms(a, present);
         if constexpr (keeps_tangents) {
             if (scratch.tangent_revision != scratch.solver.revision()) {
                 scratch.solver.respond(ones_, scratch.response);
@@ -447,50 +451,33 @@ private:
             // without a first stage, carried_tangent is that of an earlier step
             const Scalar last = imposed * scratch.unit_tangent;
             step.tangent_per_width = unit * (carried == 0 ? last : last + carried * scratch.carried_tangent);
-        } else if constexpr (directions == 1) {
-            Tangent(bounds, scratch, 0, carried != 0).by_creepage(imposed);
-            step.tangent_per_width = total(scratch.response, unit, arm);
-        } else {
-            auto& tangents = step.tangent_per_width;
-            Force* const forces[] = {&tangents.by_longitudinal, &tangents.by_lateral, &tangents.by_spin};
-            for (std::size_t creepage = 0; creepage < creepage_count(); ++creepage) {
-                Tangent tangent(bounds, scratch, creepage, carried != 0);
-                find_tangent(tangent, creepage, imposed, present);
-                *forces[creepage] = total(scratch.response, unit, arm);
+        }
+        const auto found = [&](Tangent&, std::size_t parameter) {
+            const Force caused = total(scratch.response, unit, arm);
+            if (parameter < By::creepages) {
+                if constexpr (directions == 1) {
+                    step.tangent_per_width = caused;
+                } else {
+                    auto& by = step.tangent_per_width;
+                    (parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin) = caused;
+                }
+            } else if (parameter == By::load) {
+                step.tangent_by_load_per_width = caused;
+            } else if (parameter == By::half_length) {
+                const bool follows = keeps_shape(*system);  // the half-width follows
+                const Scalar power = follows ? 2 : 1, share = follows ? Scalar(1.5) : Scalar(1);
+                step.tangent_by_half_length_per_width =
+                    total(scratch.start, power * b * shear_modulus_, {(follows ? share : 2) * arm.x, share * arm.y}) +
+                    1 / half_length_ * caused;
+                if constexpr (directions == 2) {
+                    if (follows) step.tangent_by_half_width = {0, 0, 0};
+                }
+            } else if constexpr (directions == 2) {
+                const Force direct = total(scratch.start, a * shear_modulus_, {arm.x, 2 * arm.y});
+                step.tangent_by_half_width = width_ / half_width_ * (direct + caused);
             }
-        }
-    }
-
-    // `spin` is the angle imposed on the stage.
-    void add_load_tangents(Bounds& bounds, const System& system, Scalar part, Scalar spin, bool carried,
-                           const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
-        const Axes present = axes(load);
-        const Scalar a = load.half_length, b = present.half_width;
-        const Arms arm = arms(a, present);
-        if (asked.by_load) {
-            Tangent(bounds, scratch, By::load, carried).by_load(1);
-            step.tangent_by_load_per_width = total(scratch.response, a * b * shear_modulus_, arm);
-        }
-        if (asked.by_half_length) {
-            Tangent(bounds, scratch, By::half_length, carried).by_half_length(system, {part, 1}, spin, spin_);
-            const Force caused = total(scratch.response, present.half_length * b * shear_modulus_, arm);
-            const bool follows = keeps_shape(system);  // the half-width follows
-            const Scalar power = follows ? 2 : 1, share = follows ? Scalar(1.5) : Scalar(1);
-            step.tangent_by_half_length_per_width =
-                total(scratch.start, power * b * shear_modulus_, {(follows ? share : 2) * arm.x, share * arm.y}) +
-                caused;
-            if constexpr (directions == 2) {
-                if (follows) step.tangent_by_half_width = {0, 0, 0};
-            }
-        }
-        if constexpr (directions == 2) {
-            if (asked.by_half_width) {
-                Tangent(bounds, scratch, By::half_width, carried).by_half_width(system, {part, 1}, spin, spin_);
-                const Scalar per_width = width_ / half_width_;
-                step.tangent_by_half_width = per_width * (total(scratch.start, a * shear_modulus_, {arm.x, 2 * arm.y}) +
-                                                          total(scratch.response, a * b * shear_modulus_, arm));
-            }
-        }
+        };
+        for_tangents(bounds, system, place, imposed, spin, carried != 0, asked, present, scratch, found);
     }
 
     // From numbers per unit width, of a patch per `width_`, which only there are not for the user.
@@ -523,13 +510,6 @@ private:
     static Shape shape_of(const Shaped& system, const Stage& stage) {
         return Shape(*system.shapes(), system.a_over_b(), stage);
     }
-    // A stage that takes `part` of a step and ends when `progress` of it is done.
-    static Stage stage_of(Scalar part, Scalar progress, Scalar dq, const Axes& from, const Axes& to) {
-        if constexpr (directions == 2) return Stage::of_patch(part, progress, dq, from, to);
-        return progress < 1 ? Stage::within(part, dq, from.half_length, to.half_length)
-                            : Stage::last(part, dq, from.half_length, to.half_length);
-    }
-
     // `factor` times the sum of area times vector; the moment also times `arm`.
     Force total(const Vectors& vectors, Scalar factor, const Arms& arm) const {
         if constexpr (directions == 1) {
@@ -661,7 +641,7 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     Progress progress;
     solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
-    if (progress.tangent_exists) add_creepage_tangents(bounds, 1, 0, load, scratch, step);
+    if (progress.tangent_exists) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
     add_totals(step);
     return step;
 }
@@ -701,7 +681,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     Progress progress;
     Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
     if (two_stages) {
-        enter(system, {part, part}, stage_of(part, part, dq, start, end), bounds, scratch);
+        enter(system, {part, part}, Stage::of(part, part, dq, start, end), bounds, scratch);
         if (load.pressure_rate != nullptr) {
             set_bounds(from.normal_pressure, load.pressure, part, scratch);
         } else {
@@ -717,16 +697,15 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
         find_displacements(system, axes_of(scratch.stage), scratch.start, scratch.change);
         scratch.displacement += ratio * (scratch.change - scratch.displacement);
     }
-    enter(system, {part, 1}, stage_of(part, 1, dq, start, end), bounds, scratch);
+    enter(system, {part, 1}, Stage::of(part, Scalar(1), dq, start, end), bounds, scratch);
     if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
     solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
                 axes_of(scratch.stage), scratch, progress);
     Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
     if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
     if (progress.tangent_exists) {
-        add_creepage_tangents(bounds, imposed, carried, load, scratch, step);
-        const Scalar spin = imposed * spin_of(motion.end());
-        add_load_tangents(bounds, system, part, spin, two_stages, asked, load, scratch, step);
+        add_tangents(bounds, &system, {part, 1}, imposed, carried, imposed * spin_of(motion.end()), asked, load,
+                     scratch, step);
     }
     add_totals(step);
     return step;

@@ -1,8 +1,6 @@
 // What distinguishes one direction of creepage from two: the solver for stick and slip, and the blocks of the matrices.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -15,9 +13,8 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "active_set.hpp"
-#include "active_set_slip.hpp"
-#include "combined_slip.hpp"
 #include "combined_solver.hpp"
+#include "falling_slip.hpp"
 
 namespace rollbem::detail {
 

@@ -2,8 +2,6 @@
 // bounds. Independent of rolling and of the origin of the equations.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,12 +10,12 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
-#include "same_bits.hpp"
 
 namespace rollbem::detail {
 

@@ -1,8 +1,6 @@
 // Elastic energy that a step releases and that neither its slip work nor the energy left contains.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <limits>
 
 #include <Eigen/Core>

@@ -2,8 +2,6 @@
 // that do not stick are factorised.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstddef>
 #include <limits>
 #include <vector>

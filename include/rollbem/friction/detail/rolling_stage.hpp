@@ -1,8 +1,6 @@
 // The equations s = M p - U of one stage of rolling, for one direction or two. Independent of friction and units.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <numbers>

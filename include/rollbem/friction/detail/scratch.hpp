@@ -1,8 +1,6 @@
 // The memory behind a workspace: factors and everything that a solution needs besides the states.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +11,50 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
-#include "falling_scratch.hpp"
+#include "falling_set.hpp"
 #include "jump_work.hpp"
 #include "rolling_stage.hpp"
 
 namespace rollbem::detail {
+
+/// Parameters of the tangents, as indices of what the first stage passes to the second: the creepages come first.
+template <int directions>
+struct TangentBy {
+    static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
+    static constexpr std::size_t load = creepages, half_length = creepages + 1, half_width = creepages + 2;
+    static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
+};
+
+/// For a coefficient that depends on slip; for one direction or two, depending on `Slip`. All memory is allocated by the constructor.
+template <class Slip>
+struct FallingScratch {
+    using Vector = VectorX<typename Slip::Scalar>;
+
+    explicit FallingScratch(Eigen::Index n)
+        : set(n),
+          friction(Vector::Zero(n)),
+          duration(friction),
+          before(friction),
+          rise(friction),
+          first_friction(friction),
+          change(friction),
+          bound(friction),
+          path_change(friction),
+          before_change(friction) {
+        carried_change.fill(friction);
+    }
+
+    FallingSet<Slip> set;
+    Vector friction;  // mu in the present stage
+    Vector duration, before;
+    Vector rise;            // change of mu in the first stage along the paths of the particles
+    Vector first_friction;  // mu in the first of two stages
+    Vector change;          // d mu of the last tangent
+    Vector bound;           // d bound of the last tangent at constant mu
+    Vector path_change;     // d before by the half-length, on which the paths of the particles depend
+    Vector before_change;   // d before of the last tangent
+    std::array<Vector, TangentBy<Slip::directions>::count> carried_change;  // d rise of each tangent
+};
 
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
 /// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that

@@ -1,8 +1,6 @@
 // Friction in two directions to second order: the direction of slip is taken where the traction of the element acts.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>

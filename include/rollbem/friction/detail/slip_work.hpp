@@ -1,8 +1,6 @@
 // Frictional heat of each element: slip is known at the collocation points, tractions on the elements.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>

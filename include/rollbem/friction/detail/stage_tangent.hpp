@@ -2,8 +2,6 @@
 // of an earlier stage.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <cstddef>
 
 #include <Eigen/Core>

@@ -2,8 +2,6 @@
 // Results depend on M and S alone, to the last bit, not on earlier sets.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,8 +1,6 @@
 // Tractions of the sticking and slip of the slipping elements, by one matrix-vector product.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <limits>
 

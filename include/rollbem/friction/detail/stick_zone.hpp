@@ -2,8 +2,6 @@
 // series. Dimensionless (a = G = 1) and for creepage >= 0; that slip and stick are so arranged is not checked here.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

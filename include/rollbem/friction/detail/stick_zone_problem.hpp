@@ -2,8 +2,6 @@
 // the slope of its smooth part. Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

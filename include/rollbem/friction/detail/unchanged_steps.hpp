@@ -1,8 +1,6 @@
 // The number of consecutive steps in which no element changed its zone, and what the next step may omit because of it.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <Eigen/Core>
 
 #include "../state.hpp"

@@ -2,8 +2,6 @@
 // Internal.
 #pragma once
 
-#include "../../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -56,8 +54,7 @@ SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const 
     require(states >= 1, "Chebyshev", "states", states, "be at least 1");
     require(states <= 10000, "Chebyshev", "states", states, "be at most 10000");
     const SmoothSplit<Scalar> split = kernel.smooth_split();
-    require(is_finite(split.strength) && split.strength > 0, "Chebyshev", "strength of the kernel's logarithm",
-            split.strength, "be positive and finite");
+    require_positive("Chebyshev", "strength of the kernel's logarithm", split.strength);
     require(!is_nan(split.distance) && split.distance >= Scalar(0.001), "Chebyshev",
             "b/a of the kernel (distance of its smooth part's singularity)", split.distance,
             "be at least 0.001: use elements for so narrow a strip");
