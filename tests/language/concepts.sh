@@ -6,10 +6,13 @@ shift
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-includes=
+options="-std=c++20"
 for include in "$@"; do
-    includes="$includes -isystem $include"
+    options="$options -isystem $include"
 done
+# g++ 16 nests what it says and repeats it
+plain=-fdiagnostics-plain-output
+if "$compiler" $plain -E - < /dev/null > /dev/null 2>&1; then options="$options $plain"; fi
 
 # g++ finds the precompiled header; clang++ reads the headers each time.
 cat > "$folder/headers.hpp" <<END
@@ -19,7 +22,7 @@ cat > "$folder/headers.hpp" <<END
 #include <rollbem/spectral/chebyshev.hpp>
 END
 # shellcheck disable=SC2086 # one word per option
-"$compiler" -std=c++20 $includes -x c++-header "$folder/headers.hpp" -o "$folder/headers.hpp.gch"
+"$compiler" $options -x c++-header "$folder/headers.hpp" -o "$folder/headers.hpp.gch"
 
 # try NAME CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because of CONCEPT. With - as
 # CONCEPT they compile, also by their qualified names.
@@ -54,7 +57,7 @@ void function(const Mesh<double>& mesh) {
 }
 END
     # shellcheck disable=SC2086 # one word per option
-    if "$compiler" -std=c++20 -fsyntax-only $includes "$folder/unit.cpp" > "$folder/said" 2>&1; then
+    if "$compiler" -fsyntax-only $options "$folder/unit.cpp" > "$folder/said" 2>&1; then
         [ "$2" = - ] && return
         echo "$1: both compile"
         exit 1
