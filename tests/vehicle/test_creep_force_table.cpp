@@ -170,8 +170,8 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
     INFO(errors[0] << ' ' << errors[1] << ' ' << errors[2] << "; " << outside[0] << ' ' << outside[1] << ' '
                    << outside[2]);
     CHECK_THAT(observed_order(counts, errors), WithinAbs(2.5, 0.6));
-    // the force of full sliding is not smooth where the pole of the spin crosses the edge
-    CHECK_THAT(observed_order(counts, outside), WithinAbs(1.7, 0.7));
+    // no third derivative where the pole of the spin crosses the edge: order 2.5 there, 3 in the mean
+    CHECK_THAT(observed_order(counts, outside), WithinAbs(2.5, 0.6));
 }
 
 TEST_CASE("creep_force_table: tangents are derivatives, and continuous across cells") {
