@@ -301,8 +301,8 @@ TEST_CASE("patch_friction: small creepages adhere as Kalker's coefficients say")
     for (std::size_t k = 0; k < 3; ++k) {
         const auto exact = forces(scene.contact, adhesion, units[k][0], units[k][1], units[k][2]);
         const double scale = G * scene.c * scene.c * (k == 2 ? scene.c : 1);
-        CHECK(std::abs(columns[k].longitudinal - exact.x) < 1e-11 * scale);
-        CHECK(std::abs(columns[k].lateral - exact.y) < 1e-11 * scale);
+        CHECK(std::abs(columns[k].longitudinal - exact.longitudinal) < 1e-11 * scale);
+        CHECK(std::abs(columns[k].lateral - exact.lateral) < 1e-11 * scale);
         CHECK(std::abs(columns[k].moment - exact.moment) < 1e-11 * scale * scene.c);
     }
 }
