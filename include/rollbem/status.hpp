@@ -31,8 +31,9 @@ enum class StepStatus {
     invalid_load,  ///< a pressure is negative or not finite, their number is not that of the elements, or the
                    ///< half-length is not positive and finite
     /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
-    /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices). Use a fixed mesh on the
-    /// largest contact, whose elements gain and lose pressure.
+    /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices), or the contact has grown
+    /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact, whose
+    /// elements gain and lose pressure, in the last case with the strip kernel.
     needs_fixed_mesh,
     inconsistent,  ///< steady friction with a scheme that does not converge to full adhesion: see Status::inconsistent
     needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready

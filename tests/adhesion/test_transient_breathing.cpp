@@ -496,6 +496,19 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         CHECK(to.half_length == 1);
     }
 
+    // Lambda = 0: a mode of a longer contact grows in time
+    const double b = 0.5, limit = 4 * b * std::exp(nu / (1 - nu));
+    for (const RollingSystem<double>& system :
+         {RollingSystem<double>(elements(10, b)), RollingSystem<double>(states(6, b))}) {
+        const Model model(unit_contact(b), system, unchecked, Integrator::sdirk2);
+        CHECK(system.half_length_limit() == Approx(limit).epsilon(1e-14));
+        Model::Workspace workspace = model.workspace();
+        Model::State from = model.steady(1), to = from;
+        from.half_length = limit - 0.01;
+        CHECK(model.advance(from, 0.1, 1.0, limit - 0.001, to, workspace).status == StepStatus::ok);
+        CHECK(model.advance(from, 0.1, 1.0, limit + 0.001, to, workspace).status == StepStatus::needs_fixed_mesh);
+    }
+
     // systems that cannot breathe take steps only at their own half-length
     const auto rigid = [&](const Model& model) {
         CHECK_FALSE(model.can_breathe());

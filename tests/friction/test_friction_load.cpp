@@ -99,6 +99,31 @@ TEST_CASE("Ready matrices and Galerkin's method know a single half-length", "[fr
     }
 }
 
+TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[friction][load]") {
+    const double b = 0.4, along = 4 * b * std::exp(load_nu / (1 - load_nu)), across = 4 * b * std::exp(-load_nu);
+    const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12), b);
+    const ElementSystem<double> lateral =
+        rolling_system(scene.mesh, scene.scheme, PlaneKernel<double>::lateral(scene.contact));
+    const auto check = [&](const auto& model, double limit, const auto& creepage) {
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        Load load = scene.hertz.at(full_force);
+        const auto advance = [&](double half_length) {
+            load.half_length = half_length;
+            return model.advance(now, 0.1, creepage, load, next, workspace).status;
+        };
+        while (now.half_length < limit - 0.1) {
+            REQUIRE(advance(now.half_length + 0.05) == StepStatus::ok);
+            std::swap(now, next);
+        }
+        CHECK(advance(limit * (1 - 1e-12)) == StepStatus::ok);
+        CHECK(advance(limit * (1 + 1e-12)) == StepStatus::needs_fixed_mesh);
+    };
+    check(FrictionModel<>(scene.contact, scene.system(), unchecked, scene.law()), along, 1e-4);
+    check(FrictionModel(scene.contact, ElementSystem<double, 2>(scene.system(), lateral), unchecked, scene.law()),
+          across, Creepage<double>{1e-4, 1e-4});
+}
+
 TEST_CASE("A state belongs to the model with the pressure of its first load", "[friction][load]") {
     // a model of another pressure would continue under that of the state: the status reports it
     LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));

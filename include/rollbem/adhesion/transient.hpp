@@ -46,9 +46,7 @@ namespace rollbem {
 ///
 /// The half-length of a line contact, or the semi-axes of a patch, may change from step to step if can_breathe(): the
 /// unknowns then live on x = a zeta, y = b upsilon, and the state at one half-length is carried over to the next. b of a
-/// line is constant. No status reports that a
-/// contact has grown so far that Lambda of the plane kernel, with b over the new half-length, is no longer positive and
-/// a mode grows in time: a is then several times b.
+/// line is constant.
 ///
 /// Invariant: the half-width is finite, and the scheme is stable according to the verdict.
 ///
@@ -222,7 +220,8 @@ private:
         if (!are_lengths(semi_axes)) return StepStatus::invalid_load;
         const Axes start = axes(from), end = axes(semi_axes);
         if (start == contact_axes && end == contact_axes) return StepStatus::ok;
-        const bool follows = can_breathe() && (!shapes_ || (covers(start) && covers(end)));
+        const bool follows = can_breathe() && end.half_length < system_.half_length_limit() &&
+                             (!shapes_ || (covers(start) && covers(end)));
         return follows ? StepStatus::ok : StepStatus::needs_fixed_mesh;
     }
     bool covers(const Axes& axes) const noexcept {

@@ -2,6 +2,7 @@
 // On a line the directions do not couple, and the blocks that couple them are empty.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -146,7 +147,8 @@ public:
           elements_(longitudinal.elements()),
           element_count_(longitudinal.element_count()),
           aspect_(longitudinal.aspect()),
-          log_strength_{longitudinal.log_strength(), lateral.log_strength()} {
+          log_strength_{longitudinal.log_strength(), lateral.log_strength()},
+          half_length_limit_(std::min(longitudinal.half_length_limit(), lateral.half_length_limit())) {
         const Eigen::Index n = lateral.size();
         detail::require(n == size(), "ElementSystem", "number of lateral elements", n,
                         "equal the number of longitudinal ones");
@@ -173,6 +175,7 @@ public:
     /// b/a as in RollingSystem; empty for a patch.
     std::optional<Scalar> aspect() const { return aspect_; }
     std::optional<Scalar> log_strength(std::size_t direction) const { return log_strength_[direction]; }
+    Scalar half_length_limit() const { return half_length_limit_; }
 
     /// Of a patch that may change its size or shape, and null of any other: see breathing_system and PatchShapes.
     const std::shared_ptr<const detail::ShapeSet<Scalar>>& shapes() const { return shapes_; }
@@ -204,6 +207,7 @@ private:
     Eigen::Index element_count_;
     std::optional<Scalar> aspect_;
     std::array<std::optional<Scalar>, 2> log_strength_;
+    Scalar half_length_limit_ = std::numeric_limits<Scalar>::infinity();
     std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;
     Scalar a_over_b_ = 1;
 };

@@ -64,6 +64,10 @@ public:
     /// G' of any half-length follow from these matrices, and the contact may breathe. Empty otherwise.
     std::optional<Scalar> log_strength() const { return log_strength_; }
 
+    /// 2 exp(C/S) of that kernel, in half-lengths of the contact: Lambda = 0 there, and a mode of a longer contact grows
+    /// in time. Infinite for other systems.
+    Scalar half_length_limit() const { return half_length_limit_; }
+
     /// Equal for equal matrices, inputs and outputs, in any process; different, with near certainty, for others.
     std::uint64_t fingerprint() const {
         detail::Fingerprint fingerprint;
@@ -78,6 +82,17 @@ public:
     friend RollingSystem<S> both_directions(const RollingSystem<S>& longitudinal, const RollingSystem<S>& lateral);
 
 protected:
+    /// Lets the contact breathe if the kernel is a logarithm and a constant.
+    template <class Kernel>
+    void set_logarithm(const Kernel& kernel) {
+        if constexpr (SmoothSplitKernel<Kernel>) {
+            const auto split = kernel.smooth_split();
+            if (detail::is_finite(split.distance)) return;
+            log_strength_ = static_cast<Scalar>(split.strength);
+            half_length_limit_ = static_cast<Scalar>(2 * std::exp(split.constant / split.strength));
+        }
+    }
+
     /// The same equations with spin as a second input, `moments` the moment per unknown. Throws std::invalid_argument
     /// if the points are unknown.
     RollingSystem with_spin_by(const char* who, const VectorX<Scalar>& moments) const {
@@ -95,6 +110,7 @@ protected:
 
     bool unknowns_are_tractions_ = false;
     std::optional<Scalar> aspect_, log_strength_;
+    Scalar half_length_limit_ = std::numeric_limits<Scalar>::infinity();
     std::optional<ArrayX<Scalar>> points_;
 
 private:
@@ -178,16 +194,6 @@ std::optional<Scalar> aspect_of(const Kernel& kernel) {
     return std::nullopt;
 }
 
-/// S of a kernel that consists of a logarithm and a constant.
-template <class Scalar, class Kernel>
-std::optional<Scalar> strength_of_pure_logarithm(const Kernel& kernel) {
-    if constexpr (SmoothSplitKernel<Kernel>) {
-        const auto split = kernel.smooth_split();
-        if (!is_finite(split.distance)) return static_cast<Scalar>(split.strength);
-    }
-    return std::nullopt;
-}
-
 /// x/a of the point of each equation of a scheme.
 template <class Scalar, class Scheme>
 ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
@@ -264,9 +270,7 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
     system.points_ = detail::equation_points(mesh, scheme);
     system.elements_ = line_elements(mesh, scheme);
-    if (detail::holds_at_points(scheme, mesh)) {
-        system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
-    }
+    if (detail::holds_at_points(scheme, mesh)) system.set_logarithm(kernel);
     return system;
 }
 

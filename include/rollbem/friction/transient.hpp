@@ -186,11 +186,9 @@ public:
 
     /// The same under a load that varies linearly from that of `from` to this one at the end of the step. If the system
     /// can breathe (log_strength), the mesh follows the half-length, |da| < dq; a new half-length costs a
-    /// factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its second order. No
-    /// status warns if the contact grows so long (a > 2.4b) that Lambda of the plane kernel for the new half-length is
-    /// no longer positive: a mode then grows in time until all elements slip, possibly in the direction of the
-    /// creepage. With a memory, the tangent by the half-length is one-sided if a particle arrives exactly from a
-    /// collocation point.
+    /// factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its second order.
+    /// With a memory, the tangent by the half-length is one-sided if a particle arrives exactly from a collocation
+    /// point.
     Step advance(const State& from, const Travel& travel, const Motion& motion, const NormalLoad<Scalar>& load,
                  State& to, Workspace& workspace) const noexcept {
         const StepStatus possible = check(from, load);

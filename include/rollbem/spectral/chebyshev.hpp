@@ -172,7 +172,7 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
     ChebyshevSystem<Scalar> system(RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(weights)),
                                    std::move(last), std::move(stiffness));
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
-    system.log_strength_ = detail::strength_of_pure_logarithm<Scalar>(kernel);
+    system.set_logarithm(kernel);
     system.points_ = std::move(points);
     return system;
 }

@@ -84,7 +84,8 @@ StepStatus check_growth(const System& system, Scalar distance, const SemiAxes<Sc
         };
         if (system.shapes() && !(covers(from) && covers(to))) return StepStatus::needs_fixed_mesh;
     }
-    const bool possible = from == to || std::abs(to.half_length - from.half_length) < distance;
+    const bool possible = (from == to || std::abs(to.half_length - from.half_length) < distance) &&
+                          to.half_length < system.half_length_limit();
     return possible ? StepStatus::ok : StepStatus::needs_fixed_mesh;
 }
 
