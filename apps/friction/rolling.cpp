@@ -1,6 +1,5 @@
 #include "rolling.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
@@ -97,15 +96,16 @@ private:
     rollbem::NormalLoad<double> load_;
 };
 
-// On a mesh that breathes b/a falls as the load grows. The kernel is the plane's.
-void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, bool both_directions) {
-    const double nu = scene.contact.poisson_ratio(), longest = largest_half_length(load);
-    const double least = longest * std::exp(both_directions ? nu : -nu / (1 - nu)) / 4;
-    if (scene.contact.aspect() > least) return;
+// On a mesh that breathes b/a falls as the load grows, for the system of one direction or that of both.
+template <class System>
+void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, const System& system,
+                         const char* term) {
+    const double longest = largest_half_length(load);
+    if (longest < system.half_length_limit()) return;
+    const double least = scene.contact.aspect() * longest / system.half_length_limit();
     throw study::BadInput("--aspect = " + study::Cell(scene.contact.aspect()).text(6) + " must be larger than " +
                           study::Cell(least).text(4) + " with --breathing, as a grows to " +
-                          study::Cell(longest).text(4) + " a_0: Lambda = ln(4b/a) " +
-                          (both_directions ? "- nu" : "+ nu/(1-nu)") +
+                          study::Cell(longest).text(4) + " a_0: Lambda = ln(4b/a) " + term +
                           " must be positive, or the plane model itself is unstable in time");
 }
 
@@ -123,7 +123,8 @@ StartRolling make_rolling(const study::Options& options, const study::Scene& sce
             "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
             "or knothe-bc, lambda = 1, no --layer");
     }
-    if (load && load->breathing) require_plane_model(scene, *load, both_directions);
+    const bool breathes = load && load->breathing;
+    if (breathes && !both_directions) require_plane_model(scene, *load, system, "+ nu/(1-nu)");
     std::optional<rollbem::HertzLoad<double>> hertz;
     if (load) hertz = hertz_load(*load, *scene.mesh);
     // the law is that of the largest load; what a run starts under is in its state
@@ -146,7 +147,9 @@ StartRolling make_rolling(const study::Options& options, const study::Scene& sce
     if (!both_directions) return make_of(system);
     const rollbem::ElementSystem<double> across = surface.system(Direction::lateral);
     study::require_steppable(options, scene, across);
-    return make_of(rollbem::ElementSystem(system, across));
+    const rollbem::ElementSystem both(system, across);
+    if (breathes) require_plane_model(scene, *load, both, "- nu");
+    return make_of(both);
 }
 
 }  // namespace friction
