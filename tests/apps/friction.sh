@@ -76,6 +76,9 @@ bad '--breathing needs equations that hold at points' $short --load-sine 0.5,8 -
 bad 'collocation, nodes or knothe-bc, lambda = 1, no --layer' $short --load-sine 0.5,8 --breathing --layer 1
 bad '--aspect = 0.2 must be larger than 0.2336 with --breathing, as a grows to 1.378 a_0' \
     $study --transient --n 20 --creepage-ratio 0.5 --kernel plane --aspect 0.2 --load-sine 0.9,40 --until 40 --breathing
+bad '--aspect = 0.4 must be larger than 0.456 with --breathing, as a grows to 1.378 a_0' \
+    $study --transient --n 20 --creepage-ratio 0.5 --lateral-ratio 0.2 --kernel plane --aspect 0.4 --load-sine 0.9,40 \
+    --until 40 --breathing
 bad '--from = moon must be one of rest, steady' $short --from moon
 bad '--from = rest has no effect with --shift' $short --from rest --shift 1
 bad '--lateral-ratio = 1,2 must be one number' $short --lateral-ratio 1,2
