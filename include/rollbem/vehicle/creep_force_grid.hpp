@@ -21,12 +21,14 @@ namespace rollbem {
 /// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are
 /// the forces of the linear law over those that friction allows,
 ///
-///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = (c33 - c23 c32/c22) mu N c/M,
+///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s^2 = c23 (c33 - c23 c32/c22) mu N c/M,
 ///
-/// where the third is the moment when no lateral force acts, and M that of spin alone in full sliding. Forces reach
-/// full sliding at |X| = 1 to 3, where the lateral force under spin has a sharp bend. Nodes lie on a cubic lattice of
+/// where s is the geometric mean of two: of the lateral force of spin, and of its moment when no lateral force acts, over
+/// the moment M of spin alone in full sliding. By the moment alone, which saturates first on wide ellipses, directions
+/// in which the pole of the spin lies on the contact would fill few nodes there. Forces reach full sliding at |X| = 1 to
+/// 3; the lateral force under spin has a sharp bend at |X| = 1 on long ellipses. Nodes lie on a cubic lattice of
 ///
-///     u = X (1/(1 + |X|) + 2/(4 + |X|))/3,
+///     u = X (2 + |X|)/(4 + 3 |X| + |X|^2),
 ///
 /// whose steps are nearly uniform up to there; |u| < 1, where 1 is full sliding, at infinite creepage. By symmetry
 /// xi >= 0 and phi >= 0 suffice: xi and F_x change sign alone, and so do eta, phi, F_y and M_z together.
@@ -59,8 +61,8 @@ public:
                 detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
                                 "be positive and finite");
             }
-            scales_.col(i) << c.c11, c.c22, c.c23,
-                (c.c33 - c.c23 * c.c32 / c.c22) / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment;
+            const double moment = (c.c33 - c.c23 * c.c32 / c.c22) / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment;
+            scales_.col(i) << c.c11, c.c22, c.c23, std::sqrt(c.c23 * moment);
         }
         for (int i = 0; i < levels_; ++i) {
             for (int j = -levels_ + 1; j < levels_; ++j) {
@@ -95,7 +97,7 @@ public:
         const Place& place = nodes_[static_cast<std::size_t>(node)];
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
         // |u| as a function of |X| solved for |X|
-        const double g = size / levels_, half = 1 - 2.5 * g;
+        const double g = size / levels_, half = 1 - 1.5 * g;
         const double level = (std::sqrt(half * half + 4 * g * (1 - g)) - half) / (1 - g);
         return creepage(i, level / size * Eigen::Array3d(place.x, place.y, place.spin));
     }
@@ -111,8 +113,8 @@ public:
         double radial;  ///< du = factor (dw - radial d|w| w/|w|)
     };
     static Stretch stretch(double unit, double size) {
-        const double near = 1 / (unit + size), far = 2 / (4 * unit + size);
-        return {(near + far) / 3, (size / (unit + size) * near + size / (4 * unit + size) * far) / (near + far)};
+        const double top = 2 * unit + size, bottom = (4 * unit + 3 * size) * unit + size * size;
+        return {top / bottom, size * ((3 * unit + 2 * size) / bottom - 1 / top)};
     }
     /// Whether a node begins a line of growing spin.
     bool begins_line(Eigen::Index node) const {
