@@ -1,6 +1,6 @@
 #!/bin/sh
-# concepts.sh COMPILER INCLUDE_DIR...: valid schemes and kernels compile, and each invalid one is diagnosed in at most 70
-# lines for two calls.
+# concepts.sh COMPILER INCLUDE_DIR...: right schemes and kernels compile; wrong ones are diagnosed, in at most 70 lines
+# for two calls of each.
 set -eu
 compiler=$1
 shift
@@ -40,50 +40,61 @@ struct WrongKernel {
     double g(double) const;
 };
 void function(const Mesh<double>& mesh) {
-    (void)solve_steady(mesh, RightScheme{}, RightKernel{});
-    (void)rolling_system(mesh, RightScheme{}, RightKernel{});
-    (void)rollbem::solve_steady(mesh, RightScheme{}, RightKernel{});
-    (void)rollbem::rolling_system(mesh, RightScheme{}, RightKernel{});
-    (void)solve_steady(Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3));
-    (void)rolling_system(Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3));
 END
 
-# wrong NAME CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because of CONCEPT.
-wrong() {
-    printf '%s\t%s\t%s\n' "$(($(wc -l < "$folder/unit.cpp") + 1))" "$1" "$2" >> "$folder/wrong"
-    printf '    (void)solve_steady(%s);\n    (void)rolling_system(%s);\n' "$3" "$3" >> "$folder/unit.cpp"
+# calls ARGUMENTS [NAMESPACE]: appends a call of each function, to lines $first and $second.
+calls() {
+    first=$(($(wc -l < "$folder/unit.cpp") + 1))
+    second=$((first + 1))
+    printf '    (void)%s(%s);\n' "${2-}solve_steady" "$1" "${2-}rolling_system" "$1" >> "$folder/unit.cpp"
 }
-wrong "a scheme without rows" RollingScheme "mesh, NoRows{}, RightKernel{}"
-wrong "a scheme with rows for another scalar type" RollingScheme "mesh, RowsOfFloat{}, RightKernel{}"
-wrong "a scheme whose rows are none" RollingScheme "mesh, OtherRows{}, RightKernel{}"
-wrong "a kernel without antiderivatives" LineKernel "mesh, RightScheme{}, WrongKernel{}"
-wrong "Chebyshev states of a kernel without its split" SmoothSplitKernel "Chebyshev{}, RightKernel{}"
-wrong "Chebyshev states of a layered kernel" SmoothSplitKernel \
-    "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"
+
+# right ARGUMENTS: both functions of ARGUMENTS compile, also by their qualified names.
+right() {
+    for namespace in '' rollbem::; do
+        calls "$1" $namespace
+        echo "$first $second" >> "$folder/right"
+    done
+}
+
+# wrong TYPE CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because TYPE lacks CONCEPT.
+wrong() {
+    calls "$3"
+    echo "$1 $2 $first $second" >> "$folder/wrong"
+}
+
+right "mesh, RightScheme{}, RightKernel{}"
+right "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"
+wrong NoRows RollingScheme "mesh, NoRows{}, RightKernel{}"
+wrong RowsOfFloat RollingScheme "mesh, RowsOfFloat{}, RightKernel{}"
+wrong OtherRows RollingScheme "mesh, OtherRows{}, RightKernel{}"
+wrong WrongKernel LineKernel "mesh, RightScheme{}, WrongKernel{}"
+wrong RightKernel SmoothSplitKernel "Chebyshev{}, RightKernel{}"
+wrong LayeredKernel SmoothSplitKernel "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"
 echo '}' >> "$folder/unit.cpp"
 
-# What is said belongs to the line of the last error before it; errors anywhere else are none of those expected.
 # shellcheck disable=SC2086 # one word per option
-if "$compiler" -fsyntax-only $options "$folder/unit.cpp" > "$folder/said" 2>&1; then : > "$folder/said"; fi
-awk -F '\t' '
-    FNR == NR { name[$1] = $2; concept[$1] = $3; next }
-    / error: / {
-        at = 0
-        if (match($0, /unit\.cpp:[0-9]+:/)) at = substr($0, RSTART + 9, RLENGTH - 10) + 0
-        if (at in name && /solve_steady/) found[at] = 1
-        else if ((at - 1) in name && /rolling_system/) found[at] = 1
-        else { print "unexpected: " $0; bad = 1 }
-    }
-    { said[at] = said[at] $0 "\n"; ++lines[at] }
-    END {
-        for (at in name) {
-            count = lines[at] + lines[at + 1]
-            print name[at] ": " count " lines"
-            for (k = at; k <= at + 1; ++k) {
-                if (found[k] && count <= 70 && index(said[k], concept[at])) continue
-                printf "line %d of unit.cpp must be refused because of %s:\n%s", k, concept[at], said[k]
-                bad = 1
-            }
-        }
-        exit bad
-    }' "$folder/wrong" "$folder/said"
+if "$compiler" -fsyntax-only $options "$folder/unit.cpp" > "$folder/said" 2>&1; then
+    echo "the wrong ones compile"
+    exit 1
+fi
+failures=0
+said_of() { grep -q "unit\.cpp:$1:" "$folder/said"; }
+while read -r first second; do
+    said_of "$first" || said_of "$second" || continue
+    echo "a right one does not compile, in line $first or $second:"
+    failures=1
+done < "$folder/right"
+while read -r type concept first second; do
+    grep "$concept" "$folder/said" | grep -q "$type" && said_of "$first" && said_of "$second" && continue
+    echo "$type is not refused for want of $concept, in line $first or $second:"
+    failures=1
+done < "$folder/wrong"
+lines=$(wc -l < "$folder/said")
+echo "6 wrong ones: $lines lines"
+[ "$(grep -c 'error: .*solve_steady' "$folder/said")" -eq 6 ] || failures=1
+[ "$(grep -c 'error: .*rolling_system' "$folder/said")" -eq 6 ] || failures=1
+if [ $failures -ne 0 ] || [ "$lines" -gt 420 ]; then
+    head -n 420 "$folder/said"
+    exit 1
+fi
