@@ -227,7 +227,8 @@ Outcome run(const Scene& scene) {
             continue;
         }
         const VectorXd p = stacked(next), rolled = later.dq * rigid(later.creepage), change = whole.G() * p - before;
-        const VectorXd travelled = (later.dq + da * system.elements().x.replicate(2, 1)) * (whole.G_prime() * p).array();
+        const VectorXd travelled =
+            (later.dq + da * system.elements().x.replicate(2, 1)) * (whole.G_prime() * p).array();
         const VectorXd slope = travelled + db * stretched(p);
         check(step, load.normal_pressure, rolled - slope + change, size(rolled) + size(slope) + size(change));
     }

@@ -58,7 +58,8 @@ Found coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>
 /// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to
 /// choose their sizes only.
 Found forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel model(contact, mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio()),
+    const rollbem::SteadyFrictionModel model(contact, mesh, chebyshev,
+                                             rollbem::HalfSpace<double>(contact.poisson_ratio()),
                                              {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
     const double a_over_b = contact.a_over_b(), c = 1 / std::sqrt(a_over_b);
     const auto nearest = std::min_element(
@@ -140,7 +141,7 @@ std::vector<std::string> patch_columns() {
 
 PatchComputation::PatchComputation(const study::Options& options, const std::vector<Quantity>& quantities)
     : contact_(PatchContact::dimensionless(options.number("a-over-b", study::between(1e-3, 1e3)),
-                                      options.number("poisson", study::between(0, 0.5)))),
+                                           options.number("poisson", study::between(0, 0.5)))),
       quantities_(quantities),
       with_times_(study::has_times(options)),
       partial_(options.given("shard") || !with_times_),
