@@ -10,7 +10,6 @@ namespace paper {
 
 namespace {
 
-
 /// Time of a steady problem over that of collocation.
 double cost_ratio(const Case& c) {
     double own = std::numeric_limits<double>::infinity(), collocation = own;
