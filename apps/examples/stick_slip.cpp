@@ -158,8 +158,8 @@ std::complex<double> simulated(const Model& model, const Model::State& rolling, 
     const int h = period / 6, first = period, count = steps - first - 2 * h;
     Eigen::MatrixX3d samples(count, 3);
     samples << turning.segment(first + h, count), -turning.segment(first, count), Eigen::VectorXd::Ones(count);
-    const Eigen::Vector3d td =
-        (samples.transpose() * samples).inverse() * (samples.transpose() * turning.segment(first + 2 * h, count));
+    const Eigen::Vector3d td = samples.transpose().lazyProduct(samples).inverse() *
+                               (samples.transpose() * turning.segment(first + 2 * h, count));
     return std::log(td[0] / 2 + std::sqrt(std::complex<double>(td[0] * td[0] / 4 - td[1]))) / (h * dt);
 }
 

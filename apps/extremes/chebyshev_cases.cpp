@@ -182,7 +182,7 @@ void add_time(Cases& cases) {
     }
 }
 
-void add_refusals(Cases& cases) {
+void add_refused_states(Cases& cases) {
     const auto at = [](Eigen::Index states, const auto& kernel) {
         return [=] { return harmonic(states, kernel, 1, 1, 0); };
     };
@@ -200,7 +200,7 @@ void chebyshev_cases(Cases& cases, bool large) {
     add_steady(cases, large);
     add_frequencies(cases, large);
     add_time(cases);
-    add_refusals(cases);
+    add_refused_states(cases);
 }
 
 }  // namespace extremes
