@@ -171,11 +171,6 @@ PatchComputation::PatchComputation(const study::Options& options, const std::vec
         }
     }
     if (tasks_.empty()) throw study::BadInput(options.said("n") + " and the strips must be even to extrapolate");
-    for (const Problem problem : problems_) {
-        references_[problem] = problem == Problem::steady
-                                   ? compute(contact_, problem, {richardson, reference_n, reference_n}).values
-                                   : reference_forces(contact_).values;
-    }
 }
 
 std::vector<std::size_t> PatchComputation::rows_of_task() const {
@@ -228,6 +223,11 @@ std::vector<Point> PatchComputation::points_of(const PatchTask& task) const {
 }
 
 void PatchComputation::prepare(const std::vector<std::size_t>&, const std::function<void(double part)>& done) {
+    for (const Problem problem : problems_) {
+        references_[problem] = problem == Problem::steady
+                                   ? compute(contact_, problem, {richardson, reference_n, reference_n}).values
+                                   : reference_forces(contact_).values;
+    }
     if (partial_) return;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         for (Point& point : points_of(tasks_[i])) points_.push_back(std::move(point));
