@@ -15,6 +15,7 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -132,7 +133,7 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     CHECK(force < 0);
 }
 
-TEMPLATE_TEST_CASE("A state space can be made in double and long double", "[state_space]", double, long double) {
+TEMPLATE_TEST_CASE("A state space can be made in every scalar type", "[state_space]", SCALARS) {
     using Scalar = TestType;
     const ChebyshevSystem<Scalar> system =
         rolling_system(Chebyshev{10}, StripKernel<Scalar>(1, Scalar(0.75), Scalar(0.25)));

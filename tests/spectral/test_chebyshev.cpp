@@ -502,6 +502,7 @@ TEST_CASE("Round-off of steady states does not grow with their number", "[chebys
     }
 }
 
+#ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("Steady states in long double have its digits", "[chebyshev]") {
     const auto c11 = [](Eigen::Index m, const auto& kernel) {
         const ChebyshevSteadySolution<long double> steady = solve_steady(Chebyshev{m}, kernel);
@@ -516,6 +517,7 @@ TEST_CASE("Steady states in long double have its digits", "[chebyshev]") {
     CHECK(static_cast<double>(c11(64, StripKernel<long double>(0.5L, 0.75L, 0.25L)) / narrow - 1) ==
           Approx(0).margin(30 * eps));
 }
+#endif
 
 TEST_CASE("Chebyshev states of random contacts are stable and within their error estimate", "[chebyshev]") {
     support::Draw draw(20181);
