@@ -21,10 +21,10 @@
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
-#include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/catch.hpp"
+#include "support/strip_instances.hpp"
 
 namespace {
 

@@ -31,11 +31,7 @@ const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 // C (s I - A)^-1 B + D
 template <class Space>
 Complex response(const Space& space, Complex s) {
-    Eigen::MatrixXcd resolvent = -space.A.template cast<Complex>();
-    resolvent.diagonal().array() += s;
-    return (space.C.template cast<Complex>() * dense::solve_complex(resolvent, space.B.template cast<Complex>()))(0,
-                                                                                                                  0) +
-           space.D(0, 0);
+    return dense::transfer(space, s)(0, 0);
 }
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }

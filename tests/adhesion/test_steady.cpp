@@ -14,6 +14,7 @@
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
@@ -196,9 +197,8 @@ TEST_CASE("Node differences are of second order on the cosine mesh, in force and
             const Mesh<double> mesh = cosine_mesh(n);
             const NodeDifference scheme{expected.nodes};
             const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
-            const Eigen::PartialPivLU<MatrixX<double>> G_prime(system.G_prime());
             const VectorX<double> ones = VectorX<double>::Ones(n), x = system.points()->matrix();
-            const VectorX<double> unit = G_prime.solve(ones), spun = G_prime.solve(x);
+            const VectorX<double> unit = dense::solve(system.G_prime(), ones), spun = dense::solve(system.G_prime(), x);
             const ArrayX<double> p = unit.array(), by_spin = spun.array(), w = mesh.widths();
             CHECK((w * p).sum() == Approx(-solve_steady(mesh, scheme, kernel).c11).epsilon(1e-12));
             c11.push_back(-(w * p).sum() / steady_c11(0.28) - 1);

@@ -85,7 +85,7 @@ struct Dense {
           zeta(*system.points()),
           S(*system.log_strength()) {}
 
-    MatrixXd M(double a) const { return a * (G - S * std::log(a) * VectorXd::Ones(w.size()) * w.transpose()); }
+    MatrixXd M(double a) const { return a * G - a * S * std::log(a) * w.transpose().replicate(w.size(), 1); }
     VectorXd stage(double part, double dq, double d, double a, double shift, const VectorXd& right) const {
         const MatrixXd carried = (dq + d * zeta.array()).matrix().asDiagonal() * G_prime;
         return dense::solve(M(a) - part * carried, right - VectorXd::Constant(w.size(), part * shift));
@@ -256,8 +256,10 @@ TEST_CASE("A breathing step of Chebyshev states is that of the tau method", "[br
     from.half_length = a_old;
     REQUIRE(model.advance(from, dq, xi, a_new, to, workspace).status == StepStatus::ok);
 
-    const MatrixXd K = compliance(a_new), identity = MatrixXd::Identity(m + 1, m + 1);
-    MatrixXd equations = K - (dq * identity + (a_new - a_old) * Z) * D * K / a_new;
+    const MatrixXd K = compliance(a_new);
+    MatrixXd carried = (a_new - a_old) * Z;
+    carried.diagonal().array() += dq;
+    MatrixXd equations = K - dense::product(carried, dense::product(D, K)) / a_new;
     const VectorXd before = system.traction<double>(from.traction).coefficients;
     VectorXd right = compliance(a_old) * before;
     right[0] -= xi * dq;

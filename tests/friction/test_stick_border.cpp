@@ -11,13 +11,13 @@
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/draw.hpp"
 #include "support/scalars.hpp"
+#include "support/strip_instances.hpp"
 
 namespace friction_tests {
 namespace {

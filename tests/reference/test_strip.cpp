@@ -6,9 +6,9 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/strip.hpp>
 
 #include "support/catch.hpp"
+#include "support/strip_instances.hpp"
 
 namespace {
 

@@ -30,4 +30,12 @@ Eigen::MatrixXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd
     return A.partialPivLu().solve(B);
 }
 
+Eigen::MatrixXcd transfer(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& C,
+                          const Eigen::MatrixXd& D, std::complex<double> s) {
+    Eigen::MatrixXcd resolvent = -A.cast<std::complex<double>>();
+    resolvent.diagonal().array() += s;
+    const Eigen::MatrixXcd states = solve_complex(resolvent, B.cast<std::complex<double>>());
+    return C.cast<std::complex<double>>() * states + D.cast<std::complex<double>>();
+}
+
 }  // namespace dense
