@@ -26,6 +26,7 @@
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 
+namespace promise_tests {
 namespace {
 
 using namespace rollbem;
@@ -292,3 +293,4 @@ TEST_CASE("Elements recommended for friction stay below their error bound", "[re
 }
 
 }  // namespace
+}  // namespace promise_tests

@@ -14,6 +14,7 @@
 #include "support/draw.hpp"
 #include "support/refusal.hpp"
 
+namespace balanced_reduction_tests {
 namespace {
 
 using namespace rollbem;
@@ -255,3 +256,4 @@ TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[
 }
 
 }  // namespace
+}  // namespace balanced_reduction_tests

@@ -17,6 +17,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace patch_steady_tests {
+
 using namespace rollbem;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -270,3 +272,5 @@ TEST_CASE("patch_steady: rows that belong to the element ahead grow on long patc
     CHECK(judge_stability(patch_parts(mesh, chebyshev, kernel)).stable());
     CHECK(judge_stability(patch_parts(mesh, BareMiddle{}, kernel)).certainly_unstable());
 }
+
+}  // namespace patch_steady_tests

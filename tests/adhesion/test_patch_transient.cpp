@@ -18,6 +18,8 @@
 #include "support/dense.hpp"
 #include "support/observed_order.hpp"
 
+namespace patch_transient_tests {
+
 using namespace rollbem;
 using Catch::Matchers::WithinRel;
 
@@ -149,3 +151,5 @@ TEST_CASE("patch_transient: 14 balanced states are the patch") {
         CHECK(largest < reduced.error_bound);
     }
 }
+
+}  // namespace patch_transient_tests

@@ -14,6 +14,8 @@
 #include "support/dense.hpp"
 #include "support/refusal.hpp"
 
+namespace response_tests {
+
 namespace {
 
 using namespace rollbem;
@@ -90,3 +92,5 @@ TEST_CASE("systems of both directions are checked") {
     CHECK(refusal([&] { ElementSystem<double, 2>(G, G_prime, odd); }) ==
           "ElementSystem: equation behind = 16 must be that of another element, or -1");
 }
+
+}  // namespace response_tests

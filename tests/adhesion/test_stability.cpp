@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 
+namespace stability_tests {
 namespace {
 
 using namespace rollbem;
@@ -287,3 +288,4 @@ TEST_CASE("The fast count detects two equal equations", "[stability]") {
 }
 
 }  // namespace
+}  // namespace stability_tests

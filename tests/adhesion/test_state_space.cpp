@@ -17,6 +17,7 @@
 #include "support/dense.hpp"
 #include "support/scalars.hpp"
 
+namespace state_space_tests {
 namespace {
 
 using namespace rollbem;
@@ -169,3 +170,4 @@ TEST_CASE("A state space rejects singular systems, infinite widths and invalid s
 }
 
 }  // namespace
+}  // namespace state_space_tests

@@ -18,6 +18,7 @@
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
+namespace steady_tests {
 namespace {
 
 using namespace rollbem;
@@ -540,3 +541,4 @@ TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[
 }
 
 }  // namespace
+}  // namespace steady_tests

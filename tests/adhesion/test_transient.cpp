@@ -18,6 +18,7 @@
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
+namespace transient_tests {
 namespace {
 
 using namespace rollbem;
@@ -558,3 +559,4 @@ TEST_CASE("A nearly singular G' has a mode that decays slowly even in long steps
 }
 
 }  // namespace
+}  // namespace transient_tests

@@ -19,6 +19,7 @@
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
+namespace transient_breathing_tests {
 namespace {
 
 using namespace rollbem;
@@ -595,3 +596,4 @@ TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", SCA
 #endif
 
 }  // namespace
+}  // namespace transient_breathing_tests

@@ -21,9 +21,10 @@
 #include <rollbem/scene/contact.hpp>
 
 #include "support/catch.hpp"
-#include "support/scalars.hpp"
 #include "support/refusal.hpp"
+#include "support/scalars.hpp"
 
+namespace out_of_domain_tests {
 namespace {
 
 using namespace rollbem;
@@ -251,3 +252,4 @@ TEST_CASE("Models reject every argument out of its domain", "[domain]") {
 }
 
 }  // namespace
+}  // namespace out_of_domain_tests

@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 #include "support/strip_instances.hpp"
 
+namespace strip_tests {
 namespace {
 
 using rollbem::reference::strip_c11;
@@ -71,3 +72,4 @@ TEST_CASE("Strips reject arguments out of their domain", "[strip]") {
 }
 
 }  // namespace
+}  // namespace strip_tests

@@ -27,6 +27,7 @@
 #include "support/scalars.hpp"
 #include "support/strip_instances.hpp"
 
+namespace chebyshev_tests {
 namespace {
 
 using namespace rollbem;
@@ -687,3 +688,4 @@ TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "
 }
 
 }  // namespace
+}  // namespace chebyshev_tests

@@ -12,6 +12,7 @@
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 
+namespace polynomial_tests {
 namespace {
 
 using namespace rollbem;
@@ -325,3 +326,4 @@ TEST_CASE("Polynomial solutions reject invalid input", "[polynomial]") {
 }
 
 }  // namespace
+}  // namespace polynomial_tests
