@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/compiled/creep_force_table.hpp>
 
 #include "creep/source.hpp"
 #include "support/csv.hpp"

@@ -310,7 +310,7 @@ plane it is the error of the discretisation alone.
 --method polynomial has no elements: n is empty and the column order gives the order. --basis monomial is the
 paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is refused
 without --unchecked. If status is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the
-equations are singular to working precision; inconsistent if the scheme does not converge to full adhesion
+equations are singular to working precision; assists_creepage if the scheme does not converge to full adhesion
 (alpha at or below 0, or above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half;
 not_converged if --order is too low for eight digits, or states are too few. exact and error are empty for
 contacts so narrow that the plane model does not decay. rcond: estimate of the reciprocal condition of the

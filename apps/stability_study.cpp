@@ -267,7 +267,7 @@ included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 w
 spectral_abscissa: the largest real part of the finite ones; cond_G: in the 2-norm, empty if G is singular;
 time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu a|
 (steps of an explicit integrator must stay below 2/spectral_radius); stiffness_ratio: the largest |Re(nu a)| over
-the smallest. Both are empty if an eigenvalue is infinite. status: ok; inconsistent if steady rolling shows that
+the smallest. Both are empty if an eigenvalue is infinite. status: ok; assists_creepage if steady rolling shows that
 the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
 coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev
 states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is

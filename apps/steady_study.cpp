@@ -143,7 +143,7 @@ strip kernel relative_error cannot fall below a floor of order (a/b)^2 (up to 5e
 leaves of its equations, max|G' p - xi| / (|G'| max|p| + |xi|) with the largest row sum |G'|: near 1e-16 the
 equations are solved to rounding, whatever the error of the discretisation. assembly_us and solve_us
 [microseconds] are medians of at least 5 runs. If status is not ok, c11 and all that follows from it are empty:
-ill_conditioned or not_finite if G' is singular to working precision; inconsistent if tractions assist the
+ill_conditioned or not_finite if G' is singular to working precision; assists_creepage if tractions assist the
 creepage, so that the scheme does not converge to full adhesion: alpha at or below 0 (near 0 on coarse meshes), or
 above 1; coarse if c11 of fewer than 10 elements is wrong by more than half (plane kernel, or strip with
 b/a >= 10). The columns kernel to quadrature identify rows; they are empty if they do not apply to mesh or method.

@@ -131,7 +131,7 @@ One row per element, from the trailing edge (x/a = -1) to the leading edge. trac
 creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean
 over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.
 If status is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular
-to working precision; inconsistent if tractions assist the creepage (alpha at or below 0, or above 1); coarse
+to working precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse
 if c11 of fewer than 10 elements is wrong by more than half.
 --method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and
 relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. If more states would

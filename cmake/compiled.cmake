@@ -24,7 +24,7 @@ compile_headers(steady assembly steady)
 compile_headers(eigenvalues balanced_reduction decompositions stability)
 compile_headers(line chebyshev frequency polynomial rolling_system transient)
 compile_headers(friction friction)
-compile_headers(patch patch)
+compile_headers(patch creep_force_table patch)
 
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.
 add_library(rollbem_compiled_steady OBJECT "${steady_source}")

@@ -124,8 +124,8 @@ int main() {
     // so that discretisation in space neither makes nor loses energy, and slip times traction balances on any mesh, up
     // to the integration in time, of second order. The price: the modes neither decay nor grow, so that the model has
     // to be built unchecked. In full adhesion there is no steady force either, because the singular traction at the
-    // trailing edge costs energy all the time; solve_steady calls this scheme inconsistent. Friction bounds the
-    // tractions, slip is the only loss, and the forces converge, to first order, once several elements slip.
+    // trailing edge costs energy all the time; solve_steady says that its tractions assist the creepage. Friction bounds
+    // the tractions, slip is the only loss, and the forces converge, to first order, once several elements slip.
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(20);
     const auto galerkin = rollbem::rolling_system(mesh, rollbem::Galerkin{.alpha_L = 0, .alpha_T = 0}, kernel);
     const Model conservative = make_model(contact, mesh, galerkin, rollbem::unchecked, load);

@@ -112,7 +112,7 @@ std::vector<typename Model::State> sweep(const CreepCurve& curve, const study::S
         const auto creepage = creepage_of<Model::directions>(scene, curve.points[i]);
         const auto step = model.steady(state, creepage, V, next, workspace);
         const bool solved = step.status == rollbem::StepStatus::ok;
-        if (solved || step.status == rollbem::StepStatus::inconsistent) std::swap(state, next);
+        if (solved || step.status == rollbem::StepStatus::assists_creepage) std::swap(state, next);
         if (solved) see(curve.points[i], step);
     }
     return starts;

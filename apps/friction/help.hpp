@@ -33,7 +33,7 @@ One row for each mesh, scheme and creepage, solved independently of the others.
   tangent_ratio             d force_ratio/d creepage_ratio
   slip_work                 for each distance a rolled, in mu N mu p0 a/G, summed over the elements (second
                             order in 1/n)
-Where status is not ok, the last two and force_ratio are empty. It is inconsistent where some tractions of the
+Where status is not ok, the last two and force_ratio are empty. It is assists_creepage where some tractions of the
 same scheme in full adhesion assist the creepage, so that the scheme does not converge there: alpha <= 0 (or
 close to 0 on coarse meshes), or alpha > 1. (With friction, alpha = 0 converges, to first order, where several
 elements slip.)
@@ -99,7 +99,7 @@ creep_work = slip_work + jump_work + change of elastic_energy, which has the sam
 in 1/n and of the integrator in dq. creepage is linear over a step (its end value with implicit-euler). rounds
 counts those of all solutions of a step, two with sdirk2.
 
-A scheme that is not certainly stable, or that is inconsistent in steady rolling, is refused unless --unchecked is
+A scheme that is not certainly stable, or whose steady tractions assist the creepage, is refused unless --unchecked is
 given: friction bounds its tractions, but they are wrong. Then status is unchecked instead of ok. The check finds
 eigenvalues, in a time of order n^3. With fewer than six steps in a period of --sine (OMEGA --dq > 1) or of
 --load-sine (2 pi --dq > LENGTH), status is unresolved and the results are empty. A step without a solution is

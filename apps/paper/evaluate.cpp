@@ -75,7 +75,7 @@ ElementField element_field(double x_over_width) {
 // Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all
 // with alpha_T = 0: their trailing traction has the wrong sign, but their force may be close.
 static bool is_solved(rollbem::Status status) {
-    return status == rollbem::Status::ok || status == rollbem::Status::inconsistent;
+    return status == rollbem::Status::ok || status == rollbem::Status::assists_creepage;
 }
 
 SteadyRatio steady_ratio(const Case& c) {

@@ -92,9 +92,9 @@ CurveResult compute_over_grid(const Panel& panel, const Curve& curve) {
             const Eigen::Index count = unstable_count(c);
             const double share = static_cast<double>(count) / static_cast<double>(c.n);
             // stable eigenvalues do not make a scheme converge to full adhesion
-            const bool converges = steady_ratio(c).status != rollbem::Status::inconsistent;
+            const bool converges = steady_ratio(c).status != rollbem::Status::assists_creepage;
             add_row(result, curve, c, count, share,
-                    rollbem::name(converges ? rollbem::Status::ok : rollbem::Status::inconsistent));
+                    rollbem::name(converges ? rollbem::Status::ok : rollbem::Status::assists_creepage));
             result.series[0].points.emplace_back(x, share);
         }
     }

@@ -114,7 +114,7 @@ std::string status_of(rollbem::Status status, const Scene& scene, const rollbem:
     if (status != rollbem::Status::ok) return name(status);
     const std::string steady = steady_status(scene, system);
     // a singular G' shows elsewhere, as an eigenvalue 0 or at the frequency 0
-    const bool speaks = scene.chebyshev || steady == coarse || steady == name(rollbem::Status::inconsistent);
+    const bool speaks = scene.chebyshev || steady == coarse || steady == name(rollbem::Status::assists_creepage);
     return speaks ? steady : ok;
 }
 
@@ -124,7 +124,7 @@ std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSys
         return "has too few states for so narrow a strip: their error in steady rolling must be at most 1e-2";
     }
     if (status == coarse) return "has too few elements: the force of steady rolling is off by more than half";
-    if (status != name(rollbem::Status::inconsistent)) return "";
+    if (status != name(rollbem::Status::assists_creepage)) return "";
     return "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions must oppose "
            "the creepage";
 }

@@ -67,7 +67,7 @@ inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the c
 /// steady_status of a scene's `system`.
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// `status` or, if that is ok, the flaw that the scene's `system` shows in steady rolling: inconsistent, coarse, or
+/// `status` or, if that is ok, the flaw that the scene's `system` shows in steady rolling: assists_creepage, coarse, or
 /// not_converged for Chebyshev states.
 std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system);
 

@@ -13,6 +13,7 @@
 
 #include <unistd.h>
 
+#include "files.hpp"
 #include "progress.hpp"
 
 namespace study {
@@ -63,10 +64,11 @@ public:
         }
         std::ifstream old(path_, std::ios::binary);
         std::string line;
-        if (std::getline(old, line) && !old.eof()) {
-            if (line != first) {
+        if (std::getline(old, line)) {
+            const bool cut_short = old.eof() && first.rfind(line, 0) == 0;
+            if (line != first && !cut_short) {
                 throw BadInput(options.said("output") + ": " + path_ + " must hold rows of the same run: it is of \"" +
-                               line + "\"; remove it to start again");
+                               printable(line.substr(0, 200)) + "\"; remove it to start again");
             }
             while (std::getline(old, line) && !old.eof()) lines_.push_back(line + '\n');  // not a line cut short
         }

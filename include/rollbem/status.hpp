@@ -9,13 +9,13 @@ namespace rollbem {
 /// Whether a computed number can be used.
 enum class Status {
     ok,
-    ill_conditioned,  ///< the matrix is singular to working precision, or the residual is far above rounding
-    inconsistent,     ///< solved accurately, but the tractions of steady rolling assist the creepage: the scheme does
-                      ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
-    not_converged,    ///< the order of a polynomial is too low, or monomials have broken down by cancellation
-    unstable,         ///< a mode of the system grows with the distance rolled
-    order_differs,    ///< values to be extrapolated do not converge with the given order
-    not_finite,       ///< an input or a result is NaN or infinite
+    ill_conditioned,   ///< the matrix is singular to working precision, or the residual is far above rounding
+    assists_creepage,  ///< solved accurately, but the tractions of steady rolling assist the creepage: the scheme does
+                       ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
+    not_converged,     ///< the order of a polynomial is too low, or monomials have broken down by cancellation
+    unstable,          ///< a mode of the system grows with the distance rolled
+    order_differs,     ///< values to be extrapolated do not converge with the given order
+    not_finite,        ///< an input or a result is NaN or infinite
 };
 
 /// Outcome of a step, or of a solution with friction that starts from a state.
@@ -35,9 +35,9 @@ enum class StepStatus {
     /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact, whose
     /// elements gain and lose pressure, in the last case with the strip kernel.
     needs_fixed_mesh,
-    inconsistent,  ///< steady friction with a scheme that does not converge to full adhesion: see Status::inconsistent
-    needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready
-                   ///< matrices)
+    assists_creepage,  ///< steady friction with a scheme that does not converge to full adhesion, see Status
+    needs_places,      ///< spin other than zero, although the system does not know the points of its equations (ready
+                       ///< matrices)
     wrong_table,  ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
 };
 
@@ -46,7 +46,7 @@ constexpr const char* name(Status status) {
     switch (status) {
         case Status::ok: return "ok";
         case Status::ill_conditioned: return "ill_conditioned";
-        case Status::inconsistent: return "inconsistent";
+        case Status::assists_creepage: return "assists_creepage";
         case Status::not_converged: return "not_converged";
         case Status::unstable: return "unstable";
         case Status::order_differs: return "order_differs";
@@ -63,7 +63,7 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::wrong_state: return "wrong_state";
         case StepStatus::invalid_load: return "invalid_load";
         case StepStatus::needs_fixed_mesh: return "needs_fixed_mesh";
-        case StepStatus::inconsistent: return "inconsistent";
+        case StepStatus::assists_creepage: return "assists_creepage";
         case StepStatus::needs_places: return "needs_places";
         case StepStatus::wrong_table: return "wrong_table";
         case StepStatus::not_finite: break;

@@ -137,7 +137,7 @@ good 2 "$steady" --n 3 --alpha-T 0.1
 check 'far off with few elements' '$status == "coarse" && $c11 $relative_error == ""'
 good 2 "$steady" --n 3 --alpha-T 0.1 --aspect 1
 check 'the plane limit says nothing about a narrow strip' '$status != "coarse"'
-for case in '40 0 inconsistent' '41 0 ill_conditioned' '40 1.5 inconsistent'; do
+for case in '40 0 assists_creepage' '41 0 ill_conditioned' '40 1.5 assists_creepage'; do
     set -- $case
     good 2 "$steady" --n $1 --alpha $2
     check "status of alpha = $2" '$status == "'$3'" && $c11 == ""'

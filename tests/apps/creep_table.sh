@@ -60,6 +60,9 @@ sed 's/kept/chebyshev/' going.csv | cmp - whole.csv || fail 'a resumed run diffe
 "$creep" --levels 5 --output other.csv 2>err && fail 'rows of another run are taken'
 grep -q 'must hold rows of the same run' err || fail "$(cat err)"
 [ -e other.csv.unfinished ] || fail 'rows of another run are removed'
+printf 'a note' >note.csv.unfinished
+"$creep" $coarse --output note.csv 2>err && fail 'a foreign file is taken'
+[ "$(cat note.csv.unfinished)" = 'a note' ] || fail 'a foreign file is overwritten'
 
 # --- the table against the patches: 6 x 6 elements are rough themselves
 good 1 "$creep" --n 6 --levels 7 --shapes 5 --a-over-b 0.5,2 --output small.csv --check 200

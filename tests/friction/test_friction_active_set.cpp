@@ -1,4 +1,5 @@
-// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp, stick_transform.hpp
+// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp, stick_transform.hpp,
+// falling_set.hpp
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include <rollbem/friction/detail/active_set.hpp>
+#include <rollbem/friction/detail/falling_set.hpp>
+#include <rollbem/friction/detail/falling_slip.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -203,6 +206,68 @@ TEST_CASE("The transform satisfies the equations or is replaced by them", "[fric
     CHECK(good > 300);
     CHECK(inaccurate > 20);
     CHECK(left > 100);
+}
+
+TEST_CASE("Coefficients that depend on slip satisfy their equation, and their derivatives are those of differences",
+          "[friction]") {
+    support::Draw draw(11);
+    const ExponentialFall<double> law{0.5, 0.2, 1};
+    const double step = 1e-6;
+    int compared = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const Eigen::Index n = 1 + trial % 9;
+        const bool steady = trial % 2 == 0, with_memory = trial % 3 != 0;
+        const auto random = [&](double low, double high) {
+            return VectorX<double>(VectorX<double>::NullaryExpr(n, [&] { return draw.uniform(low, high); }));
+        };
+        const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return draw.normal(); });
+        const VectorX<double> constant = random(-1.5, 1.5), pressure = random(0.2, 1), duration = random(0.1, 3),
+                              before = random(0.2, 0.5), direction = random(-1, 1);
+        const FrictionMemory<double> memory{with_memory ? 1.0 : 0.0, 0.1};
+        const double unit = 0.7;
+        const detail::FrictionPassage<double> passage{pressure, duration, steady ? nullptr : &before, unit};
+        const std::vector<Zone> stick(static_cast<std::size_t>(n), Zone::stick);
+        const VectorX<double> rest = VectorX<double>::Zero(n);
+        detail::ActiveSet<double> solver(n);
+        detail::FallingSet<detail::ActiveSetSlip<double>> set(n);
+        solver.new_matrix() = any * any.transpose() / n + MatrixX<double>::Identity(n, n);
+        VectorX<double> friction;
+        const auto solve = [&](const VectorX<double>& of) {
+            solver.constant() = of;
+            friction.setConstant(n, 0.5);
+            return set.solve(law, memory, passage, {rest, stick}, solver, friction);
+        };
+        const auto outcome = solve(constant);
+        CAPTURE(trial, n, steady, with_memory, outcome.solutions, outcome.change);
+        REQUIRE(outcome.solution.status == StepStatus::ok);
+        const VectorX<double> slip = solver.matrix() * solver.traction() + constant;
+        double ahead = 0.5;
+        for (Eigen::Index i = n - 1; i >= 0; --i) {
+            const double v = unit * std::abs(slip[i]), bound = friction[i] * pressure[i], p = solver.traction()[i];
+            const double kept = with_memory ? 1 / (1 + duration[i] * std::max(v, 0.1)) : 0;
+            REQUIRE(friction[i] == Approx(kept * (steady ? ahead : before[i]) + (1 - kept) * law(v)).epsilon(1e-11));
+            ahead = friction[i];
+            REQUIRE(std::abs(p) <= bound * (1 + 1e-12));
+            if (std::abs(slip[i]) > 1e-9) REQUIRE(p == Approx(slip[i] > 0 ? -bound : bound));
+        }
+
+        VectorX<double> traction_change(n), friction_change(n);
+        set.respond(law, memory, passage, solver, friction, {direction}, traction_change, friction_change);
+        const std::vector<Zone> zones = solver.zones();
+        VectorX<double> traction_difference = rest, friction_difference = rest;
+        bool same_zones = true;
+        for (const double sign : {1.0, -1.0}) {
+            REQUIRE(solve(constant + sign * step * direction).solution.status == StepStatus::ok);
+            same_zones = same_zones && solver.zones() == zones;
+            traction_difference += sign / (2 * step) * solver.traction();
+            friction_difference += sign / (2 * step) * friction;
+        }
+        if (!same_zones) continue;
+        ++compared;
+        CHECK((traction_difference - traction_change).norm() < 1e-5 * (1 + traction_change.norm()));
+        CHECK((friction_difference - friction_change).norm() < 1e-5 * (1 + friction_change.norm()));
+    }
+    CHECK(compared > 380);
 }
 
 }  // namespace

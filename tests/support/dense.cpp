@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include <rollbem/compiled/decompositions.hpp>
 
 namespace dense {
@@ -11,10 +9,6 @@ namespace dense {
 Spectrum spectrum(const Eigen::MatrixXd& A) {
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
     return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
-Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A) {
-    return Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ();
 }
 
 double largest_singular_value(const Eigen::MatrixXd& A) {

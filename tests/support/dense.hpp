@@ -14,9 +14,6 @@ struct Spectrum {
 
 Spectrum spectrum(const Eigen::MatrixXd& A);
 
-// The Q of A = Q R.
-Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A);
-
 double largest_singular_value(const Eigen::MatrixXd& A);
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);

@@ -56,9 +56,9 @@ Status harmonic_status(Eigen::Index n, Scalar rcond, Scalar residual) {
 
 }  // namespace detail
 
-/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::inconsistent if the
-/// tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument if z is not finite or the system
-/// has several inputs. For other growth, e^{st}, and several inputs see solve_response.
+/// Response to harmonic creepage e^{i omega t}, Eq. (16), at z = omega a/V of either sign; Status::assists_creepage if
+/// the tractions of steady rolling do not oppose the creepage. Throws std::invalid_argument if z is not finite or the
+/// system has several inputs. For other growth, e^{st}, and several inputs see solve_response.
 template <class Scalar>
 HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std::type_identity_t<Scalar> z) {
     detail::require_finite("solve_harmonic", "omega a/V", z);
@@ -69,7 +69,7 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
     if (solution.status != Status::ok || !system.unknowns_are_tractions()) return solution;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
     const VectorX<Scalar> steady = lu.solve(system.inputs().col(0));
-    if (!detail::opposes_creepage<Scalar>(steady, system.weights())) solution.status = Status::inconsistent;
+    if (!detail::opposes_creepage<Scalar>(steady, system.weights())) solution.status = Status::assists_creepage;
     return solution;
 }
 
@@ -183,7 +183,7 @@ auto FrequencySweep<Scalar_>::at(Complex s) const -> SweepPoint<Scalar> {
         const Complex first = full.coefficients(0, 0);
         point = {first, std::move(full.coefficients), full.residual, full.rcond, full.status};
     }
-    if (point.status == Status::ok && !consistent_) point.status = Status::inconsistent;
+    if (point.status == Status::ok && !consistent_) point.status = Status::assists_creepage;
     return point;
 }
 

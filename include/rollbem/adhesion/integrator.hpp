@@ -75,7 +75,7 @@ inline void require_stable(const char* who, Eigen::Index n, const StabilityVerdi
 }
 
 /// Throws std::invalid_argument if steady tractions show that the scheme does not converge to full adhesion
-/// (Status::inconsistent).
+/// (Status::assists_creepage).
 template <class Scalar, class Areas>
 void require_convergent(const char* who, const VectorX<Scalar>& steady, const Areas& areas) {
     require(all_finite(steady), who, "largest steady traction", std::numeric_limits<Scalar>::infinity(),

@@ -36,7 +36,7 @@ struct PatchSteadySolution : CreepCoefficients<Scalar> {
     MatrixX<Scalar> coefficients;            ///< 3 x 3: -F_x, -F_y over G a^2, -M_z over G a^3
     Scalar residual = 0;                     ///< |G' p - slip| / (|G'| |p| + |slip|) in the maximum norm [-]
     Scalar rcond = 1;                        ///< estimate of 1 / (|G'| |G'^-1|) in the 1-norm [-]
-    /// inconsistent: a force or moment that assists its own creepage
+    /// assists_creepage: a force or moment that assists its own creepage
     Status status = Status::ok;
 };
 
@@ -106,7 +106,7 @@ PatchSteadySolution<Scalar> solve_steady(const PatchContact<Scalar>& contact, co
     }
     static_cast<CreepCoefficients<Scalar>&>(solution) = creep_coefficients(contact, solution.coefficients);
     const bool opposes = solution.c11 > 0 && solution.c22 > 0 && solution.c33 >= 0;  // 0: one element
-    if (solution.status == Status::ok && !opposes) solution.status = Status::inconsistent;
+    if (solution.status == Status::ok && !opposes) solution.status = Status::assists_creepage;
     return solution;
 }
 

@@ -89,7 +89,7 @@ SteadySolution<Scalar> judge_steady(FactorisedSteady<Scalar> factorised, const A
                          solution.residual <= 100 * rounding;
     solution.status = !trusted                                              ? Status::ill_conditioned
                       : opposes_creepage<Scalar>(solution.traction, widths) ? Status::ok
-                                                                            : Status::inconsistent;
+                                                                            : Status::assists_creepage;
     return solution;
 }
 
@@ -125,12 +125,12 @@ SteadySolution<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar
 }
 
 /// The same for a system of one input; see solve_steady_response for several. Unknowns that are not tractions
-/// take the place of these, and the status is then never inconsistent.
+/// take the place of these, and the status is then never assists_creepage.
 template <class Scalar>
 SteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
     detail::require_single_input("solve_steady", system);
     SteadySolution<Scalar> solution = solve_steady<Scalar>(system.G_prime(), system.weights());
-    if (solution.status == Status::inconsistent && !system.unknowns_are_tractions()) solution.status = Status::ok;
+    if (solution.status == Status::assists_creepage && !system.unknowns_are_tractions()) solution.status = Status::ok;
     return solution;
 }
 

@@ -78,7 +78,7 @@ public:
     /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
     /// Creepage, as both_directions() makes them. `checks` is the verdict on the system, or `unchecked`. Throws
     /// std::invalid_argument if the verdict does not belong to this system or does not establish that no eigenvalue
-    /// grows, if steady rolling shows that the scheme does not converge (Status::inconsistent), or if the contact's
+    /// grows, if steady rolling shows that the scheme does not converge (Status::assists_creepage), or if the contact's
     /// half-width is infinite or not that of the system's kernel.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const Checks& checks,
                   Integrator integrator = Integrator::sdirk2)

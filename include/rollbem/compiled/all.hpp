@@ -4,6 +4,7 @@
 #include "assembly.hpp"
 #include "balanced_reduction.hpp"
 #include "chebyshev.hpp"
+#include "creep_force_table.hpp"
 #include "decompositions.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"

@@ -43,7 +43,7 @@ namespace rollbem {
 /// costs less.
 ///
 /// If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), the forces would be wrong wherever
-/// elements stick: the status of every solution is then StepStatus::inconsistent, with the residual but without
+/// elements stick: the status of every solution is then StepStatus::assists_creepage, with the residual but without
 /// numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case:
 /// inconsistent in full adhesion, but correct with friction. It dissipates no energy, whereas full adhesion loses
 /// energy at the singular trailing edge; the force of full adhesion is therefore zero. Dissipation by slip is

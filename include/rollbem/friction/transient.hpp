@@ -98,8 +98,8 @@ public:
     /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); `checks` is the
     /// verdict on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this system
     /// or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
-    /// (Status::inconsistent), if the contact's half-width is infinite or not that of the system's kernel, if the law
-    /// does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although the
+    /// (Status::assists_creepage), if the contact's half-width is infinite or not that of the system's kernel, if the
+    /// law does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although the
     /// points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const Checks& checks, const Friction<Law, Scalar>& friction,

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -46,24 +47,26 @@ struct TabulatedForce {
 /// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
 /// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
 /// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
-/// exceed mu N by its error. Immutable: threads may share it.
+/// exceed mu N by its error. Immutable: threads may share it. A template so that only programs that use it compile it;
+/// its name is CreepForceTable.
 ///
 ///     std::ifstream file("table.csv.bin", std::ios::binary);
 ///     const CreepForceTable table = CreepForceTable::read(file);
 ///     const PatchContact<double> contact({a, b, G, nu});
 ///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
 ///     if (now.status != StepStatus::ok) ...
-class CreepForceTable {
+template <std::same_as<double> Real = double>
+class BasicCreepForceTable {
 public:
     /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the grid,
     /// then of the next one. Throws std::invalid_argument if their number differs or one of them is not finite or
     /// above 100.
-    CreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
+    BasicCreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
 
     /// From what write() wrote. The stream must be binary; it is read to the end of the table. Throws
     /// std::invalid_argument if the stream ends too early or holds something else, another version, or numbers that do
     /// not agree with their checksum.
-    static CreepForceTable read(std::istream& stream);
+    static BasicCreepForceTable read(std::istream& stream);
 
     /// Little-endian, version 2: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
     /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients of
@@ -88,7 +91,7 @@ private:
     class Writer;
     class Reader;
 
-    explicit CreepForceTable(CreepForceGrid grid) : grid_(std::move(grid)), n_(grid_.levels()) {
+    explicit BasicCreepForceTable(CreepForceGrid grid) : grid_(std::move(grid)), n_(grid_.levels()) {
         const Eigen::Index count = per_shape() * (grid_.shapes() + 2);
         detail::require(count <= 10'000'000, name, "number of coefficients", count, "be at most 10000000");
         scales_ = with_ends(grid_.scales());
@@ -127,12 +130,15 @@ private:
     std::vector<float> coefficients_;
 };
 
+using CreepForceTable = BasicCreepForceTable<>;
+
 namespace detail {
 
 /// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, as it is made.
+template <std::same_as<double> Real>
 class CreepForceCube {
 public:
-    using Value = Eigen::Array3d;
+    using Value = Eigen::Array<Real, 3, 1>;
 
     explicit CreepForceCube(int levels)
         : n_(levels), m_(levels + 2), w_(2 * m_ + 1), values_(static_cast<std::size_t>(w_ * w_ * w_), Value::Zero()) {}
@@ -251,7 +257,8 @@ private:
 
 }  // namespace detail
 
-inline Eigen::ArrayXXd CreepForceTable::with_ends(Eigen::ArrayXXd columns) {
+template <std::same_as<double> Real>
+Eigen::ArrayXXd BasicCreepForceTable<Real>::with_ends(Eigen::ArrayXXd columns) {
     const Eigen::Index count = columns.cols();
     Eigen::ArrayXXd all(columns.rows(), count + 2);
     const auto curvature = [&](Eigen::Index i, Eigen::Index step) -> Eigen::ArrayXd {
@@ -269,8 +276,9 @@ inline Eigen::ArrayXXd CreepForceTable::with_ends(Eigen::ArrayXXd columns) {
     return all;
 }
 
-inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces)
-    : CreepForceTable(std::move(grid)) {
+template <std::same_as<double> Real>
+BasicCreepForceTable<Real>::BasicCreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces)
+    : BasicCreepForceTable(std::move(grid)) {
     const Eigen::Index nodes = grid_.nodes(), shapes = grid_.shapes();
     detail::require(forces.cols() == nodes * shapes, name, "number of forces", forces.cols(),
                     "be the number of nodes times that of ellipses");
@@ -282,7 +290,7 @@ inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<co
     }
     Eigen::ArrayXXd columns(3 * per_shape(), shapes);
     for (Eigen::Index shape = 0; shape < shapes; ++shape) {
-        detail::CreepForceCube cube(grid_.levels());
+        detail::CreepForceCube<Real> cube(grid_.levels());
         for (Eigen::Index node = 0; node < nodes; ++node) {
             const CreepForceGrid::Place& place = grid_.place(node);
             cube.set(place.x, place.y, place.spin, forces.col(shape * nodes + node));
@@ -309,7 +317,8 @@ inline CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::Ref<co
     meet_linear_law();
 }
 
-inline void CreepForceTable::meet_linear_law() {
+template <std::same_as<double> Real>
+void BasicCreepForceTable<Real>::meet_linear_law() {
     const double step = 2 / static_cast<double>(n_);  // of X, where u is X/2
     Eigen::ArrayXXd lacking(5, grid_.shapes());
     for (Eigen::Index i = 0; i < grid_.shapes(); ++i) {
@@ -325,7 +334,8 @@ inline void CreepForceTable::meet_linear_law() {
     linear_ = with_ends(std::move(lacking));
 }
 
-inline CreepForceTable::Sample CreepForceTable::sample(double shape, double x, double y, double spin) const noexcept {
+template <std::same_as<double> Real>
+auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double spin) const noexcept -> Sample {
     const auto cell = [](double u, Eigen::Index low, Eigen::Index high) {
         return std::clamp(static_cast<Eigen::Index>(std::floor(u)), low, high);
     };
@@ -367,8 +377,9 @@ inline CreepForceTable::Sample CreepForceTable::sample(double shape, double x, d
     return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>()};
 }
 
-inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& contact, double friction_coefficient,
-                                               double load, const Creepage<double>& creepage) const noexcept {
+template <std::same_as<double> Real>
+TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& contact, double friction_coefficient,
+                                                   double load, const Creepage<double>& creepage) const noexcept {
     TabulatedForce result;
     const auto ended = [&](StepStatus status) {
         result.status = status;
@@ -452,7 +463,8 @@ inline TabulatedForce CreepForceTable::look_up(const PatchContact<double>& conta
     return detail::is_finite(sum) ? ended(StepStatus::ok) : TabulatedForce{};
 }
 
-class CreepForceTable::Writer {
+template <std::same_as<double> Real>
+class BasicCreepForceTable<Real>::Writer {
 public:
     explicit Writer(std::ostream& stream) : stream_(stream) {}
 
@@ -477,7 +489,8 @@ private:
     std::uint64_t checksum_ = 0xcbf29ce484222325U;
 };
 
-class CreepForceTable::Reader {
+template <std::same_as<double> Real>
+class BasicCreepForceTable<Real>::Reader {
 public:
     explicit Reader(std::istream& stream) : stream_(stream) {}
 
@@ -508,7 +521,8 @@ private:
     std::uint64_t checksum_ = 0xcbf29ce484222325U;
 };
 
-inline void CreepForceTable::write(std::ostream& stream) const {
+template <std::same_as<double> Real>
+void BasicCreepForceTable<Real>::write(std::ostream& stream) const {
     Writer writer(stream);
     writer.bytes(magic, std::char_traits<char>::length(magic));
     writer.integer(version);
@@ -526,7 +540,8 @@ inline void CreepForceTable::write(std::ostream& stream) const {
     writer.integer(writer.checksum());
 }
 
-inline CreepForceTable CreepForceTable::read(std::istream& stream) {
+template <std::same_as<double> Real>
+BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream) {
     Reader reader(stream);
     std::string text(std::char_traits<char>::length(magic), ' ');
     reader.bytes(text.data(), text.size());
@@ -542,7 +557,8 @@ inline CreepForceTable CreepForceTable::read(std::istream& stream) {
     for (CreepCoefficients<double>& c : coefficients) {
         for (double* value : {&c.c11, &c.c22, &c.c23, &c.c32, &c.c33}) *value = reader.number();
     }
-    CreepForceTable table(CreepForceGrid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
+    BasicCreepForceTable table(
+        CreepForceGrid(nu, smallest, largest, static_cast<int>(levels), std::move(coefficients)));
     for (std::size_t i = 0; i < table.coefficients_.size(); ++i) {
         if (i % width == 3) continue;
         const float value = reader.single();

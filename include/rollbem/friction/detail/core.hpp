@@ -140,7 +140,7 @@ public:
     /// A result without the numbers that a scheme gets wrong.
     static Step without_forces(const Step& solved) noexcept {
         if (solved.status != StepStatus::ok && solved.status != StepStatus::no_solution) return solved;
-        Step step = failed(StepStatus::inconsistent);
+        Step step = failed(StepStatus::assists_creepage);
         step.complementarity_residual = solved.complementarity_residual;
         step.stick_count = solved.stick_count;
         step.rounds = solved.rounds;

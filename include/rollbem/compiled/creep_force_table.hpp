@@ -1,0 +1,11 @@
+// The table of creep forces, compiled for double. Replaces vehicle/creep_force_table.hpp; link rollbem::compiled.
+#pragma once
+
+#include "../vehicle/creep_force_table.hpp"
+
+namespace rollbem {
+
+extern template class BasicCreepForceTable<double>;
+extern template class detail::CreepForceCube<double>;
+
+}  // namespace rollbem
