@@ -126,7 +126,8 @@ TEST_CASE("Galerkin's method with more and more points converges to the closed f
     }
 }
 
-TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal to the general ones", "[influence]", SCALARS) {
+TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal to the general ones", "[influence]",
+                   SCALARS) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {1, 2, 3, 4, 5, 16, 33}) {

@@ -87,7 +87,8 @@ TEST_CASE("Schemes reject invalid parameters and give name and value", "[scheme]
     CHECK_NOTHROW(check_scheme(KnotheBoundary{}, uniform_mesh(2)));
 }
 
-TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last row ends on the leading edge", "[scheme]", SCALARS) {
+TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last row ends on the leading edge", "[scheme]",
+                   SCALARS) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index n : {1, 2, 3, 8, 41}) {

@@ -14,8 +14,8 @@
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/scalars.hpp"
 #include "support/observed_order.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
