@@ -175,12 +175,8 @@ precision::Scene make_scene(const study::Options& options, const std::vector<std
     if (!plane && used("chebyshev-states") && contact.aspect() < 0.001) {
         throw study::BadInput(options.said("aspect") + " must be at least 0.001 for the scheme chebyshev-states");
     }
-    precision::Scene scene{contact, plane, options.number("size-ratio", study::between(1e-12, 1e12)),
-                           options.number("epsilon", study::between(1e-12, 1e12))};
-    for (const Quantity& quantity : quantities) {
-        scene.references[quantity.name] = precision::reference(contact, quantity);
-    }
-    return scene;
+    return {contact, plane, options.number("size-ratio", study::between(1e-12, 1e12)),
+            options.number("epsilon", study::between(1e-12, 1e12))};
 }
 
 /// The rows of one task, without on_front.
@@ -206,19 +202,12 @@ std::vector<Point> points_of(const Task& task, const std::map<std::string, doubl
     return points;
 }
 
-/// The schemes to compute, and their rows. Times, and errors for on_front, are found before the first row is written.
+/// The schemes to compute, and their rows. References, times, and errors for on_front are found before the first row is
+/// written.
 class Computation {
 public:
     Computation(const study::Options& options, const std::vector<Quantity>& quantities)
-        : with_times_(study::has_times(options)), partial_(options.given("shard") || !with_times_) {
-        const std::vector<std::string> schemes = options.choices("schemes", precision::scheme_names());
-        const precision::Scene scene = make_scene(options, schemes, quantities);
-        tasks_ = make_tasks(options, scene, schemes, quantities);
-        if (scene.plane) return;
-        for (const Quantity& quantity : quantities) {
-            model_errors_[quantity.name] = precision::model_error(scene, quantity);
-        }
-    }
+        : Computation(options, quantities, options.choices("schemes", precision::scheme_names())) {}
 
     std::vector<std::size_t> rows_of_task() const {
         std::vector<std::size_t> rows;
@@ -226,8 +215,12 @@ public:
         return rows;
     }
 
-    /// Measures the times of all rows, and computes their errors if on_front is wanted.
+    /// Computes the references, measures the times of all rows, and computes their errors if on_front is wanted.
     void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
+        for (const Quantity& quantity : quantities_) {
+            (*scene_.references)[quantity.name] = precision::reference(scene_.contact, quantity);
+            if (!scene_.plane) model_errors_[quantity.name] = precision::model_error(scene_, quantity);
+        }
         if (with_times_) times_ = precision::measure(tasks_, wanted, [&](double part) { done(part / 2); });
         if (partial_) return;
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
@@ -251,8 +244,18 @@ public:
     const std::vector<Point>& points() const { return points_; }
 
 private:
-    bool with_times_, partial_;
+    Computation(const study::Options& options, const std::vector<Quantity>& quantities,
+                const std::vector<std::string>& schemes)
+        : quantities_(quantities),
+          scene_(make_scene(options, schemes, quantities)),
+          tasks_(make_tasks(options, scene_, schemes, quantities)),
+          with_times_(study::has_times(options)),
+          partial_(options.given("shard") || !with_times_) {}
+
+    std::vector<Quantity> quantities_;
+    precision::Scene scene_;
     std::vector<Task> tasks_;
+    bool with_times_, partial_;
     std::map<std::string, double> model_errors_;
     std::vector<std::map<Problem, double>> times_;
     std::vector<Point> points_;

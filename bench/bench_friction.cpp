@@ -29,9 +29,49 @@ struct Scene {
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
+    FrictionModel<> model(Integrator integrator) const {
+        return {contact, rolling_system(mesh, scheme, kernel), unchecked, friction, integrator};
+    }
+    SteadyFrictionModel<> steady_model() const { return {contact, mesh, scheme, kernel, friction}; }
+
     Mesh<double> mesh;
     Friction<> friction;
 };
+
+/// advance(now, next, workspace) from rest, `before` times and then in every iteration. Returns the last step; counts
+/// the rounds of a step.
+template <class Model, class Advance>
+auto roll(benchmark::State& state, const Model& model, int before, const Advance& advance) {
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    for (int i = 0; i < before; ++i) {
+        advance(now, next, workspace);
+        std::swap(now, next);
+    }
+    typename Model::Step step;
+    double rounds = 0;
+    for (auto _ : state) {
+        step = advance(now, next, workspace);
+        rounds += step.rounds;
+        std::swap(now, next);
+        benchmark::DoNotOptimize(step);
+    }
+    if (step.status != StepStatus::ok) state.SkipWithError(name(step.status));
+    state.counters["n"] = static_cast<double>(state.range(0));
+    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    return step;
+}
+
+/// One point of a creep curve from scratch, without assembly.
+template <class Model, class Creepage>
+auto solve_afresh(benchmark::State& state, const Model& model, const Creepage& creepage) {
+    const auto rest = model.at_rest();
+    const auto fresh = model.workspace();
+    return roll(state, model, 0, [&](const auto&, auto& next, auto& workspace) {
+        workspace = fresh;  // without factors
+        return model.steady(rest, creepage, next, workspace);
+    });
+}
 
 void BM_Gemv(benchmark::State& state) {
     const MatrixX<double> matrix = MatrixX<double>::Random(state.range(0), state.range(0));
@@ -86,25 +126,10 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 // Steps at constant creepage in the steady state, where no element changes its zone. Implicit Euler solves once per
 // step for stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
-    const Scene scene(state.range(0));
-    const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
-                                scene.friction, integrator);
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionStep<> step = model.steady(next, creepage(0.5), now, workspace);
-    for (int i = 0; i < 400; ++i) {
-        step = model.advance(now, 0.05, creepage(0.5), next, workspace);
-        std::swap(now, next);
-    }
-    double rounds = 0;
-    for (auto _ : state) {
-        step = model.advance(now, 0.05, creepage(0.5), next, workspace);
-        rounds += step.rounds;
-        std::swap(now, next);
-        benchmark::DoNotOptimize(step);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    const FrictionStep<> step = roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
+        return model.advance(now, 0.05, creepage(0.5), next, workspace);
+    });
     state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
 }
 void BM_FrictionStep(benchmark::State& state) { steps_unchanged(state, Integrator::implicit_euler); }
@@ -124,22 +149,9 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     const FrictionModel<ExponentialFall<double>> model(
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
         friction, integrator);
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionStep<> step;
-    for (int i = 0; i < 2000; ++i) {
-        step = model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
-        std::swap(now, next);
-    }
-    double rounds = 0;
-    for (auto _ : state) {
-        step = model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
-        rounds += step.rounds;
-        std::swap(now, next);
-        benchmark::DoNotOptimize(step);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    roll(state, model, 2000, [&](const auto& now, auto& next, auto& workspace) {
+        return model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
+    });
 }
 void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(state, false); }
 BENCHMARK(BM_FrictionStepFalling)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -152,24 +164,17 @@ BENCHMARK(BM_FrictionStepFallingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A cycle of sinusoidal creepage. Counters: rounds per step, and the share of steps in which elements change zones.
 void steps_changing(benchmark::State& state, Integrator integrator) {
-    const Scene scene(state.range(0));
-    const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
-                                scene.friction, integrator);
-    FrictionWorkspace<> workspace = model.workspace();
+    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
-    FrictionState<> now = model.at_rest(), next = now;
-    double q = 0, rounds = 0, changing = 0;
-    for (auto _ : state) {
+    double q = 0, changing = 0;
+    roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const double before = creepage(0.9 * std::sin(q));
         q += 0.05;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
         const FrictionStep<> step = model.advance(now, 0.05, motion, next, workspace);
-        rounds += step.rounds;
         changing += step.rounds > solutions ? 1 : 0;
-        std::swap(now, next);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+        return step;
+    });
     state.counters["changing"] = changing / static_cast<double>(state.iterations());
 }
 void BM_FrictionStepChanging(benchmark::State& state) { steps_changing(state, Integrator::implicit_euler); }
@@ -180,23 +185,15 @@ BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // The same with another distance rolled in every step, as by an integrator with variable step size. Argument: n. To be
 // compared with BM_LuSolve.
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
-    const Scene scene(state.range(0));
-    const FrictionModel<> model(scene.contact, rolling_system(scene.mesh, scene.scheme, scene.kernel), unchecked,
-                                scene.friction, integrator);
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
-    double q = 0, rounds = 0, dq = 0.05;
-    for (auto _ : state) {
+    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    double q = 0, dq = 0.05;
+    roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const double before = creepage(0.9 * std::sin(q));
         dq = dq == 0.05 ? 0.0501 : 0.05;
         q += dq;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<> step = model.advance(now, dq, motion, next, workspace);
-        rounds += step.rounds;
-        std::swap(now, next);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+        return model.advance(now, dq, motion, next, workspace);
+    });
 }
 void BM_FrictionStepNewLength(benchmark::State& state) { steps_of_new_length(state, Integrator::implicit_euler); }
 BENCHMARK(BM_FrictionStepNewLength)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
@@ -219,25 +216,16 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
         contact,
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
         unchecked, {0.3, load.normal_pressure}, integrator);
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
     const double dq = 0.05 * line.half_length();
-    double q = 0, rounds = 0;
-    FrictionStep<> step;
-    for (auto _ : state) {
+    double q = 0;
+    roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         q += 0.05;
         if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) !=
             StepStatus::ok) {
             state.SkipWithError("load");
-            break;
         }
-        step = model.advance(now, dq, 5e-4, load, next, workspace);
-        rounds += step.rounds;
-        std::swap(now, next);
-    }
-    if (step.status != StepStatus::ok) state.SkipWithError(name(step.status));
-    state.counters["n"] = static_cast<double>(n);
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+        return model.advance(now, dq, 5e-4, load, next, workspace);
+    });
 }
 void BM_FrictionStepBreathing(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, true); }
 BENCHMARK(BM_FrictionStepBreathing)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
@@ -248,45 +236,20 @@ BENCHMARK(BM_FrictionStepFixedMesh)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 void BM_FrictionStepFixedMeshSdirk2(benchmark::State& state) { steps_under_load(state, Integrator::sdirk2, false); }
 BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
-// One point of the creep curve from scratch, without assembly.
 void BM_FrictionSteady(benchmark::State& state) {
-    const Scene scene(state.range(0));
-    const SteadyFrictionModel<> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
-    const FrictionState<> rest = model.at_rest();
-    FrictionState<> next = rest;
-    const FrictionWorkspace<> fresh = model.workspace();
-    FrictionWorkspace<> workspace = fresh;
-    double rounds = 0;
-    FrictionStep<> step;
-    for (auto _ : state) {
-        workspace = fresh;  // without factors
-        step = model.steady(rest, creepage(0.5), next, workspace);
-        rounds += step.rounds;
-        benchmark::DoNotOptimize(step);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    const FrictionStep<> step = solve_afresh(state, Scene(state.range(0)).steady_model(), creepage(0.5));
     state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
 }
 BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // One point of 100 along the curve from 0.01 to 1.
 void BM_FrictionSteadyWarm(benchmark::State& state) {
-    const Scene scene(state.range(0));
-    const SteadyFrictionModel<> model(scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.friction);
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionWorkspace<> workspace = model.workspace();
+    const SteadyFrictionModel<> model = Scene(state.range(0)).steady_model();
     int point = 0;
-    double rounds = 0;
-    for (auto _ : state) {
+    roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const int phase = point++ % 200;
-        const FrictionStep<> step =
-            model.steady(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next, workspace);
-        rounds += step.rounds;
-        std::swap(now, next);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+        return model.steady(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next, workspace);
+    });
 }
 BENCHMARK(BM_FrictionSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
@@ -318,24 +281,12 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// One point from scratch, without assembly, in the most expensive case: oblique creepage where stick ends. With slip
-// turned to its direction at the centres, as by default, or left as it is.
+// The most expensive case: oblique creepage where stick ends. With slip turned to its direction at the centres, as by
+// default, or left as it is.
 void combined_steady(benchmark::State& state, bool turned) {
     Scene scene(state.range(0));
     scene.friction.turned = turned;
-    const SteadyFrictionModel<ConstantFriction<>, 2> model = combined_steady_model(scene);
-    const FrictionState<2> rest = model.at_rest();
-    FrictionState<2> next = rest;
-    const FrictionWorkspace<2> fresh = model.workspace();
-    FrictionWorkspace<2> workspace = fresh;
-    FrictionStep<2> step;
-    for (auto _ : state) {
-        workspace = fresh;  // without factors
-        step = model.steady(rest, creepage(1, 15), next, workspace);
-        benchmark::DoNotOptimize(step);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = step.rounds;
+    solve_afresh(state, combined_steady_model(scene), creepage(1, 15));
 }
 void BM_CombinedSteady(benchmark::State& state) { combined_steady(state, true); }
 BENCHMARK(BM_CombinedSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -344,18 +295,11 @@ BENCHMARK(BM_CombinedSteadyUnturned)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // The creepage ratio alternates there between two values 0.1 apart.
 void BM_CombinedSteadyWarm(benchmark::State& state) {
-    const Scene scene(state.range(0));
-    const SteadyFrictionModel<ConstantFriction<>, 2> model = combined_steady_model(scene);
-    FrictionState<2> now = model.at_rest(), next = now;
-    FrictionWorkspace<2> workspace = model.workspace();
+    const auto model = combined_steady_model(Scene(state.range(0)));
     int point = 0;
-    double rounds = 0;
-    for (auto _ : state) {
-        rounds += model.steady(now, creepage(++point % 2 == 0 ? 1 : 0.9, 15), next, workspace).rounds;
-        std::swap(now, next);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+    roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
+        return model.steady(now, creepage(++point % 2 == 0 ? 1 : 0.9, 15), next, workspace);
+    });
 }
 BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
@@ -367,18 +311,13 @@ void combined_steps(benchmark::State& state, Integrator integrator, bool turned 
                               ElementSystem(rolling_system(scene.mesh, scene.scheme, scene.kernel),
                                             rolling_system(scene.mesh, scene.scheme, scene.lateral)),
                               unchecked, scene.friction, integrator);
-    FrictionWorkspace<2> workspace = model.workspace();
-    FrictionState<2> now = model.at_rest(), next = now;
-    double q = 0, rounds = 0;
-    for (auto _ : state) {
+    double q = 0;
+    roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
         q += 0.05;
         const auto motion = RigidMotion<Creepage<double>>::linear(before, creepage(0.9 * std::sin(q), 20 * q));
-        rounds += model.advance(now, 0.05, motion, next, workspace).rounds;
-        std::swap(now, next);
-    }
-    state.counters["n"] = static_cast<double>(state.range(0));
-    state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
+        return model.advance(now, 0.05, motion, next, workspace);
+    });
 }
 void BM_CombinedStep(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler); }
 BENCHMARK(BM_CombinedStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -401,22 +340,6 @@ struct CombinedWheel {
         return {rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)),
                 rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::lateral(contact))};
     }
-    template <class Model, class Advance>
-    void run(benchmark::State& state, const Model& model, const Advance& advance) const {
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        for (int i = 0; i < 2500; ++i) {
-            advance(now, next, workspace);
-            std::swap(now, next);
-        }
-        double rounds = 0;
-        for (auto _ : state) {
-            rounds += advance(now, next, workspace).rounds;
-            std::swap(now, next);
-        }
-        state.counters["n"] = static_cast<double>(state.range(0));
-        state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
-    }
 
     Mesh<double> mesh;
     Contact<double> contact;
@@ -427,7 +350,7 @@ void BM_CombinedStepUnchanged(benchmark::State& state) {
     const CombinedWheel wheel(state.range(0));
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, {0.3, wheel.pressure},
                               Integrator::implicit_euler);
-    wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
+    roll(state, model, 2500, [&](const auto& from, auto& to, auto& workspace) {
         return model.advance(from, wheel.dq, wheel.creepage, to, workspace);
     });
 }
@@ -437,7 +360,7 @@ void combined_falling_steps(benchmark::State& state, bool with_tangents) {
     const CombinedWheel wheel(state.range(0));
     const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);
-    wheel.run(state, model, [&](const auto& from, auto& to, auto& workspace) {
+    roll(state, model, 2500, [&](const auto& from, auto& to, auto& workspace) {
         return model.advance(from, {wheel.dq, wheel.duration}, wheel.creepage, to, workspace);
     });
 }

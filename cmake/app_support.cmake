@@ -30,6 +30,9 @@ target_include_directories(rollbem_study_support PUBLIC "${PROJECT_SOURCE_DIR}/a
 target_link_libraries(rollbem_study_support
     PUBLIC rollbem::reference rollbem_build_info Threads::Threads
     PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
+# CLI11 and the rest, so that two processors share the work
+compile_as_one(rollbem_study_support)
+set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/options.cpp" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # The library in the form that most units include.
 add_precompiled(rollbem_app_precompiled
@@ -44,8 +47,4 @@ target_link_libraries(rollbem_app_support
     PUBLIC rollbem_study_support rollbem::compiled
     PRIVATE rollbem_quick_to_compile)
 target_precompile_headers(rollbem_app_support REUSE_FROM rollbem_app_precompiled)
-if(NOT MSVC)
-    # it assembles matrices, which studies time
-    set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp"
-        PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
-endif()
+compile_as_one(rollbem_app_support)

@@ -83,8 +83,8 @@ int main() {
     const int h = 20, first = 150, count = steps - first - 2 * h;
     Eigen::MatrixX2d samples(count, 2);
     samples << sliding.segment(first + h, count), -sliding.segment(first, count);
-    const Eigen::Vector2d td =
-        (samples.transpose() * samples).inverse() * (samples.transpose() * sliding.segment(first + 2 * h, count));
+    const Eigen::Vector2d td = samples.transpose().lazyProduct(samples).inverse() *
+                               (samples.transpose() * sliding.segment(first + 2 * h, count));
     const Complex measured = std::log(td[0] / 2 + std::sqrt(Complex(td[0] * td[0] / 4 - td[1]))) / (h * dt);
 
     const double frequency = std::abs(measured.imag()) / std::abs(expected.imag()) - 1;

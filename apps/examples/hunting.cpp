@@ -100,7 +100,7 @@ Eigen::Matrix4d state_matrix(const Wheelset& w, double speed, const std::array<C
 }
 
 /// The eigenvalue that decays least [1/s].
-Complex least_damped(const Eigen::Matrix4d& A) {
+Complex least_damped(const Eigen::MatrixXd& A) {
     const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
     return *std::max_element(values.begin(), values.end(), [](Complex p, Complex q) { return p.real() < q.real(); });
 }

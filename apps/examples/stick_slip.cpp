@@ -14,11 +14,11 @@
 //                5183.9    -15.486     -15.552     27.273      27.283       0.10
 //     the simulated vibration neither grows nor decays at 2601.1, +0.35 % off the linear limit
 //       n    driven J     train J  damper J kinetic J   twist J elastic J    heat J  gap/heat
-//      30    480782.9    472778.9     86.97    823.90     56.41    0.4639    7038.2  2.80e-04
+//      20    480883.2    472907.3     86.38    820.87     56.42    0.4635    7016.7  6.98e-04
 //                                  slip m/s         shaft kN m   mean F/N  stick, time
-//     grips      up to 0.3 s  0.033 to 0.033   16.58 to   16.68     0.3321       100.0%
-//     vibrates   up to 1.0 s -0.018 to 0.962   -5.30 to   30.18     0.2584        14.1%
-//     caught     up to 1.7 s  0.034 to 0.034   16.79 to   16.79     0.3358       100.0%
+//     grips      up to 0.3 s  0.033 to 0.033   16.57 to   16.67     0.3321       100.0%
+//     vibrates   up to 1.0 s -0.018 to 0.960   -5.27 to   30.16     0.2588        14.2%
+//     caught     up to 1.7 s  0.034 to 0.034   16.79 to   16.80     0.3359       100.0%
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -158,8 +158,8 @@ std::complex<double> simulated(const Model& model, const Model::State& rolling, 
     const int h = period / 6, first = period, count = steps - first - 2 * h;
     Eigen::MatrixX3d samples(count, 3);
     samples << turning.segment(first + h, count), -turning.segment(first, count), Eigen::VectorXd::Ones(count);
-    const Eigen::Vector3d td =
-        (samples.transpose() * samples).inverse() * (samples.transpose() * turning.segment(first + 2 * h, count));
+    const Eigen::Vector3d td = samples.transpose().lazyProduct(samples).inverse() *
+                               (samples.transpose() * turning.segment(first + 2 * h, count));
     return std::log(td[0] / 2 + std::sqrt(std::complex<double>(td[0] * td[0] / 4 - td[1]))) / (h * dt);
 }
 
@@ -282,7 +282,7 @@ int main() {
                 "twist J", "elastic J", "heat J", "gap/heat");
     double before = 0;
     Account account;
-    for (const Eigen::Index n : {10, 20, 30}) {
+    for (const Eigen::Index n : {10, 20}) {
         account = ride(contact_model(n), 300, 2.0 / double(n));
         const double gap = std::abs(account.gap() / account.heat);
         std::printf("%3d %11.1f %11.1f %9.2f %9.2f %9.2f %9.4f %9.1f %9.2e\n", int(n), account.driven, account.train,

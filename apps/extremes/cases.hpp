@@ -14,6 +14,7 @@
 #include <rollbem/closed_form/estimated_c11.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
 
 namespace extremes {
@@ -22,9 +23,14 @@ inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double rounding = std::numeric_limits<double>::epsilon();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Defaults of the cases: Poisson's ratio and the scheme.
+/// Defaults of the cases: Poisson's ratio and the schemes.
 inline constexpr double steel = 0.28;
 inline constexpr rollbem::Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
+inline constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};
+
+inline rollbem::Contact<double> contact(double aspect) {
+    return rollbem::Contact<double>::dimensionless(aspect, steel);
+}
 
 /// Kernels of unit modulus and half-length.
 inline rollbem::PlaneKernel<double> plane(double aspect, double nu = steel) { return {aspect, 1 - nu, nu}; }

@@ -26,24 +26,22 @@ using rollbem::HertzPressure;
 using rollbem::PlaneKernel;
 using rollbem::PressureTable;
 using rollbem::StripKernel;
-using Solution = rollbem::StickBorderSolution<double>;
-
-Contact<double> contact(double aspect) { return Contact<double>::dimensionless(aspect, steel); }
+using Border = rollbem::StickBorderSolution<double>;
 
 template <class Pressure>
-Solution on_plane(const Pressure& pressure, double ratio) {
+Border on_plane(const Pressure& pressure, double ratio) {
     const Contact<double> wide = contact(1e4);
     return rollbem::solve_stick_border(wide, PlaneKernel<double>::longitudinal(wide), 1.0, pressure, creepage(ratio));
 }
 
-Solution on_strip(double aspect, double ratio) {
+Border on_strip(double aspect, double ratio) {
     const Contact<double> narrow = contact(aspect);
     return rollbem::solve_stick_border(narrow, StripKernel<double>::longitudinal(narrow), 1.0,
                                        HertzPressure<double>{peak}, creepage(ratio));
 }
 
 /// The same, but told where elements took the border's place.
-Outcome against(const Solution& solution, double value, double reference, double bound) {
+Outcome against(const Border& solution, double value, double reference, double bound) {
     Outcome outcome = compare(solution, value, reference, bound);
     if (!solution.exact) outcome.told = "elements took over";
     return outcome;
@@ -54,19 +52,19 @@ void add_carter(Cases& cases) {
     for (const double ratio : {1e-12, 1e-6, 0.5, -0.5, 0.99, 0.999999, 1.0, 1e6}) {
         const std::string name = "stick border, delta = " + shown(ratio);
         cases.right(name, "force against Carter", [=] {
-            const Solution solution = on_plane(hertz, ratio);
+            const Border solution = on_plane(hertz, ratio);
             return against(solution, -solution.force_per_width / full_force, rollbem::carter_force_ratio(ratio),
                            32 * rounding);
         });
         // rounding of x/a = -1 + 2 delta
         cases.right(name, "slip zone against Carter", [=] {
-            const Solution solution = on_plane(hertz, ratio);
+            const Border solution = on_plane(hertz, ratio);
             const double reference = 1 + rollbem::carter_stick_border(ratio);
             return against(solution, 1 + solution.border, reference, 16 * rounding * (1 + 2 / reference));
         });
         if (std::abs(ratio) >= 1) continue;
         cases.right(name, "tangent against Carter", [=] {
-            const Solution solution = on_plane(hertz, ratio);
+            const Border solution = on_plane(hertz, ratio);
             const double stick = 1 - std::abs(ratio);
             return against(solution, -solution.tangent_per_width / rollbem::steady_c11(steel), stick,
                            64 * rounding / stick);
@@ -83,7 +81,7 @@ void add_strips(Cases& cases) {
         // much on narrow strips. The solution's own estimate, in units of mu N, is added.
         for (const double ratio : {1e-9, 1e-6}) {
             cases.right(named(aspect, ratio), "force against the spectral solution in adhesion", [=] {
-                const Solution solution = on_strip(aspect, ratio);
+                const Border solution = on_strip(aspect, ratio);
                 const auto reference = rollbem::reference::strip_c11(0, steel, aspect);
                 const double force = -solution.force_per_width;
                 const double estimate = solution.force_error + 64 * rounding * full_force;
@@ -95,7 +93,7 @@ void add_strips(Cases& cases) {
     }
     // In between: elements, whose error is of second order.
     const auto against_elements = [](double aspect, double ratio) {
-        const Solution solution = on_strip(aspect, ratio);
+        const Border solution = on_strip(aspect, ratio);
         const Contact<double> own = contact(aspect);
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(320);
         const rollbem::SteadyFrictionModel<> model(own, mesh, equal, StripKernel<double>::longitudinal(own),
@@ -124,12 +122,12 @@ void add_strips(Cases& cases) {
     // So wide a strip is the plane.
     for (const double ratio : {1e-6, 0.5, 0.99, 0.999999}) {
         cases.right(named(1e8, ratio), "force against Carter", [=] {
-            const Solution solution = on_strip(1e8, ratio);
+            const Border solution = on_strip(1e8, ratio);
             return against(solution, -solution.force_per_width / full_force, rollbem::carter_force_ratio(ratio), 1e-12);
         });
     }
     cases.right(named(0.05, 1e6), "force against full sliding", [] {
-        const Solution solution = on_strip(0.05, 1e6);
+        const Border solution = on_strip(0.05, 1e6);
         return against(solution, -solution.force_per_width, full_force, 16 * rounding);
     });
 }
@@ -176,21 +174,21 @@ void add_pressures(Cases& cases) {
     // A uniform pressure, which never slides fully: -F = mu N tanh.
     for (const double ratio : {1e-3, 0.3, 2.0}) {
         cases.right("stick border, uniform pressure, delta = " + shown(ratio), "force against tanh(pi delta/2)", [=] {
-            const Solution solution = on_plane(table({{-1, 1}, {1, 1}}), ratio);
+            const Border solution = on_plane(table({{-1, 1}, {1, 1}}), ratio);
             return against(solution, -solution.force_per_width / (2 * peak), std::tanh(pi / 2 * ratio), 1e-6);
         });
     }
     // A kink in the slip zone, and in stick, where it has no effect.
     for (const double ratio : {0.1, 0.5, 1.0}) {
         cases.right("stick border, kinked pressure, delta = " + shown(ratio), "force against quadrature", [=] {
-            const Solution solution = on_plane(table({{-1, 0}, {-0.4, 1}, {1, 1}}), ratio);
+            const Border solution = on_plane(table({{-1, 0}, {-0.4, 1}, {1, 1}}), ratio);
             return against(solution, -solution.force_per_width, ramp_force(-0.4, creepage(ratio)), 2e-6);
         });
     }
     // What has no single border, or a jump.
     const auto refused = [&](const std::string& what, const PressureTable<double>& pressure, double ratio) {
         cases.told("stick border, " + what, "force", "elements took over", [=] {
-            const Solution solution = on_plane(pressure, ratio);
+            const Border solution = on_plane(pressure, ratio);
             return against(solution, solution.force_per_width, 1, 0);
         });
     };
@@ -200,7 +198,7 @@ void add_pressures(Cases& cases) {
     refused("a line to zero at the leading edge", table({{-1, 0}, {0.3, 1}, {1, 0}}), 0.5);
     refused("two humps", table({{-1, 0}, {-0.5, 1}, {0, 0}, {0.5, 1}, {1, 0}}), 0.3);
     cases.told("stick border, delta = nan", "force", "not_finite", [] {
-        const Solution solution = on_plane(HertzPressure<double>{peak}, nothing);
+        const Border solution = on_plane(HertzPressure<double>{peak}, nothing);
         Outcome outcome = against(solution, solution.force_per_width, 1, 0);
         outcome.told = told_by(solution.status);
         return outcome;

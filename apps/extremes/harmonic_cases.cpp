@@ -69,7 +69,7 @@ void add_frequencies(Cases& cases) {
     }
 }
 
-void add_refusals(Cases& cases) {
+void add_refused_frequencies(Cases& cases) {
     for (const int n : {40, 41}) {
         for (const double alpha : {0.0, 1.5}) {
             cases.told("z = 1, alpha = " + shown(alpha) + ", n = " + std::to_string(n), "|c11|", "assists_creepage",
@@ -104,7 +104,7 @@ void add_refusals(Cases& cases) {
 
 void harmonic_cases(Cases& cases) {
     add_frequencies(cases);
-    add_refusals(cases);
+    add_refused_frequencies(cases);
 }
 
 }  // namespace extremes

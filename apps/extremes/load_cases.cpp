@@ -263,7 +263,7 @@ void add_loads(Cases& cases) {
     });
 }
 
-void add_steps(Cases& cases) {
+void add_load_steps(Cases& cases) {
     // Two discretisations agree on the force after a period to 1e-4; elements add 2.3e-4 at n = 80.
     for (const double dq : {1e-3, 1e-2, 0.1}) {
         cases.right("load by half, dq = " + shown(dq), "force after a period against two discretisations", [=] {
@@ -298,7 +298,7 @@ void load_cases(Cases& cases) {
     add_lift_off(cases);
     add_growth(cases);
     add_loads(cases);
-    add_steps(cases);
+    add_load_steps(cases);
 }
 
 }  // namespace extremes

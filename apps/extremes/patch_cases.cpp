@@ -20,7 +20,6 @@ using rollbem::ArrayX;
 using rollbem::Outline;
 using rollbem::PatchContact;
 
-constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};
 using Solution = rollbem::PatchSteadySolution<double>;
 
 Solution solve(const PatchContact<double>& contact, Index n, Index m) {

@@ -23,12 +23,9 @@ namespace {
 
 using Axes = rollbem::SemiAxes<double>;
 using Creepage = rollbem::Creepage<double>;
-using Matrix = rollbem::MatrixX<double>;
-using Vector = rollbem::VectorX<double>;
+using Eigen::MatrixXd, Eigen::VectorXd;
 using State = rollbem::FrictionState<2>;
-using Step = rollbem::FrictionStep<2>;
 
-constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};
 constexpr int steps = 4;
 
 /// Numbers from a seed, the same with every standard library.
@@ -110,7 +107,7 @@ struct Scene {
 };
 
 /// Largest violation of Coulomb's law: of the tractions over the largest mu p_n, of the slip over `scale`.
-double violation(const State& state, const Vector& bound, const Matrix& slip, double scale) {
+double violation(const State& state, const VectorXd& bound, const MatrixXd& slip, double scale) {
     const double largest = std::max(bound.maxCoeff(), 1e-300);
     double worst = 0;
     for (Eigen::Index i = 0; i < bound.size(); ++i) {
@@ -149,7 +146,7 @@ Outcome run(const Scene& scene) {
                                        scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2);
     const Eigen::Index count = mesh.size();
     const auto stacked = [&](const State& state) {
-        return Vector(Eigen::Map<const Vector>(state.traction.data(), 2 * count));
+        return VectorXd(Eigen::Map<const VectorXd>(state.traction.data(), 2 * count));
     };
     // all equations of an ellipse
     const auto at = [&](const Axes& axes) {
@@ -166,11 +163,11 @@ Outcome run(const Scene& scene) {
     Axes axes{scene.half_length, scene.half_length / scene.narrowing * contact.half_width()};
     auto whole = at(axes);
     const auto rigid = [&](const Creepage& c) {
-        return Vector(whole.inputs() * Eigen::Vector3d(c.longitudinal, c.lateral, c.spin));
+        return VectorXd(whole.inputs() * Eigen::Vector3d(c.longitudinal, c.lateral, c.spin));
     };
     // y/b du/dy
-    const auto stretched = [&](const Vector& p) {
-        Vector result = Vector::Zero(2 * count);
+    const auto stretched = [&](const VectorXd& p) {
+        VectorXd result = VectorXd::Zero(2 * count);
         if (!system.shapes()) return result;
         const auto weights = system.shapes()->weights(axes.half_length / axes.half_width);
         for (std::size_t k = 0; k < weights.count; ++k) {
@@ -185,14 +182,14 @@ Outcome run(const Scene& scene) {
     auto now = model.at_rest(), next = now;
     Outcome outcome{.reference = 0, .error = 0, .residual = 0, .bound = 1e-9};
     // `slip` by the equations, a column each direction; `terms` is the size of what they sum
-    const auto check = [&](const Step& step, const Vector& bound, const Vector& slip, double terms) {
+    const auto check = [&](const auto& step, const VectorXd& bound, const VectorXd& slip, double terms) {
         outcome.told = told_by(step.status);
         outcome.residual = std::max(outcome.residual, step.complementarity_residual);
-        const Vector sum = whole.outputs().transpose() * stacked(next);
+        const VectorXd sum = whole.outputs().transpose() * stacked(next);
         double error = std::max({std::abs(step.force.longitudinal - sum[0]), std::abs(step.force.lateral - sum[1]),
                                  std::abs(step.force.moment - sum[2])});
         if (slip.size() > 0) {
-            const Matrix own = Eigen::Map<const Matrix>(slip.data(), count, 2);
+            const MatrixXd own = Eigen::Map<const MatrixXd>(slip.data(), count, 2);
             error = std::max(
                 {error, violation(next, bound, own, terms), (own - workspace.slip()).cwiseAbs().maxCoeff() / terms});
         } else {
@@ -201,11 +198,11 @@ Outcome run(const Scene& scene) {
         outcome.error = std::max(outcome.error, error);
         outcome.value = -step.force.lateral;
     };
-    const auto size = [](const Vector& vector) { return vector.cwiseAbs().maxCoeff(); };
+    const auto size = [](const VectorXd& vector) { return vector.cwiseAbs().maxCoeff(); };
 
     const auto first = load_of(1, axes);
-    const Step steady = model.steady(now, scene.creepage, first, next, workspace);
-    const Vector w = rigid(scene.creepage), u_prime = whole.G_prime() * stacked(next);
+    const auto steady = model.steady(now, scene.creepage, first, next, workspace);
+    const VectorXd w = rigid(scene.creepage), u_prime = whole.G_prime() * stacked(next);
     check(steady, first.normal_pressure, w - u_prime, size(w) + size(u_prime));
     for (const Scene::Later& later : scene.later) {
         if (!outcome.told.empty()) break;
@@ -213,14 +210,14 @@ Outcome run(const Scene& scene) {
         const double a = axes.half_length, da = std::min(later.dq, a / 2) * later.growth;
         const Axes ended{a + da, axes.half_width * ((a + da) / a) / later.narrowing};
         const auto load = load_of(later.load, ended);
-        const Step step = model.advance(now, later.dq, later.creepage, load, next, workspace);
+        const auto step = model.advance(now, later.dq, later.creepage, load, next, workspace);
         const bool covered = !system.shapes() || system.shapes()->covers(ended.half_length / ended.half_width);
         if (!covered || std::abs(da) >= later.dq) {  // the mesh cannot follow
             if (step.status != rollbem::StepStatus::needs_fixed_mesh) outcome.told = "not refused";
             std::swap(now, next);
             continue;
         }
-        const Vector before = whole.G() * stacked(now);
+        const VectorXd before = whole.G() * stacked(now);
         const double db = ended.half_width - axes.half_width;
         axes = ended;
         whole = at(axes);
@@ -229,9 +226,10 @@ Outcome run(const Scene& scene) {
             check(step, load.normal_pressure, {}, 1);
             continue;
         }
-        const Vector p = stacked(next), rolled = later.dq * rigid(later.creepage), change = whole.G() * p - before;
-        const Vector travelled = (later.dq + da * system.elements().x.replicate(2, 1)) * (whole.G_prime() * p).array();
-        const Vector slope = travelled + db * stretched(p);
+        const VectorXd p = stacked(next), rolled = later.dq * rigid(later.creepage), change = whole.G() * p - before;
+        const VectorXd travelled =
+            (later.dq + da * system.elements().x.replicate(2, 1)) * (whole.G_prime() * p).array();
+        const VectorXd slope = travelled + db * stretched(p);
         check(step, load.normal_pressure, rolled - slope + change, size(rolled) + size(slope) + size(change));
     }
     return outcome;

@@ -19,14 +19,11 @@ namespace extremes {
 
 namespace {
 
-using Model = rollbem::AdhesionModel<>;
 using rollbem::Collocation;
 using rollbem::Integrator;
 
-rollbem::Contact<double> contact(double aspect) { return rollbem::Contact<double>::dimensionless(aspect, steel); }
-
 /// cosine 0.5/0.5, strip kernel: stable by its eigenvalues.
-Model stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
+rollbem::AdhesionModel<> stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
     const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
     const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, equal, kernel);
@@ -47,14 +44,14 @@ void add_steps(Cases& cases) {
             for (const double dq : {1e3, 1e6}) {
                 const double bound = std::pow(left * lambda / dq, 4) + 1e-12;
                 cases.right("dq = " + shown(dq) + where, "force against steady rolling", [=] {
-                    const Model model = stable_model(contact(aspect), integrator);
+                    const auto model = stable_model(contact(aspect), integrator);
                     const double steady = model.force(model.steady(1.0)) / (2 * aspect);
                     return compare(roll(model, dq, 4), steady, bound);
                 });
             }
             // Far below: dp/dq = -G^-1 xi at rest. Relative to it the change of slope is of order dq |nu_max|, 6e-7.
             cases.right("dq = 1e-09" + where, "force against -G^-1 xi dq", [=] {
-                const Model model = stable_model(contact(aspect), integrator);
+                const auto model = stable_model(contact(aspect), integrator);
                 const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
                 const rollbem::MatrixX<double> G =
                     rollbem::assemble_G(mesh, equal, rollbem::StripKernel<double>::longitudinal(contact(aspect)));
@@ -71,7 +68,7 @@ void add_steps(Cases& cases) {
     });
 }
 
-void add_units(Cases& cases) {
+void add_unit_steps(Cases& cases) {
     // a wheel of a = 0.1 mm in steps of 10 microseconds
     for (const double speed : {0.01, 1.0, 150.0}) {
         cases.right("a = 1e-4 m, G = 8e10 Pa, V = " + shown(speed) + " m/s", "force against dimensionless", [=] {
@@ -99,13 +96,13 @@ void add_spectra(Cases& cases) {
     }
 }
 
-void add_refusals(Cases& cases) {
+void add_refused_steps(Cases& cases) {
     const auto build = [](Eigen::Index n, Collocation scheme, double aspect) {
         return [=] {
             const rollbem::Mesh<double> mesh = rollbem::uniform_mesh(n);
             const auto kernel = rollbem::StripKernel<double>::longitudinal(contact(aspect));
             const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
-            const Model model(contact(aspect), system, rollbem::judge_stability<double>(system));
+            const rollbem::AdhesionModel<> model(contact(aspect), system, rollbem::judge_stability<double>(system));
             return roll(model, 1, 1);
         };
     };
@@ -125,9 +122,9 @@ void add_refusals(Cases& cases) {
 
 void time_cases(Cases& cases) {
     add_steps(cases);
-    add_units(cases);
+    add_unit_steps(cases);
     add_spectra(cases);
-    add_refusals(cases);
+    add_refused_steps(cases);
 }
 
 }  // namespace extremes

@@ -33,6 +33,9 @@ struct Case {
     double grading = 1;  ///< geometric: dx_trailing/dx_leading; knothe, modified_knothe: epsilon [-]
 };
 
+inline constexpr Derivative analytic = Derivative::analytic;
+inline constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = analytic};
+
 std::string name(Method method);
 std::string name(Derivative derivative);
 

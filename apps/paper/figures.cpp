@@ -6,7 +6,6 @@ namespace paper {
 namespace {
 
 using enum Vary;
-constexpr Derivative analytic = Derivative::analytic;
 constexpr Method galerkin_7 = Method::galerkin_7;
 
 // The schemes of several figures.
@@ -14,7 +13,6 @@ constexpr Case equal{.alpha_L = 0.5, .alpha_T = 0.5};
 constexpr Case recommended{.alpha_L = 0, .alpha_T = 0.63};
 constexpr Case ahead{.alpha_L = 1, .alpha_T = 1};
 constexpr Case ahead_analytic{.derivative = analytic, .alpha_L = 1, .alpha_T = 1};
-constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = analytic};
 
 /// The three ways of varying alpha that most panels compare.
 std::vector<Curve> three_ways(const Case& scheme) {

@@ -91,18 +91,19 @@ inline double spread(const Points& points) {
 /// Every x at which y passes through 1, interpolated linearly.
 inline std::vector<double> crossings(const Points& points) {
     std::vector<double> result;
-    double before = 0, x_before = 0;  // the last point that is not on 1
-    std::optional<double> met;        // a point on 1 after it
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    double before = 0, x_before = 0, met = none;  // the last point that is not on 1, and one on 1 after it
     for (const auto& [x, y] : points) {
         const double here = y - 1;
         if (here == 0) {
             met = x;
             continue;
         }
-        if (before * here < 0) result.push_back(met ? *met : x_before + (x - x_before) * before / (before - here));
+        if (before * here < 0)
+            result.push_back(std::isnan(met) ? x_before + (x - x_before) * before / (before - here) : met);
         before = here;
         x_before = x;
-        met.reset();
+        met = none;
     }
     return result;
 }

@@ -18,8 +18,6 @@ namespace patch {
 
 namespace {
 
-using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
-
 // G = 1 and mu N = G a b: a creepage is the given number
 constexpr double mu = 1;
 constexpr double peak = 3 / (2 * std::numbers::pi);  // mu p_0
@@ -59,8 +57,9 @@ void friction_rows(const study::Options& options, const Patch& patch, const std:
                    const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
                    Tractions* tractions) {
     const double mu_N = patch.contact.half_length() * patch.contact.half_width(), c = patch.contact.c();
-    const Model model(patch.contact, patch.mesh, patch.scheme,
-                      rollbem::HalfSpace<double>(patch.contact.poisson_ratio()), {mu, pressure.on(patch)});
+    const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2> model(
+        patch.contact, patch.mesh, patch.scheme, rollbem::HalfSpace<double>(patch.contact.poisson_ratio()),
+        {mu, pressure.on(patch)});
     auto workspace = model.workspace();
     const auto rest = model.at_rest();
     auto state = rest;

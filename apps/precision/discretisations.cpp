@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/chebyshev.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/steady.hpp>

@@ -22,20 +22,20 @@ namespace precision {
 
 namespace {
 
-constexpr rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
+constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};
 constexpr long reference_n = 48;                                   // and half of it
 constexpr std::ptrdiff_t most_elements = 4096, most_judged = 256;  // eigenvalues cost much more than the coefficients
 constexpr std::ptrdiff_t reference_elements = 500;                 // with friction
-const std::string direct = "nodes-chebyshev", extrapolated = "richardson-nodes", uniform = "uniform-strips";
+const std::string direct = "nodes-chebyshev", richardson = "richardson-nodes", uniform = "uniform-strips";
 
-using Contact = rollbem::PatchContact<double>;
+using PatchContact = rollbem::PatchContact<double>;
 
 struct Found {
     std::vector<double> values;
     std::string status = "ok";
 };
 
-rollbem::PatchMesh<double> mesh_of(const Contact& contact, const std::string& by, long n, long strips) {
+rollbem::PatchMesh<double> mesh_of(const PatchContact& contact, const std::string& by, long n, long strips) {
     return rollbem::patch_mesh(contact, rollbem::cosine_mesh(n),
                                by == uniform ? rollbem::uniform_mesh(strips) : rollbem::cosine_mesh(strips));
 }
@@ -50,15 +50,16 @@ Found extrapolate(const Found& coarse, Found fine, double ratio) {
 }
 
 /// c11, c22, c23, c33.
-Found coefficients(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
-    const auto steady = rollbem::solve_steady(contact, mesh, scheme);
+Found coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
+    const auto steady = rollbem::solve_steady(contact, mesh, chebyshev);
     return {{steady.c11, steady.c22, steady.c23, steady.c33}, rollbem::name(steady.status)};
 }
 
 /// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to
 /// choose their sizes only.
-Found forces(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel model(contact, mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio()),
+Found forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
+    const rollbem::SteadyFrictionModel model(contact, mesh, chebyshev,
+                                             rollbem::HalfSpace<double>(contact.poisson_ratio()),
                                              {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
     const double a_over_b = contact.a_over_b(), c = 1 / std::sqrt(a_over_b);
     const auto nearest = std::min_element(
@@ -82,7 +83,7 @@ Found forces(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
 }
 
 /// Extrapolated from strips of equal width and three times as many in both directions.
-Found reference_forces(const Contact& contact) {
+Found reference_forces(const PatchContact& contact) {
     const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 10.0);
     long n = 10;
     while (n > 2 && 9 * n * rollbem::recommended_strips(n, a_over_b) > reference_elements) --n;
@@ -91,19 +92,19 @@ Found reference_forces(const Contact& contact) {
                        forces(contact, mesh_of(contact, uniform, 3 * n, 3 * strips)), 3);
 }
 
-Found compute(const Contact& contact, Problem problem, const PatchTask& task) {
+Found compute(const PatchContact& contact, Problem problem, const PatchTask& task) {
     const auto of = [&](const std::string& by, long n, long strips) {
         return (problem == Problem::steady ? coefficients : forces)(contact, mesh_of(contact, by, n, strips));
     };
-    if (task.scheme != extrapolated) return of(task.scheme, task.n, task.strips);
+    if (task.scheme != richardson) return of(task.scheme, task.n, task.strips);
     return extrapolate(of(direct, task.n / 2, task.strips / 2), of(direct, task.n, task.strips), 2);
 }
 
 /// Empty if the eigenvalues were not found or are too many.
-std::optional<bool> stable(const Contact& contact, const rollbem::PatchMesh<double>& mesh) {
+std::optional<bool> stable(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
     if (mesh.size() > most_judged) return std::nullopt;
     const rollbem::StabilityVerdict verdict = rollbem::judge_stability(
-        rollbem::patch_parts(mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio())));
+        rollbem::patch_parts(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())));
     if (verdict.status != rollbem::Status::ok) return std::nullopt;
     return verdict.unstable_count == 0;
 }
@@ -116,7 +117,7 @@ const std::vector<std::string>& patch_quantity_names() {
 }
 
 const std::vector<std::string>& patch_scheme_names() {
-    static const std::vector<std::string> names{direct, extrapolated, uniform};
+    static const std::vector<std::string> names{direct, richardson, uniform};
     return names;
 }
 
@@ -139,8 +140,8 @@ std::vector<std::string> patch_columns() {
 }
 
 PatchComputation::PatchComputation(const study::Options& options, const std::vector<Quantity>& quantities)
-    : contact_(Contact::dimensionless(options.number("a-over-b", study::between(1e-3, 1e3)),
-                                      options.number("poisson", study::between(0, 0.5)))),
+    : contact_(PatchContact::dimensionless(options.number("a-over-b", study::between(1e-3, 1e3)),
+                                           options.number("poisson", study::between(0, 0.5)))),
       quantities_(quantities),
       with_times_(study::has_times(options)),
       partial_(options.given("shard") || !with_times_),
@@ -165,16 +166,11 @@ PatchComputation::PatchComputation(const study::Options& options, const std::vec
                     throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(m) +
                                           " strips must be at most " + std::to_string(most_elements));
                 }
-                if (name != extrapolated || (n % 2 == 0 && m % 2 == 0)) tasks_.push_back({name, n, m});
+                if (name != richardson || (n % 2 == 0 && m % 2 == 0)) tasks_.push_back({name, n, m});
             }
         }
     }
     if (tasks_.empty()) throw study::BadInput(options.said("n") + " and the strips must be even to extrapolate");
-    for (const Problem problem : problems_) {
-        references_[problem] = problem == Problem::steady
-                                   ? compute(contact_, problem, {extrapolated, reference_n, reference_n}).values
-                                   : reference_forces(contact_).values;
-    }
 }
 
 std::vector<std::size_t> PatchComputation::rows_of_task() const {
@@ -190,7 +186,7 @@ std::vector<Point> PatchComputation::points_of(const PatchTask& task) const {
         if (with_times_) times[problem] = study::median_time_us([&] { return run().values[0]; });
     }
     std::optional<bool> decays = stable(contact_, mesh_of(contact_, task.scheme, task.n, task.strips));
-    if (task.scheme == extrapolated && decays && *decays) {
+    if (task.scheme == richardson && decays && *decays) {
         decays = stable(contact_, mesh_of(contact_, direct, task.n / 2, task.strips / 2));
     }
     std::vector<Point> points;
@@ -227,6 +223,11 @@ std::vector<Point> PatchComputation::points_of(const PatchTask& task) const {
 }
 
 void PatchComputation::prepare(const std::vector<std::size_t>&, const std::function<void(double part)>& done) {
+    for (const Problem problem : problems_) {
+        references_[problem] = problem == Problem::steady
+                                   ? compute(contact_, problem, {richardson, reference_n, reference_n}).values
+                                   : reference_forces(contact_).values;
+    }
     if (partial_) return;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         for (Point& point : points_of(tasks_[i])) points_.push_back(std::move(point));

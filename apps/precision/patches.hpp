@@ -34,7 +34,7 @@ std::vector<Quantity> chosen_patch_quantities(const study::Options& options);
 /// columns(), a_over_b, strips.
 std::vector<std::string> patch_columns();
 
-/// All patches, and their rows. Times, and errors for on_front, are found before the first row is written.
+/// All patches, and their rows. References, times, and errors for on_front are found before the first row is written.
 class PatchComputation {
 public:
     /// Throws BadInput.

@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,11 @@ using Values = std::vector<std::complex<double>>;
 
 /// What the schemes are applied to, and the parameters of the graded meshes.
 struct Scene {
-    rollbem::Contact<double> contact;            ///< a = G = 1
-    bool plane;                                  ///< plane or strip kernel
-    double size_ratio, epsilon;                  ///< of the geometric and the Knothe mesh
-    std::map<std::string, Values> references{};  ///< see reference(), of all quantities but the traction
+    rollbem::Contact<double> contact;  ///< a = G = 1
+    bool plane;                        ///< plane or strip kernel
+    double size_ratio, epsilon;        ///< of the geometric and the Knothe mesh
+    /// See reference(), of all quantities but the traction. Copies of a scene share them: they are computed last.
+    std::shared_ptr<std::map<std::string, Values>> references = std::make_shared<std::map<std::string, Values>>();
 };
 
 }  // namespace precision

@@ -120,7 +120,7 @@ double Case::traction_error() const {
 
 std::optional<double> Case::relative_error(const Quantity& quantity) const {
     if (quantity.name == "traction") return if_finite(traction_error());
-    const Values& exact = scene_.references.at(quantity.name);
+    const Values& exact = scene_.references->at(quantity.name);
     if (scheme_ != "closed-form" || quantity.problem == Problem::step) {
         return if_finite(error_of(quantity.problem, values(quantity), exact));
     }

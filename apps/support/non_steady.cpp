@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <rollbem/closed_form/plane_lambda.hpp>
+#include <rollbem/compiled/chebyshev.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/spectral/chebyshev.hpp>
 
 #include "csv.hpp"
 #include "errors.hpp"

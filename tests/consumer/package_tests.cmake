@@ -28,7 +28,7 @@ function(add_consumer_test name program)
 endfunction()
 
 set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
-add_consumer_test(find_package quickstart "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
+add_consumer_test(find_package smallest "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
 add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=compiled ${no_gsl})
 add_consumer_test(subdirectory smallest -DROLLBEM_FROM=subdirectory ${no_gsl})

@@ -351,7 +351,7 @@ TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic ener
         setup.half_width = 50 * a;
         std::vector<double> counts, gaps;
         double jumps = 0, spent = 0;
-        for (const int n : {20, 40, 80}) {
+        for (const int n : {14, 28, 56}) {
             setup.mesh = cosine_mesh<double>(n);
             Ride ride(setup);
             const int steps = 10 * n;
@@ -378,7 +378,7 @@ TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic ener
         }
         CAPTURE(gaps, jumps / spent, support::observed_order(counts, gaps));
         CHECK(std::abs(support::observed_order(counts, gaps) - 1.95) < 0.15);
-        CHECK(std::abs(gaps.back()) < 1.5e-3);
+        CHECK(std::abs(gaps.back()) < 3e-3);
         // without memory the forces jump, with constant friction nothing does
         if (!setup.falls) CHECK(jumps == 0);
         CHECK((jumps > 0.01 * spent) == (setup.falls && setup.distance == 0));

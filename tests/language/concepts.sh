@@ -1,5 +1,6 @@
 #!/bin/sh
-# concepts.sh COMPILER INCLUDE_DIR...: invalid schemes and kernels are diagnosed in at most 70 lines for two calls.
+# concepts.sh COMPILER INCLUDE_DIR...: right schemes and kernels compile; wrong ones are diagnosed, in at most 70 lines
+# for two calls of each.
 set -eu
 compiler=$1
 shift
@@ -14,23 +15,11 @@ done
 plain=-fdiagnostics-plain-output
 if "$compiler" $plain -E - < /dev/null > /dev/null 2>&1; then options="$options $plain"; fi
 
-# g++ finds the precompiled header; clang++ reads the headers each time.
-cat > "$folder/headers.hpp" <<END
+cat > "$folder/unit.cpp" <<END
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
-END
-# shellcheck disable=SC2086 # one word per option
-"$compiler" $options -x c++-header "$folder/headers.hpp" -o "$folder/headers.hpp.gch"
-
-# try NAME CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because of CONCEPT. With - as
-# CONCEPT they compile, also by their qualified names.
-try() {
-    qualified=
-    [ "$2" = - ] && qualified="(void)rollbem::solve_steady($3); (void)rollbem::rolling_system($3);"
-    cat > "$folder/unit.cpp" <<END
-#include "headers.hpp"
 using namespace rollbem;
 struct RightScheme {
     template <class Scalar> SchemeRows<Scalar> rows(Quantity, const Mesh<Scalar>&) const;
@@ -51,32 +40,61 @@ struct WrongKernel {
     double g(double) const;
 };
 void function(const Mesh<double>& mesh) {
-    (void)solve_steady($3);
-    (void)rolling_system($3);
-    $qualified
-}
 END
-    # shellcheck disable=SC2086 # one word per option
-    if "$compiler" -fsyntax-only $options "$folder/unit.cpp" > "$folder/said" 2>&1; then
-        [ "$2" = - ] && return
-        echo "$1: both compile"
-        exit 1
-    fi
-    lines=$(wc -l < "$folder/said")
-    echo "$1: $lines lines"
-    if [ "$2" = - ] || [ "$lines" -gt 70 ] || ! grep -q "$2" "$folder/said" ||
-        ! grep -q "error: .*solve_steady" "$folder/said" || ! grep -q "error: .*rolling_system" "$folder/said"; then
-        head -n 60 "$folder/said"
-        exit 1
-    fi
+
+# calls ARGUMENTS [NAMESPACE]: appends a call of each function, to lines $first and $second.
+calls() {
+    first=$(($(wc -l < "$folder/unit.cpp") + 1))
+    second=$((first + 1))
+    printf '    (void)%s(%s);\n' "${2-}solve_steady" "$1" "${2-}rolling_system" "$1" >> "$folder/unit.cpp"
 }
 
-try "the right ones" - "mesh, RightScheme{}, RightKernel{}"
-try "a scheme without rows" RollingScheme "mesh, NoRows{}, RightKernel{}"
-try "a scheme with rows for another scalar type" RollingScheme "mesh, RowsOfFloat{}, RightKernel{}"
-try "a scheme whose rows are none" RollingScheme "mesh, OtherRows{}, RightKernel{}"
-try "a kernel without antiderivatives" LineKernel "mesh, RightScheme{}, WrongKernel{}"
-try "Chebyshev states of a kernel with its split" - "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"
-try "Chebyshev states of a kernel without" SmoothSplitKernel "Chebyshev{}, RightKernel{}"
-try "Chebyshev states of a layered kernel" SmoothSplitKernel \
-    "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"
+# right ARGUMENTS: both functions of ARGUMENTS compile, also by their qualified names.
+right() {
+    for namespace in '' rollbem::; do
+        calls "$1" $namespace
+        echo "$first $second" >> "$folder/right"
+    done
+}
+
+# wrong TYPE CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because TYPE lacks CONCEPT.
+wrong() {
+    calls "$3"
+    echo "$1 $2 $first $second" >> "$folder/wrong"
+}
+
+right "mesh, RightScheme{}, RightKernel{}"
+right "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"
+wrong NoRows RollingScheme "mesh, NoRows{}, RightKernel{}"
+wrong RowsOfFloat RollingScheme "mesh, RowsOfFloat{}, RightKernel{}"
+wrong OtherRows RollingScheme "mesh, OtherRows{}, RightKernel{}"
+wrong WrongKernel LineKernel "mesh, RightScheme{}, WrongKernel{}"
+wrong RightKernel SmoothSplitKernel "Chebyshev{}, RightKernel{}"
+wrong LayeredKernel SmoothSplitKernel "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"
+echo '}' >> "$folder/unit.cpp"
+
+# shellcheck disable=SC2086 # one word per option
+if "$compiler" -fsyntax-only $options "$folder/unit.cpp" > "$folder/said" 2>&1; then
+    echo "the wrong ones compile"
+    exit 1
+fi
+failures=0
+said_of() { grep -q "unit\.cpp:$1:" "$folder/said"; }
+while read -r first second; do
+    said_of "$first" || said_of "$second" || continue
+    echo "a right one does not compile, in line $first or $second:"
+    failures=1
+done < "$folder/right"
+while read -r type concept first second; do
+    grep "$concept" "$folder/said" | grep -q "$type" && said_of "$first" && said_of "$second" && continue
+    echo "$type is not refused for want of $concept, in line $first or $second:"
+    failures=1
+done < "$folder/wrong"
+lines=$(wc -l < "$folder/said")
+echo "6 wrong ones: $lines lines"
+[ "$(grep -c 'error: .*solve_steady' "$folder/said")" -eq 6 ] || failures=1
+[ "$(grep -c 'error: .*rolling_system' "$folder/said")" -eq 6 ] || failures=1
+if [ $failures -ne 0 ] || [ "$lines" -gt 420 ]; then
+    head -n 420 "$folder/said"
+    exit 1
+fi

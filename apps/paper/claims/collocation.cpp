@@ -10,8 +10,6 @@ namespace paper {
 
 namespace {
 
-constexpr Derivative analytic = Derivative::analytic;
-
 /// Whether at every x the error of `better` is smaller, or larger by at most `tolerance`. Both curves must have all
 /// their points.
 bool smaller_everywhere(const Points& better, const Points& worse, double tolerance = 0) {

@@ -10,9 +10,6 @@ namespace paper {
 
 namespace {
 
-constexpr Derivative analytic = Derivative::analytic;
-constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = analytic};
-
 /// Time of a steady problem over that of collocation.
 double cost_ratio(const Case& c) {
     double own = std::numeric_limits<double>::infinity(), collocation = own;
