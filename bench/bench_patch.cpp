@@ -32,7 +32,15 @@ constexpr NodeDifference scheme{Nodes::chebyshev};
 const PatchContact<double> contact = PatchContact<double>::dimensionless(1, 0.25);
 const HalfSpace<double> kernel(0.25);
 
-void patch_lu(benchmark::State& state) {
+// with friction
+const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
+const HalfSpace<double> steel(0.28);
+
+SteadyFrictionModel<ConstantFriction<>, 2> steady_model(const PatchMesh<double>& mesh) {
+    return {circle, mesh, scheme, steel, {1.0, hertz_pressures(circle, mesh, 1)}};
+}
+
+void BM_PatchLu(benchmark::State& state) {
     const PatchMesh<double> mesh = patch_mesh(contact, state.range(0), state.range(0));
     const MatrixX<double> G_prime = rolling_system(mesh, scheme, kernel).whole().G_prime();
     for (auto _ : state) benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(G_prime));
@@ -52,21 +60,24 @@ void count_solutions(benchmark::State& state, const PatchMesh<double>& mesh, dou
     state.counters["LU"] = of_one * repetitions / (now_us() - start);
 }
 
-void patch_system(benchmark::State& state) {
+void BM_PatchSystem(benchmark::State& state) {
     const PatchMesh<double> mesh = patch_mesh(contact, state.range(0), state.range(0));
     for (auto _ : state) benchmark::DoNotOptimize(rolling_system(mesh, scheme, kernel));
     state.SetComplexityN(state.range(0));
 }
 
-void patch_steady(benchmark::State& state) {
+void BM_PatchSteady(benchmark::State& state) {
     const PatchMesh<double> mesh = patch_mesh(contact, state.range(0), state.range(0));
     double c11 = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(c11 = solve_steady(contact, mesh, scheme, kernel).c11);
+    for (auto _ : state) {
+        c11 = solve_steady(contact, mesh, scheme, kernel).c11;
+        benchmark::ClobberMemory();
+    }
     state.counters["error"] = std::abs(c11 / 4.111 - 1);
     state.SetComplexityN(state.range(0));
 }
 
-void patch_friction(benchmark::State& state) {
+void BM_PatchFriction(benchmark::State& state) {
     struct Point {
         double eta, phi, lateral_force;  ///< over mu N/(G a^2), with a for phi; over -mu N in the limit
     };
@@ -80,10 +91,8 @@ void patch_friction(benchmark::State& state) {
                                        {0.4 * both * eta, 0.4 * both * phi, 0.50366},
                                        {both * eta, both * phi, 0.84704},
                                        {2.5 * both * eta, 2.5 * both * phi, 0.75458}}};
-    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
     const PatchMesh<double> mesh = patch_mesh(circle, state.range(0), state.range(0));
-    const SteadyFrictionModel model(circle, mesh, scheme, HalfSpace<double>(0.28),
-                                    {1.0, hertz_pressures(circle, mesh, 1)});
+    const auto model = steady_model(mesh);
     auto workspace = model.workspace();
     const auto rest = model.at_rest();
     auto solved = rest;
@@ -103,12 +112,10 @@ void patch_friction(benchmark::State& state) {
     state.SetComplexityN(state.range(0));
 }
 
-void patch_creep_curve(benchmark::State& state) {
+void BM_PatchCreepCurve(benchmark::State& state) {
     constexpr int points = 30;
-    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
     const PatchMesh<double> mesh = patch_mesh(circle, state.range(0), state.range(0));
-    const SteadyFrictionModel model(circle, mesh, scheme, HalfSpace<double>(0.28),
-                                    {1.0, hertz_pressures(circle, mesh, 1)});
+    const auto model = steady_model(mesh);
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
     const double start = now_us();
@@ -126,7 +133,7 @@ void patch_creep_curve(benchmark::State& state) {
 }
 
 /// A look-up in the default table's size, tangent included; forces are those of full sliding, approached linearly.
-void creep_table(benchmark::State& state) {
+void BM_CreepTable(benchmark::State& state) {
     constexpr int shapes = 13, levels = 17;
     const CreepCoefficients<double> c{4.1, 3.7, 1.5, -1.5, 1.2};
     const CreepForceGrid grid(0.28, 0.1, 10, levels, std::vector<CreepCoefficients<double>>(shapes, c));
@@ -158,16 +165,14 @@ void creep_table(benchmark::State& state) {
 
 // A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2 with a
 // new a/b as well.
-void patch_step(benchmark::State& state) {
+void BM_PatchStep(benchmark::State& state) {
     const Eigen::Index n = state.range(0);
     const std::int64_t follows = state.range(1);
-    const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
     const PatchMesh<double> mesh = patch_mesh(circle, n, n);
-    const HalfSpace<double> half_space(0.28);
     const ElementSystem<double, 2> system =
-        follows == 0   ? rolling_system(mesh, scheme, half_space)
-        : follows == 1 ? breathing_system(circle, mesh, scheme, half_space)
-                       : PatchShapes<double>(n, n, scheme, half_space, {.least = 0.4, .largest = 2.5}).system(1);
+        follows == 0   ? rolling_system(mesh, scheme, steel)
+        : follows == 1 ? breathing_system(circle, mesh, scheme, steel)
+                       : PatchShapes<double>(n, n, scheme, steel, {.least = 0.4, .largest = 2.5}).system(1);
     const ArrayX<double> pressure = hertz_pressures(circle, mesh, 1);
     const FrictionModel model(circle, system, unchecked, {1.0, pressure});
     auto workspace = model.workspace();
@@ -192,50 +197,17 @@ void patch_step(benchmark::State& state) {
     state.counters["rounds"] = rounds / steps;
 }
 
-BENCHMARK(patch_step)
-    ->Name("BM_PatchStep")
+BENCHMARK(BM_PatchStep)
     ->ArgNames({"n", "follows"})
     ->ArgsProduct({{6, 8, 12}, {0, 1, 2}})
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK(patch_lu)->Name("BM_PatchLu")->Arg(6)->Arg(8)->Arg(12)->Arg(16)->Arg(24)->Unit(benchmark::kMicrosecond);
-BENCHMARK(patch_system)
-    ->Name("BM_PatchSystem")
-    ->Arg(8)
-    ->Arg(12)
-    ->Arg(16)
-    ->Arg(24)
-    ->Unit(benchmark::kMicrosecond)
-    ->Complexity();
-BENCHMARK(patch_steady)
-    ->Name("BM_PatchSteady")
-    ->Arg(8)
-    ->Arg(12)
-    ->Arg(16)
-    ->Arg(24)
-    ->Unit(benchmark::kMicrosecond)
-    ->Complexity();
-BENCHMARK(patch_friction)
-    ->Name("BM_PatchFriction")
-    ->Arg(8)
-    ->Arg(12)
-    ->Arg(16)
-    ->Arg(24)
-    ->Unit(benchmark::kMicrosecond)
-    ->Complexity();
-BENCHMARK(patch_creep_curve)
-    ->Name("BM_PatchCreepCurve")
-    ->Arg(8)
-    ->Arg(12)
-    ->Arg(16)
-    ->Unit(benchmark::kMicrosecond)
-    ->Complexity();
-BENCHMARK(creep_table)->Name("BM_CreepTable")->ArgName("contacts")->Arg(8)->Arg(4096);
+BENCHMARK(BM_PatchLu)->ArgsProduct({{6, 8, 12, 16, 24}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_PatchSystem)->ArgsProduct({{8, 12, 16, 24}})->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(BM_PatchSteady)->ArgsProduct({{8, 12, 16, 24}})->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(BM_PatchFriction)->ArgsProduct({{8, 12, 16, 24}})->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(BM_PatchCreepCurve)->ArgsProduct({{8, 12, 16}})->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(BM_CreepTable)->ArgName("contacts")->Arg(8)->Arg(4096);
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-}
+BENCHMARK_MAIN();

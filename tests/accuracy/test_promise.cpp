@@ -21,11 +21,12 @@
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
-#include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/catch.hpp"
+#include "support/strip_instances.hpp"
 
+namespace promise_tests {
 namespace {
 
 using namespace rollbem;
@@ -294,3 +295,4 @@ TEST_CASE("Elements recommended for friction stay below their error bound", "[re
 }
 
 }  // namespace
+}  // namespace promise_tests

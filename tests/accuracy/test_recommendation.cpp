@@ -16,6 +16,7 @@
 
 #include "support/catch.hpp"
 
+namespace recommendation_tests {
 namespace {
 
 using namespace rollbem;
@@ -237,3 +238,4 @@ TEST_CASE("A recommendation passes its method, or its mesh and scheme, to a solv
 }
 
 }  // namespace
+}  // namespace recommendation_tests

@@ -14,6 +14,7 @@
 #include "support/draw.hpp"
 #include "support/refusal.hpp"
 
+namespace balanced_reduction_tests {
 namespace {
 
 using namespace rollbem;
@@ -23,16 +24,6 @@ using Catch::Matchers::ContainsSubstring;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 const PlaneKernel<double> plane(100, 0.75, 0.25);
-
-// C (s I - A)^-1 B + D
-Eigen::MatrixXcd response(const StateSpace<double>& space, Complex s) {
-    Eigen::MatrixXcd resolvent = -space.A.cast<Complex>();
-    resolvent.diagonal().array() += s;
-    const Eigen::MatrixXcd x = dense::solve_complex(resolvent, space.B.cast<Complex>());
-    Eigen::MatrixXcd result = space.D.cast<Complex>();
-    for (Eigen::Index j = 0; j < x.rows(); ++j) result += space.C.col(j).cast<Complex>() * x.row(j);
-    return result;
-}
 
 double norm(const Eigen::MatrixXcd& A) {
     Eigen::MatrixXd parts(2 * A.rows(), 2 * A.cols());
@@ -51,7 +42,8 @@ double largest_difference(const StateSpace<double>& one, const StateSpace<double
                           const std::vector<double>& z = scan()) {
     double largest = 0;
     for (const double at : z) {
-        largest = std::max(largest, norm(response(one, Complex(0, at)) - response(other, Complex(0, at))));
+        largest =
+            std::max(largest, norm(dense::transfer(one, Complex(0, at)) - dense::transfer(other, Complex(0, at))));
     }
     return largest;
 }
@@ -89,14 +81,14 @@ std::vector<Scene> scenes() {
 
 TEST_CASE("A reduced system has the steady state of the original, decays, and keeps to its bound", "[reduction]") {
     for (const auto& [scene, space] : scenes()) {
-        const Eigen::MatrixXcd steady = response(space, 0);
+        const Eigen::MatrixXcd steady = dense::transfer(space, 0);
         for (const Eigen::Index states : {1, 2, 3, 5, 8, 12, 17}) {
             const BalancedReduction<double> reduced = balanced_reduction(space, states);
             CAPTURE(scene, states, reduced.error_bound);
             REQUIRE(reduced.status == Status::ok);
             const Eigen::Index K = reduced.space.A.rows(), count = reduced.hankel_singular_values.size();
             CHECK(K == std::min(states, count));
-            CHECK(norm(response(reduced.space, 0) - steady) < 1e-13 * norm(steady));
+            CHECK(norm(dense::transfer(reduced.space, 0) - steady) < 1e-13 * norm(steady));
             CHECK(abscissa(reduced.space) < 0);
             CHECK(std::abs(reduced.error_bound - 2 * reduced.hankel_singular_values.tail(count - K).sum()) <=
                   eps * reduced.error_bound);
@@ -107,7 +99,8 @@ TEST_CASE("A reduced system has the steady state of the original, decays, and ke
             if (K < count) CHECK(error >= (1 - 1e-3) * reduced.hankel_singular_values[K] - rounding);
             // nor is the bound for frequencies alone
             const Complex s(0.3, 1.7);
-            CHECK(norm(response(reduced.space, s) - response(space, s)) <= reduced.error_bound + rounding);
+            CHECK(norm(dense::transfer(reduced.space, s) - dense::transfer(space, s)) <=
+                  reduced.error_bound + rounding);
         }
     }
 }
@@ -195,8 +188,8 @@ TEST_CASE("Balanced states need fewer than Chebyshev states over a wide range of
         CHECK(balanced < chebyshev);
         if (states == 8) CHECK(balanced < chebyshev / 4);
         // while at low frequencies Chebyshev states are exact to rounding
-        CHECK(
-            (states < 8 || norm(response(state_space(Chebyshev{states}, plane), 0.5) - response(space, 0.5)) < 1e-12));
+        CHECK((states < 8 || norm(dense::transfer(state_space(Chebyshev{states}, plane), 0.5) -
+                                  dense::transfer(space, 0.5)) < 1e-12));
     }
 }
 
@@ -263,3 +256,4 @@ TEST_CASE("Reductions reject numbers of states and matrices that do not fit", "[
 }
 
 }  // namespace
+}  // namespace balanced_reduction_tests

@@ -16,6 +16,7 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace frequency_tests {
 namespace {
 
 using namespace rollbem;
@@ -275,3 +276,4 @@ TEST_CASE("Two equal equations are detected at any frequency", "[frequency]") {
 }
 
 }  // namespace
+}  // namespace frequency_tests

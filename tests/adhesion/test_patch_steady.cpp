@@ -17,6 +17,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace patch_steady_tests {
+
 using namespace rollbem;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -192,6 +194,7 @@ TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
     CHECK_THAT(off.c33, WithinRel(centred.c33 + y0 * y0 * centred.c11, 1e-12));
 }
 
+#ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("patch_steady: long double confirms double") {
     const auto fast = solved<double>(0.1, 0.25, 12, 12);
     const auto exact = solved<long double>(0.1, 0.25, 12, 12);
@@ -199,6 +202,7 @@ TEST_CASE("patch_steady: long double confirms double") {
     CHECK_THAT(fast.c23, WithinRel(static_cast<double>(exact.c23), 2e-14));
     CHECK_THAT(fast.c33, WithinRel(static_cast<double>(exact.c33), 2e-14));
 }
+#endif
 
 TEST_CASE("patch_steady: frequency response") {
     struct Case {
@@ -268,3 +272,5 @@ TEST_CASE("patch_steady: rows that belong to the element ahead grow on long patc
     CHECK(judge_stability(patch_parts(mesh, chebyshev, kernel)).stable());
     CHECK(judge_stability(patch_parts(mesh, BareMiddle{}, kernel)).certainly_unstable());
 }
+
+}  // namespace patch_steady_tests

@@ -11,7 +11,10 @@
 #include <rollbem/compiled/frequency.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/refusal.hpp"
+
+namespace response_tests {
 
 namespace {
 
@@ -57,10 +60,7 @@ TEST_CASE("a sweep, the response and the state space agree for three inputs") {
         CHECK((point.coefficients - response.coefficients).cwiseAbs().maxCoeff() < 1e-12 * scale);
         CHECK(point.c11 == point.coefficients(0, 0));
         CHECK(std::abs(point.c11 - solve_harmonic(both.longitudinal, z).c11) < 1e-12 * scale);
-        const MatrixX<Complex> resolvent =
-            Complex(0, z) * MatrixX<Complex>::Identity(32, 32) - states.A.cast<Complex>();
-        const MatrixX<Complex> by_states =
-            states.C.cast<Complex>() * resolvent.partialPivLu().solve(states.B.cast<Complex>());
+        const MatrixX<Complex> by_states = dense::transfer(states, {0, z});
         CHECK((by_states - response.coefficients).cwiseAbs().maxCoeff() < 1e-11 * scale);
     }
 }
@@ -92,3 +92,5 @@ TEST_CASE("systems of both directions are checked") {
     CHECK(refusal([&] { ElementSystem<double, 2>(G, G_prime, odd); }) ==
           "ElementSystem: equation behind = 16 must be that of another element, or -1");
 }
+
+}  // namespace response_tests

@@ -10,6 +10,7 @@
 
 #include "support/catch.hpp"
 
+namespace stability_critical_tests {
 namespace {
 
 using namespace rollbem;
@@ -143,3 +144,4 @@ TEST_CASE("The spectrum of a good scheme converges to the exact one", "[stabilit
 }
 
 }  // namespace
+}  // namespace stability_critical_tests

@@ -15,7 +15,9 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
+#include "support/scalars.hpp"
 
+namespace state_space_tests {
 namespace {
 
 using namespace rollbem;
@@ -30,11 +32,7 @@ const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 // C (s I - A)^-1 B + D
 template <class Space>
 Complex response(const Space& space, Complex s) {
-    Eigen::MatrixXcd resolvent = -space.A.template cast<Complex>();
-    resolvent.diagonal().array() += s;
-    return (space.C.template cast<Complex>() * dense::solve_complex(resolvent, space.B.template cast<Complex>()))(0,
-                                                                                                                  0) +
-           space.D(0, 0);
+    return dense::transfer(space, s)(0, 0);
 }
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
@@ -132,7 +130,7 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     CHECK(force < 0);
 }
 
-TEMPLATE_TEST_CASE("A state space can be made in double and long double", "[state_space]", double, long double) {
+TEMPLATE_TEST_CASE("A state space can be made in every scalar type", "[state_space]", SCALARS) {
     using Scalar = TestType;
     const ChebyshevSystem<Scalar> system =
         rolling_system(Chebyshev{10}, StripKernel<Scalar>(1, Scalar(0.75), Scalar(0.25)));
@@ -172,3 +170,4 @@ TEST_CASE("A state space rejects singular systems, infinite widths and invalid s
 }
 
 }  // namespace
+}  // namespace state_space_tests

@@ -14,9 +14,11 @@
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
+namespace steady_tests {
 namespace {
 
 using namespace rollbem;
@@ -196,9 +198,8 @@ TEST_CASE("Node differences are of second order on the cosine mesh, in force and
             const Mesh<double> mesh = cosine_mesh(n);
             const NodeDifference scheme{expected.nodes};
             const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
-            const Eigen::PartialPivLU<MatrixX<double>> G_prime(system.G_prime());
             const VectorX<double> ones = VectorX<double>::Ones(n), x = system.points()->matrix();
-            const VectorX<double> unit = G_prime.solve(ones), spun = G_prime.solve(x);
+            const VectorX<double> unit = dense::solve(system.G_prime(), ones), spun = dense::solve(system.G_prime(), x);
             const ArrayX<double> p = unit.array(), by_spin = spun.array(), w = mesh.widths();
             CHECK((w * p).sum() == Approx(-solve_steady(mesh, scheme, kernel).c11).epsilon(1e-12));
             c11.push_back(-(w * p).sum() / steady_c11(0.28) - 1);
@@ -258,8 +259,7 @@ TEST_CASE("Tractions converge to Carter's away from the edges", "[steady][conver
     }
 }
 
-TEMPLATE_TEST_CASE("A steady solution satisfies its equations and carries its force", "[steady]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("A steady solution satisfies its equations and carries its force", "[steady]", SCALARS) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const auto& [name, mesh] : brute_force::every_mesh<Scalar>(30)) {
@@ -316,8 +316,7 @@ TEST_CASE("A steady solution scales with length, modulus and creepage", "[steady
                    plane_error(cosine_mesh(20), Collocation{0.5, 0.5})) < 1e-14);
 }
 
-TEMPLATE_TEST_CASE("The status reports that alpha = 0 is singular or carries no force", "[steady]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("The status reports that alpha = 0 is singular or carries no force", "[steady]", SCALARS) {
     using Scalar = TestType;
     const PlaneKernel<Scalar> kernel(Scalar(1000), Scalar(0.75), Scalar(0.25));
     for (Eigen::Index n = 1; n < 60; ++n) {
@@ -542,3 +541,4 @@ TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[
 }
 
 }  // namespace
+}  // namespace steady_tests

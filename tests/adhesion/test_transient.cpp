@@ -18,6 +18,7 @@
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
+namespace transient_tests {
 namespace {
 
 using namespace rollbem;
@@ -276,7 +277,7 @@ TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient
     matrices.G << 0, 2, 1, 1, 0, 3, 2, 1, 0;
     matrices.G_prime << 0, -1, 1, -2, 0, -1, -1, -3, 1e-12;
     const auto solution = [](const MatrixX<double>& matrix, double right) -> VectorX<double> {
-        return matrix.fullPivLu().solve(VectorX<double>::Constant(3, right));
+        return dense::solve(matrix, VectorX<double>::Constant(3, right));
     };
     const auto close = [](const VectorX<double>& a, const VectorX<double>& b) {
         return (a - b).norm() < 1e-13 * b.norm();
@@ -335,7 +336,7 @@ TEST_CASE("Every scheme keeps its number of unknowns", "[transient]") {
     check(KnotheBoundary{}, 11);
 }
 
-TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[transient]", float, double, long double) {
+TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[transient]", SCALARS) {
     using Scalar = TestType;
     const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
     const reference::StepResponse exact(0.25, 100);
@@ -360,6 +361,7 @@ TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[tra
     }
 }
 
+#ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("Steps in double agree with steps in long double", "[transient]") {
     const auto force = []<class Scalar>(Scalar) {
         const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
@@ -380,6 +382,7 @@ TEST_CASE("Steps in double agree with steps in long double", "[transient]") {
     CAPTURE(rough / fine - 1);
     CHECK(std::abs(rough / fine - 1) < 1e-11);
 }
+#endif
 
 TEST_CASE("Invalid input to a step gives a status and leaves the target state unchanged", "[transient]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -538,18 +541,22 @@ TEST_CASE("A nearly singular G' has a mode that decays slowly even in long steps
                                ratio(Scalar(1e9)), ratio(Scalar(1e13)));
     };
     const auto [c11, status, rcond, slow, late] = solve(1.0);
-    const auto [fine_c11, fine_status, fine_rcond, fine_slow, fine_late] = solve(1.0L);
-    CAPTURE(c11, fine_c11, rcond, slow, fine_slow, late, fine_late);
+    CAPTURE(c11, rcond, slow, late);
     // a result with status ok is accurate to eps/rcond
     const double rounding = std::numeric_limits<double>::epsilon() / rcond;
     CHECK(status == Status::ok);
+    // 1e9 is 17 times the length of the mode, which leaves 8 % after four steps: an effect of the scheme, not round-off
+    CHECK(std::abs(slow - 0.9218) < 1e-4);
+    CHECK(std::abs(late - 1) < rounding);
+#ifdef ROLLBEM_SLOW_CHECKS
+    const auto [fine_c11, fine_status, fine_rcond, fine_slow, fine_late] = solve(1.0L);
+    CAPTURE(fine_c11, fine_slow, fine_late);
     CHECK(std::abs(rcond / fine_rcond - 1) < 1e-4);
     CHECK(std::abs(c11 / fine_c11 - 1) < rounding);
-    // 1e9 is 17 times the length of the mode, which leaves 8 % after four steps: an effect of the scheme, not round-off
-    CHECK(std::abs(fine_slow - 0.9218) < 1e-4);
     CHECK(std::abs(slow / fine_slow - 1) < rounding);
     CHECK(std::abs(fine_late - 1) < 1e-8);
-    CHECK(std::abs(late - 1) < rounding);
+#endif
 }
 
 }  // namespace
+}  // namespace transient_tests

@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 #include "support/dense.hpp"
 
+namespace transient_directions_tests {
 namespace {
 
 using namespace rollbem;
@@ -249,3 +250,4 @@ TEST_CASE("A model of three inputs refuses what has one, and says so", "[transie
 }
 
 }  // namespace
+}  // namespace transient_directions_tests

@@ -11,6 +11,7 @@
 
 #include "support/catch.hpp"
 
+namespace transient_stability_tests {
 namespace {
 
 using namespace rollbem;
@@ -117,3 +118,4 @@ TEST_CASE("A model is built only with a verdict that says stable", "[transient]"
 }
 
 }  // namespace
+}  // namespace transient_stability_tests

@@ -10,6 +10,7 @@
 #include "support/csv.hpp"
 #include "support/options.hpp"
 
+namespace csv_tests {
 namespace {
 
 /// The value of a line `key = "basic string"`. Knows only the escapes that a program needs, and throws on whatever
@@ -99,3 +100,4 @@ TEST_CASE("A TOML reader and a shell recover the command line from a sidecar", "
 }
 
 }  // namespace
+}  // namespace csv_tests

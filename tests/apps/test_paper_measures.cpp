@@ -5,6 +5,8 @@
 #include "paper/measures.hpp"
 #include "support/catch.hpp"
 
+namespace paper_measures_tests {
+
 using paper::Points;
 
 namespace {
@@ -77,3 +79,5 @@ TEST_CASE("Curves with different points are infinitely far apart", "[paper]") {
     CHECK(std::isinf(paper::largest_difference({{0, 1}}, {{0, 1}, {1, 2}})));
     CHECK(paper::spread({{0, 1}, {1, 2.5}, {2, 0.5}}) == Approx(2));
 }
+
+}  // namespace paper_measures_tests

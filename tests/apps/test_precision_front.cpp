@@ -6,6 +6,7 @@
 #include "precision/front.hpp"
 #include "support/catch.hpp"
 
+namespace precision_front_tests {
 namespace {
 
 using precision::Among;
@@ -96,3 +97,4 @@ TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[
 }
 
 }  // namespace
+}  // namespace precision_front_tests

@@ -5,13 +5,13 @@
 #include <rollbem/detail/gauss_legendre.hpp>
 
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
 using rollbem::detail::gauss_legendre;
 
-TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1 and no further", "[quadrature]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1 and no further", "[quadrature]", SCALARS) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index count : {1, 2, 3, 4, 5, 6, 7, 9}) {
@@ -47,8 +47,7 @@ TEMPLATE_TEST_CASE("Gauss-Legendre quadrature is exact up to degree 2N-1 and no 
     }
 }
 
-TEMPLATE_TEST_CASE("Gauss-Legendre rules of any size are symmetric, increasing and sum to 2", "[quadrature]", float,
-                   double, long double) {
+TEMPLATE_TEST_CASE("Gauss-Legendre rules of any size are symmetric, increasing and sum to 2", "[quadrature]", SCALARS) {
     using Scalar = TestType;
     for (const Eigen::Index count : {1, 2, 7, 64, 999, 1000}) {
         const auto rule = gauss_legendre<Scalar>(count);

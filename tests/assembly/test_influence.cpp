@@ -45,7 +45,7 @@ Mesh<Scalar> as_general(const Mesh<Scalar>& mesh) {
     return Mesh<Scalar>({mesh.widths(), mesh.edges_from_trailing(), mesh.edges_from_leading(), false});
 }
 
-TEMPLATE_TEST_CASE("Every entry of G and G' agrees with brute force", "[influence]", float, double, long double) {
+TEMPLATE_TEST_CASE("Every entry of G and G' agrees with brute force", "[influence]", SCALARS) {
     using Scalar = TestType;
     for (const Eigen::Index n : {3, 11}) {
         const auto meshes = brute_force::every_mesh<Scalar>(n);
@@ -127,7 +127,7 @@ TEST_CASE("Galerkin's method with more and more points converges to the closed f
 }
 
 TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal to the general ones", "[influence]",
-                   float, double, long double) {
+                   SCALARS) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {1, 2, 3, 4, 5, 16, 33}) {

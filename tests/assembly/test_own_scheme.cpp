@@ -13,6 +13,7 @@
 
 #include "support/catch.hpp"
 
+namespace own_scheme_tests {
 namespace {
 
 using namespace rollbem;
@@ -147,3 +148,4 @@ TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
 }
 
 }  // namespace
+}  // namespace own_scheme_tests

@@ -11,6 +11,8 @@
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
+namespace patch_system_tests {
+
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
@@ -228,3 +230,5 @@ TEST_CASE("patch_system: schemes that take no differences are refused") {
     CHECK_THAT(refused(Galerkin{}), ContainsSubstring("averages of the scheme for G"));
     CHECK_THAT(refused(KnotheBoundary{}), ContainsSubstring("unknown_count"));
 }
+
+}  // namespace patch_system_tests

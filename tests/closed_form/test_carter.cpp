@@ -13,6 +13,7 @@
 
 #include "support/catch.hpp"
 
+namespace carter_tests {
 namespace {
 
 using namespace rollbem;
@@ -149,3 +150,4 @@ TEST_CASE("Carter's functions reject invalid input and name the quantity", "[car
 }
 
 }  // namespace
+}  // namespace carter_tests

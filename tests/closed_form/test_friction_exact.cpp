@@ -12,6 +12,7 @@
 
 #include "support/catch.hpp"
 
+namespace friction_exact_tests {
 namespace {
 
 using namespace rollbem;
@@ -169,3 +170,4 @@ TEST_CASE("Closed forms of friction reject invalid input and name the quantity",
 }
 
 }  // namespace
+}  // namespace friction_exact_tests

@@ -10,6 +10,7 @@
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -29,7 +30,7 @@ double in_eps(const A& values, const B& exact) {
     return largest;
 }
 
-TEMPLATE_TEST_CASE("Meshes are consistent and accurate to round-off", "[mesh]", float, double, long double) {
+TEMPLATE_TEST_CASE("Meshes are consistent and accurate to round-off", "[mesh]", SCALARS) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Eigen::Index n : {3, 4, 17, 40, 1000, 10000}) {
@@ -108,7 +109,7 @@ TEST_CASE("Edges of the cosine and the uniform mesh follow their formulas", "[me
     }
 }
 
-TEMPLATE_TEST_CASE("Symmetric meshes are exactly symmetric", "[mesh]", float, double, long double) {
+TEMPLATE_TEST_CASE("Symmetric meshes are exactly symmetric", "[mesh]", SCALARS) {
     using Scalar = TestType;
     for (const Eigen::Index n : {3, 4, 7, 40, 161, 10000}) {
         for (const Mesh<Scalar>& mesh : {uniform_mesh<Scalar>(n), knothe_mesh<Scalar>(n, Scalar(0.3)),
@@ -148,7 +149,7 @@ TEST_CASE("Graded meshes have the element ratios asked for", "[mesh]") {
     }
 }
 
-TEMPLATE_TEST_CASE("Graded meshes have the uniform mesh as their limit", "[mesh]", float, double, long double) {
+TEMPLATE_TEST_CASE("Graded meshes have the uniform mesh as their limit", "[mesh]", SCALARS) {
     using Scalar = TestType;
     for (const Eigen::Index n : {3, 4, 40, 999}) {
         const Mesh<Scalar> uniform = uniform_mesh<Scalar>(n);
@@ -166,7 +167,7 @@ TEMPLATE_TEST_CASE("Graded meshes have the uniform mesh as their limit", "[mesh]
     CHECK(in_eps(cosine_mesh<Scalar>(2).widths(), uniform_mesh<Scalar>(2).widths()) < 2);
 }
 
-TEMPLATE_TEST_CASE("A specification makes the mesh of its topology", "[mesh]", float, double, long double) {
+TEMPLATE_TEST_CASE("A specification makes the mesh of its topology", "[mesh]", SCALARS) {
     using Scalar = TestType;
     const Scalar grading = static_cast<Scalar>(0.3);
     const auto direct = [&](Topology topology, Eigen::Index n) {

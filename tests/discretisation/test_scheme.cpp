@@ -11,13 +11,14 @@
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 
-TEMPLATE_TEST_CASE("Alpha is linear in the centre and exact at both ends", "[scheme]", float, double, long double) {
+TEMPLATE_TEST_CASE("Alpha is linear in the centre and exact at both ends", "[scheme]", SCALARS) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index n : {3, 4, 10, 41, 160}) {
@@ -87,7 +88,7 @@ TEST_CASE("Schemes reject invalid parameters and give name and value", "[scheme]
 }
 
 TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last row ends on the leading edge", "[scheme]",
-                   float, double, long double) {
+                   SCALARS) {
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     for (const Eigen::Index n : {1, 2, 3, 8, 41}) {

@@ -15,6 +15,7 @@
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
@@ -67,8 +68,7 @@ TEST_CASE("The strip's g is Cerruti's point solution integrated over the width",
     }
 }
 
-TEMPLATE_TEST_CASE("Kernels are accurate to round-off and have the right parity", "[kernel]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("Kernels are accurate to round-off and have the right parity", "[kernel]", SCALARS) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     ArrayX<Scalar> x(12);
@@ -149,7 +149,7 @@ TEST_CASE("The strip tends to the plane as (a/b)^2", "[kernel][convergence]") {
     }
 }
 
-TEMPLATE_TEST_CASE("The split of a wide strip equals g to round-off", "[kernel]", float, double, long double) {
+TEMPLATE_TEST_CASE("The split of a wide strip equals g to round-off", "[kernel]", SCALARS) {
     using Scalar = TestType;
     const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     for (const Scalar nu : {Scalar(0), Scalar(0.25), Scalar(0.5)}) {

@@ -15,6 +15,7 @@
 #include <rollbem/normal/hertz_ellipse.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/draw.hpp"
 
 namespace {
@@ -87,11 +88,13 @@ Problem random_problem(support::Draw& draw, Eigen::Index n, Kind kind, bool coup
     const auto vector = [&] { return VectorX<double>(VectorX<double>::NullaryExpr(n, [&] { return draw.normal(); })); };
     const auto matrix = [&] {
         const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return draw.normal(); });
-        if (kind == Kind::singular) return MatrixX<double>(vector() * vector().transpose());
+        if (kind == Kind::singular) return dense::product(vector(), vector().transpose());
         // definite, and far from symmetric
         const MatrixX<double> skew = any.transpose() - any;
         if (kind == Kind::definite) {
-            return MatrixX<double>(any * any.transpose() + MatrixX<double>::Identity(n, n) + 2 * skew);
+            MatrixX<double> result = dense::product(any, any.transpose()) + 2 * skew;
+            result.diagonal().array() += 1;
+            return result;
         }
         return any;
     };

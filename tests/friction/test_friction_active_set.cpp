@@ -12,6 +12,7 @@
 #include <rollbem/friction/detail/falling_slip.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 #include "support/draw.hpp"
 
 namespace {
@@ -29,8 +30,11 @@ TEST_CASE("A solution is found whatever the matrix", "[friction]") {
         const VectorX<double> right = VectorX<double>::NullaryExpr(n, [&] { return draw.normal(); });
         const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return draw.normal(); });
         MatrixX<double> matrix = any;
-        if (trial % 3 == 0) matrix = left * right.transpose();
-        if (trial % 3 == 1) matrix = any * any.transpose() + MatrixX<double>::Identity(n, n);
+        if (trial % 3 == 0) matrix = dense::product(left, right.transpose());
+        if (trial % 3 == 1) {
+            matrix = dense::product(any, any.transpose());
+            matrix.diagonal().array() += 1;
+        }
         solver.new_matrix() = matrix;
         const VectorX<double> constant = VectorX<double>::NullaryExpr(n, [&] { return draw.normal(); });
         VectorX<double> bound = VectorX<double>::NullaryExpr(n, [&] { return std::abs(draw.normal()); });
@@ -179,11 +183,16 @@ TEST_CASE("The transform satisfies the equations or is replaced by them", "[fric
             if (change == 0) {
                 REQUIRE((solver.traction() - expected).cwiseAbs().maxCoeff() < 1e-9 * expected.cwiseAbs().maxCoeff());
             }
-            const VectorX<long double> product = matrix.cast<long double>() * solver.traction().cast<long double>();
-            const VectorX<long double> constant = solver.constant().cast<long double>();
-            const auto scale = static_cast<double>(product.cwiseAbs().maxCoeff() + constant.cwiseAbs().maxCoeff());
-            const auto off =
-                static_cast<double>((product + constant - solver.slip().cast<long double>()).cwiseAbs().maxCoeff());
+            long double largest = 0, off = 0;
+            for (Eigen::Index i = 0; i < n; ++i) {
+                long double product = 0;
+                for (Eigen::Index j = 0; j < n; ++j) {
+                    product += static_cast<long double>(matrix(i, j)) * solver.traction()[j];
+                }
+                largest = std::max(largest, std::abs(product));
+                off = std::max(off, std::abs(product + solver.constant()[i] - solver.slip()[i]));
+            }
+            const long double scale = largest + solver.constant().cwiseAbs().maxCoeff();
             if (checked) REQUIRE(off < 5 * rounding * scale);
             for (Eigen::Index i = 0; i < n; ++i) {
                 const double p = solver.traction()[i], s = solver.slip()[i];

@@ -74,6 +74,7 @@ TEST_CASE("With node differences a particle takes its coefficient from point to 
     }
 }
 
+#ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("Friction in two directions that falls with slip, in long double", "[friction]") {
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     for (const double distance : {0.0, 10e-6}) {
@@ -85,5 +86,6 @@ TEST_CASE("Friction in two directions that falls with slip, in long double", "[f
         CHECK(worst < 1e-10);
     }
 }
+#endif
 
 }  // namespace

@@ -16,6 +16,8 @@
 
 #include "support/catch.hpp"
 
+namespace patch_friction_tests {
+
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 
@@ -375,3 +377,5 @@ TEST_CASE("patch_friction: bad input and foreign states") {
     longer.half_width = 4e-3;
     CHECK(status() == StepStatus::needs_fixed_mesh);
 }
+
+}  // namespace patch_friction_tests

@@ -18,6 +18,8 @@
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
+namespace patch_load_tests {
+
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 
@@ -507,3 +509,5 @@ TEST_CASE("patch_load: friction on a fixed mesh under a load that varies") {
         CHECK(order < (second ? 2.8 : 1.3));
     }
 }
+
+}  // namespace patch_load_tests

@@ -11,13 +11,13 @@
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
-#include <rollbem/reference/strip.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/draw.hpp"
 #include "support/scalars.hpp"
+#include "support/strip_instances.hpp"
 
 namespace friction_tests {
 namespace {
@@ -547,6 +547,7 @@ TEST_CASE("The force by the exact border always agrees with that by elements", "
     CHECK(by_elements > 10);
 }
 
+#ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("The exact border in long double has its digits", "[friction]") {
     using Scalar = long double;
     const Contact<Scalar> contact = Contact<Scalar>::dimensionless(Scalar(10), Scalar(0.25));
@@ -558,6 +559,7 @@ TEST_CASE("The exact border in long double has its digits", "[friction]") {
     CHECK(std::abs(-solution.force_per_width * 2 / std::numbers::pi_v<Scalar> - Scalar(16) / 25) < 1e-18L);
     CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 1e-17L);
 }
+#endif
 
 }  // namespace
 }  // namespace friction_tests

@@ -16,6 +16,7 @@
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
 
+namespace breathing_scenes_tests {
 namespace {
 
 using namespace rollbem;
@@ -154,3 +155,4 @@ TEST_CASE("Steps on a breathing mesh agree with a projected fixed point", "[prop
 }
 
 }  // namespace
+}  // namespace breathing_scenes_tests

@@ -11,6 +11,7 @@
 #include "friction/conditions.hpp"
 #include "support/catch.hpp"
 
+namespace friction_scenes_tests {
 namespace {
 
 using namespace any_model;
@@ -132,3 +133,4 @@ TEST_CASE("Friction obeys its law on random scenes", "[property]") {
 }
 
 }  // namespace
+}  // namespace friction_scenes_tests

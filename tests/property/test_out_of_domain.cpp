@@ -22,7 +22,9 @@
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
+#include "support/scalars.hpp"
 
+namespace out_of_domain_tests {
 namespace {
 
 using namespace rollbem;
@@ -50,7 +52,7 @@ void refuses(const std::string& quantity, const std::vector<Scalar>& values, con
     }
 }
 
-TEMPLATE_TEST_CASE("Contacts reject every parameter out of its domain", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Contacts reject every parameter out of its domain", "[domain]", SCALARS) {
     using Scalar = TestType;
     using Parameters = typename Contact<Scalar>::Parameters;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity(), tiny = std::numeric_limits<Scalar>::denorm_min();
@@ -77,7 +79,7 @@ TEMPLATE_TEST_CASE("Contacts reject every parameter out of its domain", "[domain
           }).find("half_width / half_length = 0 must be positive") != std::string::npos);
 }
 
-TEMPLATE_TEST_CASE("Meshes reject every parameter out of its domain", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Meshes reject every parameter out of its domain", "[domain]", SCALARS) {
     using Scalar = TestType;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const std::vector<Scalar> not_positive = bad<Scalar>({0, -1, infinity});
@@ -125,7 +127,7 @@ TEST_CASE("Schemes reject every parameter out of its domain", "[domain]") {
     refuses<Eigen::Index>("n", {1}, [](Eigen::Index n) { check_scheme(KnotheBoundary{}, uniform_mesh(n)); });
 }
 
-TEMPLATE_TEST_CASE("Kernels reject every parameter out of its domain", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Kernels reject every parameter out of its domain", "[domain]", SCALARS) {
     using Scalar = TestType;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const std::vector<Scalar> widths = bad<Scalar>({0, -1}), constants = bad<Scalar>({infinity});
@@ -139,7 +141,7 @@ TEMPLATE_TEST_CASE("Kernels reject every parameter out of its domain", "[domain]
                     [](Scalar b) { require_stable_model(PlaneKernel<Scalar>(b, 1, 0)); });
 }
 
-TEMPLATE_TEST_CASE("Closed forms reject every argument out of its domain", "[domain]", float, double, long double) {
+TEMPLATE_TEST_CASE("Closed forms reject every argument out of its domain", "[domain]", SCALARS) {
     using Scalar = TestType;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity(), quarter = Scalar(0.25);
     const std::vector<Scalar> ratios = bad<Scalar>({Scalar(-0.1), Scalar(0.6), infinity});
@@ -164,8 +166,7 @@ TEMPLATE_TEST_CASE("Closed forms reject every argument out of its domain", "[dom
     });
 }
 
-TEMPLATE_TEST_CASE("The polynomial approach rejects every argument out of its domain", "[domain]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("The polynomial approach rejects every argument out of its domain", "[domain]", SCALARS) {
     using Scalar = TestType;
     using Complex = std::complex<Scalar>;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity(), nan = std::numeric_limits<Scalar>::quiet_NaN();
@@ -185,8 +186,7 @@ TEMPLATE_TEST_CASE("The polynomial approach rejects every argument out of its do
     CHECK_THROWS_AS(default_polynomial_order(Complex(0, Scalar(2e8))), std::invalid_argument);
 }
 
-TEMPLATE_TEST_CASE("Hertz's contact rejects every parameter out of its domain", "[domain]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("Hertz's contact rejects every parameter out of its domain", "[domain]", SCALARS) {
     using Scalar = TestType;
     using Parameters = typename HertzLine<Scalar>::Parameters;
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
@@ -252,3 +252,4 @@ TEST_CASE("Models reject every argument out of its domain", "[domain]") {
 }
 
 }  // namespace
+}  // namespace out_of_domain_tests

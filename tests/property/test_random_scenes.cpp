@@ -19,6 +19,7 @@
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
 
+namespace random_scenes_tests {
 namespace {
 
 using namespace rollbem;
@@ -346,3 +347,4 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
 }
 
 }  // namespace
+}  // namespace random_scenes_tests

@@ -14,6 +14,7 @@
 
 #include "support/catch.hpp"
 
+namespace bessel_tests {
 namespace {
 
 using namespace rollbem;
@@ -222,3 +223,4 @@ TEST_CASE("The exact solutions reject invalid input", "[bessel]") {
 }
 
 }  // namespace
+}  // namespace bessel_tests

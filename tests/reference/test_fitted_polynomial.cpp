@@ -10,6 +10,7 @@
 
 #include "support/catch.hpp"
 
+namespace fitted_polynomial_tests {
 namespace {
 
 using namespace rollbem;
@@ -58,3 +59,4 @@ TEST_CASE("The fit rejects invalid input", "[fitted_polynomial]") {
 }
 
 }  // namespace
+}  // namespace fitted_polynomial_tests

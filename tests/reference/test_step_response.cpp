@@ -12,6 +12,7 @@
 
 #include "support/catch.hpp"
 
+namespace step_response_tests {
 namespace {
 
 using namespace rollbem;
@@ -166,3 +167,4 @@ TEST_CASE("Responses to histories reject invalid input", "[step_response]") {
 }
 
 }  // namespace
+}  // namespace step_response_tests

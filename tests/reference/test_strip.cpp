@@ -6,10 +6,11 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/strip.hpp>
 
 #include "support/catch.hpp"
+#include "support/strip_instances.hpp"
 
+namespace strip_tests {
 namespace {
 
 using rollbem::reference::strip_c11;
@@ -71,3 +72,4 @@ TEST_CASE("Strips reject arguments out of their domain", "[strip]") {
 }
 
 }  // namespace
+}  // namespace strip_tests

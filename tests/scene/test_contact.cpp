@@ -4,12 +4,13 @@
 #include <rollbem/scene/contact.hpp>
 
 #include "support/catch.hpp"
+#include "support/scalars.hpp"
 
 namespace {
 
 using namespace rollbem;
 
-TEMPLATE_TEST_CASE("A contact keeps its parameters", "[contact]", float, double, long double) {
+TEMPLATE_TEST_CASE("A contact keeps its parameters", "[contact]", SCALARS) {
     using Scalar = TestType;
     const Contact<Scalar> contact({.half_length = Scalar(0.005),
                                    .half_width = Scalar(0.02),

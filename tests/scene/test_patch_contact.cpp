@@ -10,6 +10,8 @@
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 
+namespace patch_contact_tests {
+
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
@@ -116,3 +118,5 @@ TEST_CASE("patch_mesh: an outline is cut as given, in units of c, and mirrored o
                }),
                ContainsSubstring("width of a strip = -1"));
 }
+
+}  // namespace patch_contact_tests

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include <rollbem/compiled/decompositions.hpp>
 
 namespace dense {
@@ -11,10 +9,6 @@ namespace dense {
 Spectrum spectrum(const Eigen::MatrixXd& A) {
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
     return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
-Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& A) {
-    return Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ();
 }
 
 double largest_singular_value(const Eigen::MatrixXd& A) {
@@ -28,6 +22,14 @@ Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { retu
 
 Eigen::MatrixXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) {
     return A.partialPivLu().solve(B);
+}
+
+Eigen::MatrixXcd transfer(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& C,
+                          const Eigen::MatrixXd& D, std::complex<double> s) {
+    Eigen::MatrixXcd resolvent = -A.cast<std::complex<double>>();
+    resolvent.diagonal().array() += s;
+    const Eigen::MatrixXcd states = solve_complex(resolvent, B.cast<std::complex<double>>());
+    return C.cast<std::complex<double>>() * states + D.cast<std::complex<double>>();
 }
 
 }  // namespace dense

@@ -1,8 +1,14 @@
-// The library's large templates in float and long double, which tests of several headers use: compiled once, in
-// scalars_float.cpp and scalars_long_double.cpp. ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
+// The scalar types of tests in every one: double, and with ROLLBEM_SLOW_CHECKS float and long double, which cost more
+// time to compile than all other tests of the headers in question. Then their large templates are compiled once, in
+// scalars_float.cpp and scalars_long_double.cpp: ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
 // ROLLBEM_SCALARS(, Scalar) defines them. What is little more than a decomposition of Eigen's is compiled for double
 // alone, except for the eigenvalues that long double judges.
 #pragma once
+
+#ifndef ROLLBEM_SLOW_CHECKS
+#define SCALARS double
+#else
+#define SCALARS float, double, long double
 
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/steady.hpp>
@@ -30,3 +36,5 @@ ROLLBEM_SCALARS(extern, float)
 ROLLBEM_LONG_DOUBLE(extern)
 
 }  // namespace rollbem
+
+#endif

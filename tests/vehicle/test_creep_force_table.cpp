@@ -16,6 +16,8 @@
 #include "support/refusal.hpp"
 #include "vehicle/creep_force_scene.hpp"
 
+namespace creep_force_table_tests {
+
 using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
@@ -322,3 +324,5 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     CHECK_THAT(grid_refused(0.28, 0.5, 2, 3, 4), ContainsSubstring("levels = 3"));
     CHECK_THAT(grid_refused(0.28, 0.5, 2, 6, 3), ContainsSubstring("number of ellipses = 3"));
 }
+
+}  // namespace creep_force_table_tests

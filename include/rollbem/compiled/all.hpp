@@ -8,6 +8,7 @@
 #include "decompositions.hpp"
 #include "frequency.hpp"
 #include "friction.hpp"
+#include "lu.hpp"
 #include "patch.hpp"
 #include "polynomial.hpp"
 #include "rolling_system.hpp"

@@ -3,6 +3,7 @@
 
 #include "../spectral/chebyshev.hpp"
 #include "decompositions.hpp"
+#include "steady.hpp"
 
 namespace rollbem {
 
@@ -10,9 +11,5 @@ extern template ChebyshevSystem<double> rolling_system<PlaneKernel<double>>(cons
                                                                             const PlaneKernel<double>&);
 extern template ChebyshevSystem<double> rolling_system<StripKernel<double>>(const Chebyshev&,
                                                                             const StripKernel<double>&);
-extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<PlaneKernel<double>>(
-    const Chebyshev&, const PlaneKernel<double>&);
-extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<StripKernel<double>>(
-    const Chebyshev&, const StripKernel<double>&);
 
 }  // namespace rollbem

@@ -2,14 +2,12 @@
 // double. Link rollbem::compiled.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+
+#include "lu.hpp"
 
 namespace Eigen {
 
-extern template class PartialPivLU<MatrixXd>;
 extern template class PartialPivLU<MatrixXcd>;
 extern template class EigenSolver<MatrixXd>;
 extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);

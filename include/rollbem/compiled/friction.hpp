@@ -18,6 +18,7 @@ extern template MatrixX<double> rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
 extern template class detail::ActiveSet<double>;
+extern template class detail::CombinedEquations<double>;
 extern template class detail::CombinedSolver<double>;
 extern template class detail::FallingSet<detail::ActiveSetSlip<double>>;
 extern template class detail::FallingSet<detail::CombinedSlip<double>>;

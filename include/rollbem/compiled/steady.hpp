@@ -1,8 +1,11 @@
-// Steady rolling compiled for double. Replaces adhesion/steady.hpp; link rollbem::compiled.
+// Steady rolling by elements and by Chebyshev states, compiled for double. Replaces adhesion/steady.hpp; link
+// rollbem::compiled.
 #pragma once
 
 #include "../adhesion/steady.hpp"
+#include "../spectral/chebyshev.hpp"
 #include "assembly.hpp"
+#include "lu.hpp"
 
 namespace rollbem {
 
@@ -11,5 +14,9 @@ extern template detail::FactorisedSteady<double> detail::factorise_steady<double
 extern template SteadySolution<double> solve_steady<double>(MatrixX<double>, const ArrayX<double>&);
 extern template SteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
                                                                     const ArrayX<double>&, const VectorX<double>&);
+extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<PlaneKernel<double>>(
+    const Chebyshev&, const PlaneKernel<double>&);
+extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<StripKernel<double>>(
+    const Chebyshev&, const StripKernel<double>&);
 
 }  // namespace rollbem

@@ -9,11 +9,13 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
+#include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
+#include <gsl/gsl_linalg.h>
 
 #include "../closed_form/carter.hpp"
 #include "../detail/require.hpp"
@@ -89,22 +91,28 @@ inline double monomial_displacement(int degree, double x_over_a, double poisson_
 inline Eigen::MatrixXd fitted_displacement_matrix(int order, double poisson_ratio, double aspect) {
     detail::require(order >= 0, "reference::fitted_displacement_matrix", "order", order, "be at least 0");
     const int count = 2 * (order + 1);
-    Eigen::VectorXd points(count);
-    for (int i = 0; i < count; ++i) {
-        points[i] = std::cos(std::numbers::pi * (i + 0.5) / count);
+    const auto points = static_cast<std::size_t>(count), unknowns = points / 2;
+    std::vector<double> x(points), powers(points * unknowns), scales(unknowns), displacement(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        x[i] = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / count);
+        for (std::size_t l = 0; l < unknowns; ++l) powers[i * unknowns + l] = std::pow(x[i], l);
     }
-    Eigen::MatrixXd powers(count, order + 1);
-    for (int l = 0; l <= order; ++l) {
-        powers.col(l) = points.array().pow(l);
-    }
+    // the factors for the first powers are a part of those for all
+    gsl_matrix_view QR = gsl_matrix_view_array(powers.data(), points, unknowns);
+    gsl_vector_view tau = gsl_vector_view_array(scales.data(), unknowns);
+    gsl_linalg_QR_decomp(&QR.matrix, &tau.vector);
     Eigen::MatrixXd b = Eigen::MatrixXd::Zero(order + 1, order + 1);
-    Eigen::VectorXd displacement(count);
     for (int j = 0; j <= order; ++j) {
-        for (int i = 0; i < count; ++i) {
-            displacement[i] = monomial_displacement(j, points[i], poisson_ratio, aspect);
+        for (std::size_t i = 0; i < points; ++i) {
+            displacement[i] = monomial_displacement(j, x[i], poisson_ratio, aspect);
         }
-        const Eigen::VectorXd row = powers.leftCols(j + 1).colPivHouseholderQr().solve(displacement);
-        b.row(j).head(j + 1) = row.transpose();
+        gsl_vector_view right = gsl_vector_view_array(displacement.data(), points);
+        gsl_linalg_QR_QTvec(&QR.matrix, &tau.vector, &right.vector);
+        const std::size_t size = static_cast<std::size_t>(j) + 1;
+        const gsl_matrix_view R = gsl_matrix_submatrix(&QR.matrix, 0, 0, size, size);
+        gsl_vector_view row = gsl_vector_subvector(&right.vector, 0, size);
+        gsl_blas_dtrsv(CblasUpper, CblasNoTrans, CblasNonUnit, &R.matrix, &row.vector);
+        for (int l = 0; l <= j; ++l) b(j, l) = displacement[static_cast<std::size_t>(l)];
     }
     return b;
 }

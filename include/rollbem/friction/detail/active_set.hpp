@@ -97,21 +97,7 @@ public:
     bool unchanged() const { return unchanged_; }
 
     /// Solves for bounds >= 0, all finite, starting from `zones`.
-    Outcome solve(const Vector& bound, const std::vector<Zone>& zones) noexcept {
-        Outcome outcome;
-        if (effort_ != Effort::equations) {
-            if (transform(bound, zones, outcome)) return outcome;
-            effort_ = Effort::equations;
-            unchanged_ = false;
-        }
-        transform_ready_ = false;
-        imposed_ = constant_.cwiseAbs().maxCoeff();
-        start_from(bound, zones);
-        outcome.tangent_exists = settle(bound, outcome) || finish_by_path(bound, outcome);
-        const bool same_zones = publish_zones(zones);
-        unchanged_ = unchanged_ && same_zones && outcome.rounds == 1 && !refined_ && !equations_.uses_pivoted();
-        return judge(bound, outcome);
-    }
+    Outcome solve(const Vector& bound, const std::vector<Zone>& zones) noexcept;
 
     /// dp caused by a change dc while no element changes its zone. Requires tangent_exists of the last outcome.
     template <class Derived>
@@ -340,5 +326,23 @@ private:
     bool refined_ = false;          // the tractions of the last round
     bool transform_ready_ = false;  // transform_ and sliding_product_ belong to zones_
 };
+
+template <class Scalar>
+typename ActiveSet<Scalar>::Outcome ActiveSet<Scalar>::solve(const Vector& bound,
+                                                             const std::vector<Zone>& zones) noexcept {
+    Outcome outcome;
+    if (effort_ != Effort::equations) {
+        if (transform(bound, zones, outcome)) return outcome;
+        effort_ = Effort::equations;
+        unchanged_ = false;
+    }
+    transform_ready_ = false;
+    imposed_ = constant_.cwiseAbs().maxCoeff();
+    start_from(bound, zones);
+    outcome.tangent_exists = settle(bound, outcome) || finish_by_path(bound, outcome);
+    const bool same_zones = publish_zones(zones);
+    unchanged_ = unchanged_ && same_zones && outcome.rounds == 1 && !refined_ && !equations_.uses_pivoted();
+    return judge(bound, outcome);
+}
 
 }  // namespace rollbem::detail

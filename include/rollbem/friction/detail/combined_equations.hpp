@@ -81,17 +81,7 @@ public:
 
     /// Factorises for the elements that stick and slip; the stiffness is k. False if the equations are singular to
     /// working precision.
-    bool factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
-        slipping_.take(part.slide);
-        aim(part, turn);
-        if (coupled_) {
-            way_ = release(part) ? Way::released : Way::whole;
-            if (way_ == Way::released) return released_.factorise();
-        } else {
-            way_ = eliminate(part.stick) ? Way::reduced : Way::whole;
-        }
-        return way_ == Way::whole ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
-    }
+    bool factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn);
 
     /// Takes the directions of traction and slip from `part`, with the same elements slipping, but keeps the factors.
     void aim(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
@@ -106,12 +96,7 @@ public:
     }
 
     /// dp for the slip s.
-    void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
-        change.setZero();
-        if (way_ == Way::whole) solve_whole(s, change);
-        if (way_ == Way::reduced) solve_reduced(s, change);
-        if (way_ == Way::released) released_.solve(s, change);
-    }
+    void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change);
 
     /// Whether the present factors are for the same elements that slip.
     bool slips_as(const CombinedPartition<Scalar>& part) const {
@@ -386,5 +371,26 @@ private:
     Way way_ = Way::whole;
     std::array<unsigned long, 2> eliminated_revisions_{0, 0};  // 0: of no matrix yet
 };
+
+template <class Scalar>
+bool CombinedEquations<Scalar>::factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
+    slipping_.take(part.slide);
+    aim(part, turn);
+    if (coupled_) {
+        way_ = release(part) ? Way::released : Way::whole;
+        if (way_ == Way::released) return released_.factorise();
+    } else {
+        way_ = eliminate(part.stick) ? Way::reduced : Way::whole;
+    }
+    return way_ == Way::whole ? factorise_whole(part.stick, part.stiffness) : factorise_reduced(part.stiffness);
+}
+
+template <class Scalar>
+void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
+    change.setZero();
+    if (way_ == Way::whole) solve_whole(s, change);
+    if (way_ == Way::reduced) solve_reduced(s, change);
+    if (way_ == Way::released) released_.solve(s, change);
+}
 
 }  // namespace rollbem::detail

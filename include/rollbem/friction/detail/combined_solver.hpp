@@ -103,29 +103,7 @@ public:
     Index stick_count() const { return stick_count_; }
 
     /// Solves for bounds >= 0, all finite, starting from tractions and zones that hold for other c and bounds.
-    Outcome solve(const Vector& bound, const ElementVectors<Scalar>& traction, const Zones& zones) noexcept {
-        imposed_ = 0;
-        for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
-        find_reach();
-        turn_.stop();
-        Outcome outcome;
-        bool settled = search(bound, traction, zones, false, outcome);
-        if (settled && (turn_.turns() || turn_.find(slip_, part_.stick, part_.slide))) {
-            begin_ = traction_;
-            for (Index i = 0; i < size(); ++i) begin_zones_[static_cast<std::size_t>(i)] = zone(i);
-            settled = search(bound, begin_, begin_zones_, true, outcome);
-            for (int k = 0; k < most_halvings && !settled; ++k) {
-                turn_.halve();
-                settled = search(bound, begin_, begin_zones_, false, outcome);
-            }
-        }
-        outcome.residual = publish(bound);
-        if (has_tangent_) equations_.aim(part_, turn_);
-        outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
-        const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
-        outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
-        return outcome;
-    }
+    Outcome solve(const Vector& bound, const ElementVectors<Scalar>& traction, const Zones& zones) noexcept;
 
     /// dp due to a change dc while no element changes between stick and slip. Only if a tangent exists according to the
     /// last outcome.
@@ -419,5 +397,32 @@ private:
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
 };
+
+template <class Scalar>
+typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vector& bound,
+                                                                       const ElementVectors<Scalar>& traction,
+                                                                       const Zones& zones) noexcept {
+    imposed_ = 0;
+    for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+    find_reach();
+    turn_.stop();
+    Outcome outcome;
+    bool settled = search(bound, traction, zones, false, outcome);
+    if (settled && (turn_.turns() || turn_.find(slip_, part_.stick, part_.slide))) {
+        begin_ = traction_;
+        for (Index i = 0; i < size(); ++i) begin_zones_[static_cast<std::size_t>(i)] = zone(i);
+        settled = search(bound, begin_, begin_zones_, true, outcome);
+        for (int k = 0; k < most_halvings && !settled; ++k) {
+            turn_.halve();
+            settled = search(bound, begin_, begin_zones_, false, outcome);
+        }
+    }
+    outcome.residual = publish(bound);
+    if (has_tangent_) equations_.aim(part_, turn_);
+    outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
+    const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
+    outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
+    return outcome;
+}
 
 }  // namespace rollbem::detail
