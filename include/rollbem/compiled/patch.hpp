@@ -1,8 +1,9 @@
-// Contact patches of the half-space by node differences, compiled for double. Replaces adhesion/patch_steady.hpp and
-// assembly/patch_system.hpp; link rollbem::compiled.
+// Contact patches of the half-space by node differences, compiled for double. Replaces adhesion/patch_steady.hpp,
+// assembly/patch_shapes.hpp and assembly/patch_system.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../adhesion/patch_steady.hpp"
+#include "../assembly/patch_shapes.hpp"
 #include "assembly.hpp"
 
 namespace rollbem {
@@ -23,6 +24,10 @@ extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, 
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template std::vector<PatchPart<double>> patch_parts<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+extern template detail::ShapeNode<double> detail::shape_node<double, NodeDifference, HalfSpace<double>>(
+    const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&, double);
+extern template ElementSystem<double, 2> detail::system_of<double>(std::shared_ptr<const detail::ShapeSet<double>>,
+                                                                   Elements<double>, double);
 extern template PatchSteadySolution<double> solve_steady<double, NodeDifference, HalfSpace<double>>(
     const PatchContact<double>&, const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 
