@@ -23,7 +23,7 @@ namespace rollbem {
 ///
 ///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s^2 = c23 (c33 - c23 c32/c22) mu N c/M,
 ///
-/// where s is the geometric mean of two: of the lateral force of spin, and of its moment when no lateral force acts, over
+/// where s is the geometric mean of the lateral force of spin and of its moment when no lateral force acts, this over
 /// the moment M of spin alone in full sliding. By the moment alone, which saturates first on wide ellipses, the pole of
 /// the spin would leave the contact over its leading and trailing edges within few nodes there. Forces reach full
 /// sliding at |X| = 1 to 3; the lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic
