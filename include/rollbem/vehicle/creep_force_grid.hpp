@@ -29,9 +29,9 @@ namespace rollbem {
 /// sliding at |X| = 1 to 3; the lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic
 /// lattice of
 ///
-///     u = X (2 + |X|)/(4 + 3 |X| + |X|^2),
+///     u = X/(2 + |X|),
 ///
-/// whose steps are nearly uniform up to there; |u| < 1, where 1 is full sliding, at infinite creepage. By symmetry
+/// where |u| = 1 is full sliding, at infinite creepage. By symmetry
 /// xi >= 0 and phi >= 0 suffice: xi and F_x change sign alone, and so do eta, phi, F_y and M_z together.
 ///
 /// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
@@ -97,10 +97,7 @@ public:
     Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
         const Place& place = nodes_[static_cast<std::size_t>(node)];
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
-        // |u| as a function of |X| solved for |X|
-        const double g = size / levels_, half = 1 - 1.5 * g;
-        const double level = (std::sqrt(half * half + 4 * g * (1 - g)) - half) / (1 - g);
-        return creepage(i, level / size * Eigen::Array3d(place.x, place.y, place.spin));
+        return creepage(i, 2 / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
     }
     /// The same at X.
     Creepage<double> creepage(Eigen::Index i, const Eigen::Array3d& X) const {
@@ -114,8 +111,8 @@ public:
         double radial;  ///< du = factor (dw - radial d|w| w/|w|)
     };
     static Stretch stretch(double unit, double size) {
-        const double top = 2 * unit + size, bottom = (4 * unit + 3 * size) * unit + size * size;
-        return {top / bottom, size * ((3 * unit + 2 * size) / bottom - 1 / top)};
+        const double factor = 1 / (2 * unit + size);
+        return {factor, factor * size};
     }
     /// Whether a node begins a line of growing spin.
     bool begins_line(Eigen::Index node) const {
