@@ -223,6 +223,7 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
         if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) !=
             StepStatus::ok) {
             state.SkipWithError("load");
+            return FrictionStep<>{};
         }
         return model.advance(now, dq, 5e-4, load, next, workspace);
     });
@@ -281,7 +282,7 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// The most expensive case: oblique creepage where stick ends. With slip turned to its direction at the centres, as by
+// From rest in the most expensive case, oblique creepage where stick ends. With slip turned to its direction at the centres, as by
 // default, or left as it is.
 void combined_steady(benchmark::State& state, bool turned) {
     Scene scene(state.range(0));

@@ -44,7 +44,7 @@ Panel ratio_over_alpha(const std::string& figure, const std::string& title, std:
             fractions(0, 200, 200),  // contains the multiples of 0.05, and 0.63
             std::move(curves),
             "alpha",
-            "alpha by 0.005; the data say where tractions are inconsistent with full adhesion, as near alpha = 0",
+            "alpha by 0.005; the data say where tractions assist the creepage, as near alpha = 0",
             axes};
 }
 

@@ -1,4 +1,4 @@
-// A user of rollbem::compiled: every header of it, whose templates the linker finds in the library.
+// A user of rollbem::compiled: every header of it compiles, and the linker finds the templates of line contacts.
 #include <cmath>
 
 #include <rollbem/compiled/all.hpp>

@@ -230,7 +230,7 @@ TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[fr
     const MatrixX<double>& G = system.G();
     const MatrixX<double> M = G - dq * system.G_prime();
     std::vector<Eigen::Index> stick;
-    Vector exact = now.traction, sliding = exact;
+    Vector plain = now.traction, sliding = plain;
     for (Eigen::Index i = 0; i < n; ++i) {
         if (now.zones[static_cast<std::size_t>(i)] != Zone::stick) continue;
         stick.push_back(i);
@@ -256,12 +256,12 @@ TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[fr
         REQUIRE(step.status == StepStatus::ok);
         REQUIRE(now.zones == zones);
         checks += step.complementarity_residual > 0 ? 1 : 0;
-        Vector constant = product - G * exact;
+        Vector constant = product - G * plain;
         constant.array() += xi * dq;
         const Vector solution = dense::solve(M_stick, constant(stick));
-        for (std::size_t j = 0; j < stick.size(); ++j) exact[stick[j]] = -solution[static_cast<Eigen::Index>(j)];
+        for (std::size_t j = 0; j < stick.size(); ++j) plain[stick[j]] = -solution[static_cast<Eigen::Index>(j)];
         const auto off = [&](const FrictionState<>& state) {
-            return (state.traction - exact).cwiseAbs().maxCoeff() / peak;
+            return (state.traction - plain).cwiseAbs().maxCoeff() / peak;
         };
         error = std::max(error, off(now));
         checked_error = std::max(checked_error, off(checked));

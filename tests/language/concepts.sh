@@ -1,6 +1,6 @@
 #!/bin/sh
-# concepts.sh COMPILER INCLUDE_DIR...: right schemes and kernels compile; wrong ones are diagnosed, in at most 70 lines
-# for two calls of each.
+# concepts.sh COMPILER INCLUDE_DIR...: right schemes and kernels compile; wrong ones are diagnosed, two calls of
+# each, in at most 420 lines for all.
 set -eu
 compiler=$1
 shift

@@ -1,6 +1,5 @@
-// The scalar types of tests in every one: double, and with ROLLBEM_SLOW_CHECKS float and long double, which cost more
-// time to compile than all other tests of the headers in question. Then their large templates are compiled once, in
-// scalars_float.cpp and scalars_long_double.cpp: ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
+// The scalar types in which tests of templates run: double, and with ROLLBEM_SLOW_CHECKS float and long double, too,
+// which take long to compile. Then the large templates are compiled once for these, in scalars_float.cpp and scalars_long_double.cpp: ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
 // ROLLBEM_SCALARS(, Scalar) defines them. What is little more than a decomposition of Eigen's is compiled for double
 // alone, except for the eigenvalues that long double judges.
 #pragma once

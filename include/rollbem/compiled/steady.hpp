@@ -1,5 +1,5 @@
-// Steady rolling by elements and by Chebyshev states, compiled for double. Replaces adhesion/steady.hpp; link
-// rollbem::compiled.
+// Steady rolling by elements and by Chebyshev states, compiled for double. Replaces adhesion/steady.hpp and, for
+// steady rolling, spectral/chebyshev.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../adhesion/steady.hpp"

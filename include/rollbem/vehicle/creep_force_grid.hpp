@@ -23,16 +23,15 @@ namespace rollbem {
 ///
 ///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s^2 = c23 (c33 - c23 c32/c22) mu N c/M,
 ///
-/// where s is the geometric mean of the lateral force of spin and of its moment when no lateral force acts, this over
-/// the moment M of spin alone in full sliding. By the moment alone, which saturates first on wide ellipses, the pole of
-/// the spin would leave the contact over its leading and trailing edges within few nodes there. Forces reach full
-/// sliding at |X| = 1 to 3; the lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic
-/// lattice of
+/// where M is the moment of spin alone in full sliding, and s the geometric mean of two numbers: of c23, and of the
+/// moment that spin causes when no lateral force acts, over M. With the second alone, which is larger on wide ellipses,
+/// the pole of the spin would cross the contact there within few nodes. Forces reach full sliding at |X| = 1 to 3; the
+/// lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic lattice of
 ///
 ///     u = X/(2 + |X|),
 ///
-/// where |u| = 1 is full sliding, at infinite creepage. By symmetry
-/// xi >= 0 and phi >= 0 suffice: xi and F_x change sign alone, and so do eta, phi, F_y and M_z together.
+/// where |u| = 1 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and F_x change sign
+/// alone, and so do eta, phi, F_y and M_z together.
 ///
 /// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
 /// c11, c22, c23, -c32, c33 > 0.

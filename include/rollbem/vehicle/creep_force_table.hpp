@@ -47,8 +47,8 @@ struct TabulatedForce {
 /// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
 /// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
 /// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
-/// exceed mu N by its error. Immutable: threads may share it. A template so that only programs that use it compile it;
-/// its name is CreepForceTable.
+/// exceed mu N by its error. Immutable: threads may share it. It is a template only so that programs that do not use
+/// it need not compile it; write CreepForceTable.
 ///
 ///     std::ifstream file("table.csv.bin", std::ios::binary);
 ///     const CreepForceTable table = CreepForceTable::read(file);
