@@ -547,9 +547,9 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
     reader.bytes(text.data(), text.size());
     if (text != magic)
         throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
-    const auto found = reader.integer<std::uint32_t>();
+    const auto found = reader.template integer<std::uint32_t>();
     detail::require(found == version, name, "version", found, "be 3");
-    const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
+    const auto levels = reader.template integer<std::uint32_t>(), shapes = reader.template integer<std::uint32_t>();
     detail::require(levels <= 64, name, "levels", levels, "be at most 64");
     detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
     const double nu = reader.number(), smallest = reader.number(), largest = reader.number();
@@ -568,7 +568,7 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
     }
     table.meet_linear_law();
     const std::uint64_t checksum = reader.checksum();
-    if (reader.integer<std::uint64_t>() != checksum) {
+    if (reader.template integer<std::uint64_t>() != checksum) {
         throw std::invalid_argument("CreepForceTable: the numbers must agree with their checksum");
     }
     return table;
