@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -88,7 +89,7 @@ template <class Scalar>
 std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     static const QuadratureRule<Scalar> rule = gauss_legendre<Scalar>(12);
     std::array<Scalar, 6> ends = {unit.y_1, unit.y_2, 0, 0, 0, 0};
-    for (int k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < 2; ++k) {
         const Scalar x = k == 0 ? unit.x_1 : unit.x_2;
         ends[2 + 2 * k] = std::sqrt(std::max((1 - x) * (1 + x), Scalar(0)));
         ends[3 + 2 * k] = -ends[2 + 2 * k];
