@@ -282,8 +282,8 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// From rest in the most expensive case, oblique creepage where stick ends. With slip turned to its direction at the centres, as by
-// default, or left as it is.
+// From rest in the most expensive case, oblique creepage where stick ends. With slip turned to its direction at the
+// centres, as by default, or left as it is.
 void combined_steady(benchmark::State& state, bool turned) {
     Scene scene(state.range(0));
     scene.friction.turned = turned;

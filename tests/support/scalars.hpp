@@ -1,7 +1,8 @@
 // The scalar types in which tests of templates run: double, and with ROLLBEM_SLOW_CHECKS float and long double, too,
-// which take long to compile. Then the large templates are compiled once for these, in scalars_float.cpp and scalars_long_double.cpp: ROLLBEM_SCALARS(extern, Scalar) declares the instantiations,
-// ROLLBEM_SCALARS(, Scalar) defines them. What is little more than a decomposition of Eigen's is compiled for double
-// alone, except for the eigenvalues that long double judges.
+// which take long to compile. Then the large templates are compiled once for these, in scalars_float.cpp and
+// scalars_long_double.cpp: ROLLBEM_SCALARS(extern, Scalar) declares the instantiations, ROLLBEM_SCALARS(, Scalar)
+// defines them. What is little more than a decomposition of Eigen's is compiled for double alone, except for the
+// eigenvalues that long double judges.
 #pragma once
 
 #ifndef ROLLBEM_SLOW_CHECKS

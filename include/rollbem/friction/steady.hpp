@@ -44,10 +44,10 @@ namespace rollbem {
 ///
 /// If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), the forces would be wrong wherever
 /// elements stick: the status of every solution is then StepStatus::assists_creepage, with the residual but without
-/// numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case:
-/// its tractions assist the creepage in full adhesion, but are correct with friction. It dissipates no energy, whereas full adhesion loses
-/// energy at the singular trailing edge; the force of full adhesion is therefore zero. Dissipation by slip is
-/// represented: the force converges, with first order, once several elements slip at the trailing edge.
+/// numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case: its
+/// tractions assist the creepage in full adhesion, but are correct with friction. It dissipates no energy, whereas full
+/// adhesion loses energy at the singular trailing edge; the force of full adhesion is therefore zero. Dissipation by
+/// slip is represented: the force converges, with first order, once several elements slip at the trailing edge.
 ///
 /// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
 /// slip begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from
