@@ -261,7 +261,7 @@ int main(int argc, char** argv) {
     options.add("a-over-b", "LIST", "the smallest and the largest a/b, a along the rolling direction (dimensionless)",
                 "0.1,10");
     options.add("shapes", "N", "number of ellipses, a/b in steps of a constant factor, 4 to 100 (dimensionless)", "13");
-    options.add("levels", "N", "number of nodes from no creepage to full sliding, 4 to 64 (dimensionless)", "20");
+    options.add("levels", "N", "number of nodes from no creepage to full sliding, 4 to 64 (dimensionless)", "19");
     options.add_input(
         "rows",
         "take the rows from this file instead of computing them: the parts of --shard, one after the other; "
@@ -270,7 +270,7 @@ int main(int argc, char** argv) {
         "check", "N",
         "also print the mean and the largest difference between the table and the patches in N random scenes, 1 "
         "to 10000000 (dimensionless)");
-    options.set_default("n", "16");
+    options.set_default("n", "17");
     options.set_help("n",
                      "n^2 elements on each ellipse, as many of them in a strip as its shape wants, 2 to 100 "
                      "(dimensionless)");

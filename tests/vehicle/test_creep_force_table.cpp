@@ -298,7 +298,7 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
         text[place] = static_cast<char>(text[place] ^ by);
         return refused(text);
     };
-    CHECK_THAT(changed(20, 1), ContainsSubstring("version = 2 must be 3"));
+    CHECK_THAT(changed(20, 1), ContainsSubstring("version = 5 must be 4"));
     CHECK_THAT(changed(27, 1), ContainsSubstring("levels"));
     CHECK_THAT(changed(31, 1), ContainsSubstring("number of ellipses"));
     CHECK_THAT(changed(good.size() / 2, 1), ContainsSubstring("checksum"));

@@ -10,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include "../closed_form/full_sliding.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/creep_coefficients.hpp"
@@ -21,14 +20,14 @@ namespace rollbem {
 /// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are
 /// the forces of the linear law over those that friction allows,
 ///
-///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s^2 = c23 (c33 - c23 c32/c22) mu N c/M,
+///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = sqrt(c11 c22).
 ///
-/// where M is the moment of spin alone in full sliding, and s the geometric mean of two numbers: of c23, and of the
-/// moment that spin causes when no lateral force acts, over M. With the second alone, which is larger on wide ellipses,
-/// the pole of the spin would cross the contact there within few nodes. Forces reach full sliding at |X| = 1 to 3; the
-/// lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic lattice of
+/// With this s, the pole of the spin crosses both edges of a sliding contact, where the moment turns sharply, equally
+/// far from the axes of X: at y = +-b for X_3/X_1 = s c/(c11 b), at x = +-a for c22 eta/X_3 = c22 a/(s c). Forces reach
+/// full sliding at |X| = 1 to 3; the lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a
+/// cubic lattice of
 ///
-///     u = X/(2 + |X|),
+///     u = X/(1.4 + |X|),
 ///
 /// where |u| = 1 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and F_x change sign
 /// alone, and so do eta, phi, F_y and M_z together.
@@ -37,6 +36,8 @@ namespace rollbem {
 /// c11, c22, c23, -c32, c33 > 0.
 class CreepForceGrid {
 public:
+    static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
+
     /// `coefficients` of the ellipses a_over_b_of(i, ...), whose number is that of shapes; `levels` nodes lie between
     /// no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
     CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
@@ -61,8 +62,7 @@ public:
                 detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
                                 "be positive and finite");
             }
-            const double moment = (c.c33 - c.c23 * c.c32 / c.c22) / full_sliding(a_over_b(i), 0.0, 0.0, 1.0).moment;
-            scales_.col(i) << c.c11, c.c22, c.c23, std::sqrt(c.c23 * moment);
+            scales_.col(i) << c.c11, c.c22, c.c23, std::sqrt(c.c11 * c.c22);
         }
         for (int i = 0; i < levels_; ++i) {
             for (int j = -levels_ + 1; j < levels_; ++j) {
@@ -96,7 +96,7 @@ public:
     Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
         const Place& place = nodes_[static_cast<std::size_t>(node)];
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
-        return creepage(i, 2 / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
+        return creepage(i, half_way / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
     }
     /// The same at X.
     Creepage<double> creepage(Eigen::Index i, const Eigen::Array3d& X) const {
@@ -110,7 +110,7 @@ public:
         double radial;  ///< du = factor (dw - radial d|w| w/|w|)
     };
     static Stretch stretch(double unit, double size) {
-        const double factor = 1 / (2 * unit + size);
+        const double factor = 1 / (half_way * unit + size);
         return {factor, factor * size};
     }
     /// Whether a node begins a line of growing spin.

@@ -68,7 +68,7 @@ public:
     /// not agree with their checksum.
     static BasicCreepForceTable read(std::istream& stream);
 
-    /// Little-endian, version 3: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
+    /// Little-endian, version 4: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
     /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients of
     /// the splines (32 bits each), and the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
@@ -84,7 +84,7 @@ public:
 private:
     static constexpr const char* name = "CreepForceTable";
     static constexpr const char* magic = "rollbem creep forces";
-    static constexpr std::uint32_t version = 3;
+    static constexpr std::uint32_t version = 4;
     static constexpr double most = 100;
 
     /// Bytes with their checksum.
@@ -319,7 +319,7 @@ BasicCreepForceTable<Real>::BasicCreepForceTable(CreepForceGrid grid, const Eige
 
 template <std::same_as<double> Real>
 void BasicCreepForceTable<Real>::meet_linear_law() {
-    const double step = 2 / static_cast<double>(n_);  // of X, where u is X/2
+    const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
     Eigen::ArrayXXd lacking(5, grid_.shapes());
     for (Eigen::Index i = 0; i < grid_.shapes(); ++i) {
         const CreepCoefficients<double>& c = grid_.coefficients()[static_cast<std::size_t>(i)];
@@ -548,7 +548,7 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
     if (text != magic)
         throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
     const auto found = reader.template integer<std::uint32_t>();
-    detail::require(found == version, name, "version", found, "be 3");
+    detail::require(found == version, name, "version", found, "be 4");
     const auto levels = reader.template integer<std::uint32_t>(), shapes = reader.template integer<std::uint32_t>();
     detail::require(levels <= 64, name, "levels", levels, "be at most 64");
     detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
