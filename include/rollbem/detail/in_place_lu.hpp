@@ -4,6 +4,7 @@
 
 #include "language.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/Core>
@@ -15,19 +16,50 @@ using MatrixRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynami
 template <class Scalar>
 using VectorRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
 
+/// target -= from u, where `from` are four columns of `count` numbers, `stride` apart: the target is read and written
+/// once instead of four times. In small pieces of fixed size, as long expressions are not inlined by -O2.
+template <class Scalar>
+void subtract_four(const Scalar* from, Eigen::Index stride, const Eigen::Matrix<Scalar, 4, 1>& u, Scalar* target,
+                   Eigen::Index count) {
+    constexpr Eigen::Index size = 8;
+    using Piece = Eigen::Matrix<Scalar, size, 1>;
+    Eigen::Index i = 0;
+    for (; i + size <= count; i += size) {
+        const auto column = [&](Eigen::Index k) { return Eigen::Map<const Piece>(from + k * stride + i); };
+        Piece piece = Eigen::Map<const Piece>(target + i);
+        piece -= u[0] * column(0);
+        piece -= u[1] * column(1);
+        piece -= u[2] * column(2);
+        piece -= u[3] * column(3);
+        Eigen::Map<Piece>(target + i) = piece;
+    }
+    for (; i < count; ++i) {
+        for (Eigen::Index k = 0; k < 4; ++k) target[i] -= u[k] * from[k * stride + i];
+    }
+}
+
 /// Overwrites the n x n matrix A with its factors; whole rows are swapped, row k with row swaps[k] >= k. If A is
 /// singular, solutions contain infinities or NaN.
 template <class Scalar>
 void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     const Eigen::Index n = A.rows();
-    for (Eigen::Index k = 0; k < n; ++k) {
-        const Eigen::Index rest = n - k - 1;
-        Eigen::Index pivot = 0;
-        A.col(k).tail(rest + 1).cwiseAbs().maxCoeff(&pivot);
-        swaps[k] = k + pivot;
-        if (pivot != 0) A.row(k).swap(A.row(k + pivot));
-        A.col(k).tail(rest) /= A(k, k);
-        for (Eigen::Index j = k + 1; j < n; ++j) A.col(j).tail(rest) -= A(k, j) * A.col(k).tail(rest);
+    for (Eigen::Index first = 0, last = 0; first < n; first = last) {
+        last = std::min(first + 4, n);
+        for (Eigen::Index k = first; k < last; ++k) {
+            const Eigen::Index rest = n - k - 1;
+            Eigen::Index pivot = 0;
+            A.col(k).tail(rest + 1).cwiseAbs().maxCoeff(&pivot);
+            swaps[k] = k + pivot;
+            if (pivot != 0) A.row(k).swap(A.row(k + pivot));
+            A.col(k).tail(rest) /= A(k, k);
+            for (Eigen::Index j = k + 1; j < last; ++j) A.col(j).tail(rest) -= A(k, j) * A.col(k).tail(rest);
+        }
+        for (Eigen::Index j = last; j < n; ++j) {  // then last - first is 4
+            Eigen::Matrix<Scalar, 4, 1> u = A.col(j).template segment<4>(first);
+            for (Eigen::Index k = 0; k < 3; ++k) u.tail(3 - k) -= u[k] * A.col(first + k).segment(first + k + 1, 3 - k);
+            A.col(j).template segment<4>(first) = u;
+            subtract_four<Scalar>(&A(last, first), A.outerStride(), u, &A(last, j), n - last);
+        }
     }
 }
 
@@ -48,14 +80,29 @@ template <class Scalar>
 void invert_factors(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, MatrixRef<Scalar> inverse) {
     const Eigen::Index n = A.rows();
     inverse.setIdentity();
-    // column by column of the factors, which are read once; L^-1 is triangular
-    for (Eigen::Index k = 0; k < n; ++k) {
-        const Eigen::Index rest = n - k - 1;
-        for (Eigen::Index j = 0; j <= k; ++j) inverse.col(j).tail(rest) -= inverse(k, j) * A.col(k).tail(rest);
+    // four columns of the factors at a time, which are read once; L^-1 is triangular
+    for (Eigen::Index first = 0, last = 0; first < n; first = last) {
+        last = std::min(first + 4, n);
+        for (Eigen::Index j = 0; j < last; ++j) {
+            Eigen::Matrix<Scalar, 4, 1> u = Eigen::Matrix<Scalar, 4, 1>::Zero();
+            for (Eigen::Index k = first; k < last; ++k) {
+                u[k - first] = inverse(k, j);
+                const Eigen::Index rest = last - k - 1;
+                inverse.col(j).segment(k + 1, rest) -= inverse(k, j) * A.col(k).segment(k + 1, rest);
+            }
+            if (last < n) subtract_four<Scalar>(&A(last, first), A.outerStride(), u, &inverse(last, j), n - last);
+        }
     }
-    for (Eigen::Index k = n - 1; k >= 0; --k) {
-        inverse.row(k) /= A(k, k);
-        for (Eigen::Index j = 0; j < n; ++j) inverse.col(j).head(k) -= inverse(k, j) * A.col(k).head(k);
+    for (Eigen::Index last = n, first = 0; last > 0; last = first) {
+        first = std::max<Eigen::Index>(last - 4, 0);
+        for (Eigen::Index j = 0; j < n; ++j) {
+            Eigen::Matrix<Scalar, 4, 1> u = Eigen::Matrix<Scalar, 4, 1>::Zero();
+            for (Eigen::Index k = last - 1; k >= first; --k) {
+                u[k - first] = inverse(k, j) /= A(k, k);
+                inverse.col(j).segment(first, k - first) -= inverse(k, j) * A.col(k).segment(first, k - first);
+            }
+            if (first > 0) subtract_four<Scalar>(&A(0, first), A.outerStride(), u, &inverse(0, j), first);
+        }
     }
     for (Eigen::Index k = n - 1; k >= 0; --k) inverse.col(k).swap(inverse.col(swaps[k]));
 }
