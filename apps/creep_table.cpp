@@ -270,7 +270,7 @@ int main(int argc, char** argv) {
         "check", "N",
         "also print the mean and the largest difference between the table and the patches in N random scenes, 1 "
         "to 10000000 (dimensionless)");
-    options.set_default("n", "17");
+    options.set_default("n", "18");
     options.set_help("n",
                      "n^2 elements on each ellipse, as many of them in a strip as its shape wants, 2 to 100 "
                      "(dimensionless)");

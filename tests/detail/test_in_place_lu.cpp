@@ -1,0 +1,45 @@
+// rollbem/detail/in_place_lu.hpp: factors, solutions and inverses of every size, also of part of a larger matrix.
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <rollbem/detail/in_place_lu.hpp>
+
+#include "support/catch.hpp"
+#include "support/draw.hpp"
+
+namespace in_place_lu_tests {
+
+using Index = Eigen::Index;
+
+TEMPLATE_TEST_CASE("in_place_lu: solution and inverse of a permuted matrix", "", float, double) {
+    using Matrix = Eigen::Matrix<TestType, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<TestType, Eigen::Dynamic, 1>;
+    support::Draw draw(1);
+    for (Index n = 1; n <= 30; ++n) {
+        CAPTURE(n);
+        // dominated by one entry of each row, none on the diagonal, so that only pivoting gives small errors
+        Matrix all(n + 3, n + 3);
+        for (TestType& entry : all.reshaped()) entry = static_cast<TestType>(draw.uniform(-0.5, 0.5));
+        for (Index i = 0; i < n; ++i) all(i, (i + n / 2) % n) += static_cast<TestType>(2 * n);
+        const Matrix before = all, A = before.topLeftCorner(n, n);
+        std::vector<Index> swaps(static_cast<std::size_t>(n));
+        auto factors = all.topLeftCorner(n, n);
+        rollbem::detail::factorise_in_place<TestType>(factors, swaps.data());
+        CHECK(all.rightCols(3) == before.rightCols(3));
+        CHECK(all.bottomRows(3) == before.bottomRows(3));
+
+        Matrix inverse(n, n);
+        rollbem::detail::invert_factors<TestType>(factors, swaps.data(), inverse);
+        Vector x = Vector::LinSpaced(n, 1, 2);
+        const Vector right = A * x;
+        Vector y = right;
+        rollbem::detail::solve_in_place<TestType>(factors, swaps.data(), y);
+        const TestType rounding = 100 * Eigen::NumTraits<TestType>::epsilon();
+        CHECK((A * inverse - Matrix::Identity(n, n)).cwiseAbs().maxCoeff() < rounding);
+        CHECK((y - x).cwiseAbs().maxCoeff() < rounding);
+    }
+}
+
+}  // namespace in_place_lu_tests
