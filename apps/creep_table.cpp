@@ -10,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -36,6 +37,7 @@ using rollbem::CreepForceGrid, rollbem::CreepForceTable, rollbem::Creepage;
 struct Job {
     CreepForceGrid grid;
     std::ptrdiff_t n;
+    std::vector<std::array<double, 2>> elements;  ///< of each ellipse: elements of a strip, strips
 };
 
 Job make_job(const study::Options& options) {
@@ -46,14 +48,24 @@ Job make_job(const study::Options& options) {
     const double nu = options.number("poisson", study::between(0, 0.5));
     const std::ptrdiff_t n = options.integer("n", 2, 100), shapes = options.integer("shapes", 4, 100);
     const auto levels = static_cast<int>(options.integer("levels", 4, 64));
+    const std::ptrdiff_t numbers = (levels + 3) * (levels + 3) * (2 * levels + 3) * (shapes + 2);
+    if (numbers > 10'000'000) {
+        throw study::BadInput(options.said("levels") + ", " + options.said("shapes") +
+                              " give a table of (levels + 3)^2 (2 levels + 3) (shapes + 2) = " +
+                              std::to_string(numbers) + " coefficients, which must be at most 10000000");
+    }
     std::vector<rollbem::CreepCoefficients<double>> coefficients(static_cast<std::size_t>(shapes));
+    std::vector<std::array<double, 2>> elements(coefficients.size());
     study::parallel_for(coefficients.size(), study::job_count(options), [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i),
                                                             static_cast<Eigen::Index>(shapes), ends[0], ends[1]);
-        coefficients[i] = creep::Source(a_over_b, nu, n).coefficients();
+        const creep::Source source(a_over_b, nu, n);
+        coefficients[i] = source.coefficients();
+        elements[i] = {static_cast<double>(source.mesh().elements_per_strip()),
+                       static_cast<double>(source.mesh().strip_count())};
     });
     try {
-        return {CreepForceGrid(nu, ends[0], ends[1], levels, std::move(coefficients)), n};
+        return {CreepForceGrid(nu, ends[0], ends[1], levels, std::move(coefficients)), n, std::move(elements)};
     } catch (const std::invalid_argument& error) {
         throw study::BadInput("--n = " + std::to_string(n) + " is too small: " + error.what());
     }
@@ -130,8 +142,14 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
         const auto number = [&](std::size_t k) {
             return cells.size() == columns().size() ? study::number_of(cells[k], ',') : std::nullopt;
         };
-        const std::array<std::pair<std::size_t, double>, 5> expected{
-            {{0, grid.a_over_b(shape)}, {1, grid.poisson_ratio()}, {4, v.longitudinal}, {5, v.lateral}, {6, v.spin}}};
+        const auto& [elements, strips] = job.elements[static_cast<std::size_t>(shape)];
+        const std::array<std::pair<std::size_t, double>, 7> expected{{{0, grid.a_over_b(shape)},
+                                                                      {1, grid.poisson_ratio()},
+                                                                      {2, elements},
+                                                                      {3, strips},
+                                                                      {4, v.longitudinal},
+                                                                      {5, v.lateral},
+                                                                      {6, v.spin}}};
         for (const auto& [k, value] : expected) {
             const auto found = number(k);
             if (!found || std::abs(*found - value) > 1e-9 * std::abs(value)) {
@@ -150,6 +168,12 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
         if (!(std::hypot(forces(0, column), forces(1, column)) <= 1 + 1e-6)) {
             throw study::BadInput(where(i) + ": longitudinal_force, lateral_force = " + cells[7] + ", " + cells[8] +
                                   " must be a force of at most mu N");
+        }
+        if (cells[14] != "ok") throw study::BadInput(where(i) + ": status = " + cells[14] + " must be ok");
+        const double arm = std::sqrt(std::max(grid.a_over_b(shape), 1 / grid.a_over_b(shape)));
+        if (!(std::abs(forces(2, column)) <= arm)) {
+            throw study::BadInput(where(i) + ": spin_moment = " + cells[9] +
+                                  " must be at most the longer semi-axis over c, " + study::Cell(arm).text(4));
         }
     }
     return forces;
@@ -316,6 +340,7 @@ difference of a scene is the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Te
             return study::exit_ok;
         }
         const std::vector<Slab> slabs = slabs_of(job.grid);
+        std::optional<CreepForceTable> made;
         study::Table table;
         table.columns = columns();
         for (const Slab& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
@@ -327,9 +352,10 @@ difference of a scene is the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Te
         };
         table.resumable = to_file;
         if (whole && to_file) {
-            table.finish = [&](const std::vector<std::string>& rows) {
-                finish(given, job, table_of(job, rows, given.said("output")), scenes);
+            table.accept = [&](const std::vector<std::string>& rows) {
+                made.emplace(table_of(job, rows, given.said("output")));
             };
+            table.written = [&] { finish(given, job, *made, scenes); };
         }
         study::write_table(given, table);
         return study::exit_ok;

@@ -105,6 +105,7 @@ public:
     /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
     void footer(const std::string& text, std::vector<Topic> topics = {});
 
+    std::string version() const;  ///< program, version and git revision
     /// Reads the command line. Returns a text to print instead of running (--help, --version); throws BadInput.
     std::optional<std::string> parse(int argc, const char* const* argv);
 
@@ -178,7 +179,6 @@ private:
 
     void add_file(const std::string& name, const std::string& help, Kind kind);
 
-    std::string version() const;
 
     /// Throws BadInput if two inputs are standard input.
     void check_inputs() const;

@@ -57,7 +57,7 @@ class UnfinishedRows {
 public:
     /// Reads what an earlier run left. Throws BadInput if that run was another one, or if the file cannot be written.
     explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".unfinished") {
-        std::string first = options.program();
+        std::string first = options.version();
         for (const auto& [name, value] : options.values()) {
             if (name != "output" && name != "jobs" && name != "quiet" && name != "check")
                 first += " --" + name + " " + value;
@@ -197,7 +197,7 @@ void write_table(const Options& options, const Table& table) {
     const std::size_t count = wanted.last - wanted.first;
     if (has_header(options)) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
     std::optional<UnfinishedRows> unfinished;
-    std::vector<std::string> lines;  // for table.finish
+    std::vector<std::string> lines;  // for table.accept
     std::size_t written = 0;
     if (table.resumable && csv.is_regular()) {
         unfinished.emplace(options);
@@ -220,7 +220,7 @@ void write_table(const Options& options, const Table& table) {
         const std::string line = csv_line(row);
         csv.write(line);
         if (unfinished) unfinished->add(line);
-        if (table.finish) lines.push_back(line);
+        if (table.accept) lines.push_back(line);
         progress.update(++written);
         if (plots) kept.push_back(std::move(row));
     };
@@ -237,10 +237,10 @@ void write_table(const Options& options, const Table& table) {
     progress.clear();
 
     // 3. The files take their names.
+    if (table.accept) table.accept(lines);
     file.commit();
     if (unfinished) unfinished->remove();
     if (table.written) table.written();
-    if (table.finish) table.finish(lines);
     if (plots) draw(table.plot(kept), *drawing, png);
 }
 

@@ -37,8 +37,8 @@ struct Table {
     /// Whether rows are also kept in FILE.unfinished as they come. It stays after an interrupt; the same run then goes
     /// on after the rows it holds, and removes it at the end. Not with `plot`.
     bool resumable = false;
-    /// If set, called with all rows, as lines of CSV, when the file of the rows has its name.
-    std::function<void(const std::vector<std::string>& lines)> finish{};
+    /// If set, called with all rows, as lines of CSV, before the file of the rows takes its name: BadInput leaves none.
+    std::function<void(const std::vector<std::string>& lines)> accept{};
 };
 
 /// A table with a task of `rows` rows for each of `cases`, which have a label() and must outlive it.

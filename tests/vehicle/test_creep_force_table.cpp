@@ -225,9 +225,9 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     }
     // along a line through many cells, past the point of rest: the tangent changes in proportion to the step
     const PatchContact<double> patch = contact(1.1);
-    for (const double step : {1e-2, 1e-3}) {
+    for (const double step : {1e-4, 1e-5}) {
         double jump = 0, last = std::numeric_limits<double>::quiet_NaN();
-        for (double t = -3; t < 3; t += step) {
+        for (double t = -0.3; t < 0.3; t += step) {
             const TabulatedForce at = table.look_up(patch, mu, load, creepage(patch, t, 0.7 * t, 0.4 * t));
             const double now = at.tangent.by_lateral.lateral / (modulus * patch.c() * patch.c());
             if (last == last) jump = std::max(jump, std::abs(now - last));
@@ -235,6 +235,38 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         }
         CHECK(jump < 60 * step);
     }
+    // and so does its own derivative, past the first level, where the correction at rest ends
+    const double n = table.grid().levels(),
+                 at_level = CreepForceGrid::half_way / (n - 1) / creep_forces::coefficients(1).c22;
+    const PatchContact<double> circle = contact(1);
+    const auto change = [&](double from, double to) {
+        const auto tangent = [&](double part) {
+            return table.look_up(circle, mu, load, creepage(circle, 0, part * at_level, 0)).tangent.by_lateral.lateral;
+        };
+        return (tangent(to) - tangent(from)) / (to - from);
+    };
+    CHECK_THAT(change(1, 1.0001), WithinRel(change(0.9999, 1), 1e-2));
+}
+
+TEST_CASE("creep_force_table: far below saturation, between its ellipses") {
+    const CreepForceTable& table = small_table();
+    for (const double a_over_b : {0.55, 0.8, 1.3, 1.85}) {
+        const PatchContact<double> patch = contact(a_over_b);
+        const auto c = creep_forces::coefficients(a_over_b);
+        const double stiffness = -modulus * patch.c() * patch.c();
+        const Creepage<double> v{1e-6, -2e-6, 3e-5 / patch.c()};
+        // the larger mu, the fewer digits the splines have
+        for (const double ratio : {1e3, 1e9, 1e15}) {
+            const TabulatedForce at = table.look_up(patch, ratio, load, v);
+            INFO("a/b = " << a_over_b << ", mu = " << ratio);
+            CHECK_THAT(at.force.longitudinal, WithinRel(stiffness * c.c11 * 1e-6, 2e-3));
+            CHECK_THAT(at.force.lateral, WithinRel(stiffness * (-2e-6 * c.c22 + 3e-5 * c.c23), 2e-3));
+            CHECK_THAT(at.force.moment, WithinRel(stiffness * patch.c() * (-2e-6 * c.c32 + 3e-5 * c.c33), 2e-3));
+        }
+    }
+    // loads too small to divide by
+    CHECK((array(table.look_up(contact(1), mu, 1e-303, {}).force) == 0).all());
+    CHECK(table.look_up(contact(1), mu, 1e-303, {}).status == StepStatus::ok);
 }
 
 TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it") {

@@ -22,10 +22,10 @@ namespace rollbem {
 ///
 ///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = sqrt(c11 c22).
 ///
-/// With this s, the pole of the spin crosses both edges of a sliding contact, where the moment turns sharply, equally
-/// far from the axes of X: at y = +-b for X_3/X_1 = s c/(c11 b), at x = +-a for c22 eta/X_3 = c22 a/(s c). Forces reach
-/// full sliding at |X| = 1 to 3; the lateral force of spin on long ellipses bends sharply at |X| = 1. Nodes lie on a
-/// cubic lattice of
+/// The pole of the spin crosses the edges of a sliding contact, where the moment turns sharply, at y = +-b where
+/// X_3/X_1 = s c/(c11 b), at x = +-a where (X_2 - c23 X_3/s)/X_3 = c22 a/(s c): this s makes both the same, so that
+/// neither edge lies within few nodes on any ellipse. Forces reach full sliding at |X| = 1 to 3; the lateral force of
+/// spin on long ellipses bends sharply at |X| = 1. Nodes lie on a cubic lattice of
 ///
 ///     u = X/(1.4 + |X|),
 ///
@@ -33,7 +33,7 @@ namespace rollbem {
 /// alone, and so do eta, phi, F_y and M_z together.
 ///
 /// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
-/// c11, c22, c23, -c32, c33 > 0.
+/// c11, c22, c23, -c32, c33 > 0; (levels + 3)^2 (2 levels + 3) (shapes + 2) <= 1e7.
 class CreepForceGrid {
 public:
     static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
@@ -55,6 +55,9 @@ public:
                         "be finite and above the smallest");
         detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
         detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
+        const Eigen::Index side = levels_ + 3, count = side * side * (2 * levels_ + 3) * (shapes() + 2);
+        detail::require(count <= 10'000'000, name, "number of coefficients (levels + 3)^2 (2 levels + 3) (shapes + 2)",
+                        count, "be at most 10000000");
         scales_.resize(4, shapes());
         for (Eigen::Index i = 0; i < shapes(); ++i) {
             const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];

@@ -92,8 +92,6 @@ private:
     class Reader;
 
     explicit BasicCreepForceTable(CreepForceGrid grid) : grid_(std::move(grid)), n_(grid_.levels()) {
-        const Eigen::Index count = per_shape() * (grid_.shapes() + 2);
-        detail::require(count <= 10'000'000, name, "number of coefficients", count, "be at most 10000000");
         scales_ = with_ends(grid_.scales());
         coefficients_.resize(static_cast<std::size_t>((grid_.shapes() + 2) * per_shape()) * width);
     }
@@ -118,15 +116,15 @@ private:
     };
     Sample sample(double shape, double x, double y, double spin) const noexcept;
 
-    /// Fills linear_ from the coefficients of the splines.
-    void meet_linear_law();
+    /// Fills at_rest_ from the coefficients of the splines.
+    void look_at_rest();
 
     CreepForceGrid grid_;
     Eigen::Index n_;
-    Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b), as linear_
-    /// What the derivatives of the spline where creepage vanishes lack: of F_x by u_x, F_y by u_y and u_phi, M_z by u_y
-    /// and u_phi.
-    Eigen::ArrayXXd linear_;
+    Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b)
+    /// Derivatives of the splines where creepage vanishes, of F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi, and
+    /// c32, c33, by which they are put right; coefficients of splines in log(a/b).
+    Eigen::ArrayXXd at_rest_;
     std::vector<float> coefficients_;
 };
 
@@ -314,24 +312,18 @@ BasicCreepForceTable<Real>::BasicCreepForceTable(CreepForceGrid grid, const Eige
             }
         }
     }
-    meet_linear_law();
+    look_at_rest();
 }
 
 template <std::same_as<double> Real>
-void BasicCreepForceTable<Real>::meet_linear_law() {
-    const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
-    Eigen::ArrayXXd lacking(5, grid_.shapes());
+void BasicCreepForceTable<Real>::look_at_rest() {
+    Eigen::ArrayXXd columns(7, grid_.shapes());
     for (Eigen::Index i = 0; i < grid_.shapes(); ++i) {
         const CreepCoefficients<double>& c = grid_.coefficients()[static_cast<std::size_t>(i)];
         const Sample at = sample(static_cast<double>(i), 0, 0, 0);
-        const Creepage<double> x = grid_.creepage(i, Eigen::Array3d(step, 0, 0)),
-                               y = grid_.creepage(i, Eigen::Array3d(0, step, 0)),
-                               spin = grid_.creepage(i, Eigen::Array3d(0, 0, step));
-        lacking.col(i) << c.c11 * x.longitudinal - at.by_x[0], c.c22 * y.lateral - at.by_y[1],
-            c.c22 * spin.lateral + c.c23 * spin.spin - at.by_spin[1], c.c32 * y.lateral - at.by_y[2],
-            c.c32 * spin.lateral + c.c33 * spin.spin - at.by_spin[2];
+        columns.col(i) << at.by_x[0], at.by_y[1], at.by_spin[1], at.by_y[2], at.by_spin[2], c.c32, c.c33;
     }
-    linear_ = with_ends(std::move(lacking));
+    at_rest_ = with_ends(std::move(columns));
 }
 
 template <std::same_as<double> Real>
@@ -400,21 +392,22 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
     const auto cell = std::min(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
     const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
-    Eigen::Array4d unit = Eigen::Array4d::Zero();  // of creepages in coordinates X mu N/(G a b)
+    Eigen::Array4d linear = Eigen::Array4d::Zero();
     for (Eigen::Index k = 0; k < 4; ++k) {
-        unit += by_shape.value[static_cast<std::size_t>(k)] * scales_.col(cell + k).head<4>();
+        linear += by_shape.value[static_cast<std::size_t>(k)] * scales_.col(cell + k).head<4>();
     }
-    unit.tail<2>() *= c;
+    const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
     const Eigen::Array3d w(unit[0] * creepage.longitudinal, unit[1] * creepage.lateral + unit[2] * creepage.spin,
                            unit[3] * creepage.spin);
     const double size = w.matrix().stableNorm();
-    if (bound == 0) {
+    const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
+    if (bound == 0 || !detail::is_finite(stretch.factor)) {  // no load, or too little to divide by
         result.force = {0, 0, 0};
         result.tangent = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
         return ended(StepStatus::ok);
     }
-    const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
     const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
+    if (!detail::is_finite(u.sum())) return ended(StepStatus::not_finite);  // creepage times c overflows
     const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
@@ -422,22 +415,27 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline misses
     // the linear law by some percent there. What it lacks, over the first step only.
     const double distance = u.matrix().norm();
+    const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
     if (distance < 1) {
-        Eigen::Array<double, 5, 1> lack = Eigen::Array<double, 5, 1>::Zero();
+        const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
+        Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero();
         for (Eigen::Index k = 0; k < 4; ++k) {
-            lack += by_shape.value[static_cast<std::size_t>(k)] * linear_.col(cell + k).head<5>();
+            rest += by_shape.value[static_cast<std::size_t>(k)] * at_rest_.col(cell + k).head<7>();
         }
-        Eigen::Matrix3d matrix;
-        matrix << lack[0], 0, 0, 0, lack[1], lack[2], 0, lack[3], lack[4];
-        const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
-        const Eigen::Vector3d all = matrix * place;
-        const double share = (1 - distance) * (1 - distance) * (1 + distance);
-        const double slope = distance > 0 ? (distance - 1) * (1 + 3 * distance) / distance : 0;  // d share, over |u|
+        const double c22 = linear[1], c23 = linear[2], c32 = rest[5], c33 = rest[6];
+        Eigen::Matrix3d lack;
+        lack.col(0) << step - rest[0], 0, 0;
+        lack.col(1) << 0, step - rest[1], c32 / c22 * step - rest[3];
+        lack.col(2) << 0, -rest[2], (c33 - c32 * c23 / c22) / linear[3] * step - rest[4];
+        const Eigen::Vector3d all = lack * place;
+        const double left = 1 - distance, share = left * left * left * (1 + 2 * distance);
+        const double slope = distance > 0 ? -left * left * (1 + 8 * distance) / distance : 0;  // d share, over |u|
         at.value += share * all.array();
-        at.by_x += share * matrix.col(0).array() + slope * place[0] * all.array();
-        at.by_y += share * matrix.col(1).array() + slope * place[1] * all.array();
-        at.by_spin += share * matrix.col(2).array() + slope * place[2] * all.array();
+        at.by_x += share * lack.col(0).array() + slope * place[0] * all.array();
+        at.by_y += share * lack.col(1).array() + slope * place[1] * all.array();
+        at.by_spin += share * lack.col(2).array() + slope * place[2] * all.array();
     }
+    if (distance < 1e-9) at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];  // no rounding
 
     // The signs of the quadrant; between the two groups of symmetry derivatives change sign with both.
     const Eigen::Array3d force = at.value * Eigen::Array3d(x_sign, sign_of_pair, sign_of_pair);
@@ -566,7 +564,7 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
                         "be finite and at most 1000");
         table.coefficients_[i] = value;
     }
-    table.meet_linear_law();
+    table.look_at_rest();
     const std::uint64_t checksum = reader.checksum();
     if (reader.template integer<std::uint64_t>() != checksum) {
         throw std::invalid_argument("CreepForceTable: the numbers must agree with their checksum");
