@@ -160,9 +160,12 @@ public:
         if (used() == Interface::model_exchange) {
             if (const std::optional<Scalar> value = partial_now(unknown, known)) return *value;
         } else if (&unknown.real() == &force_ && known.causality == Causality::input) {
+            if (past_.duration == 0 && initial_state_ == static_cast<int>(InitialState::steady)) {
+                throw NoDerivative(unknown, known, " before the first step");
+            }
             return partial_of_step(known);
         }
-        throw std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name);
+        throw NoDerivative(unknown, known, "");
     }
 
     void archive(Archive& archive) override {
@@ -282,7 +285,7 @@ private:
         const bool of_force = &unknown.real() == &force_, of_length = &unknown.real() == &half_length_;
         if (!of_force && !of_length && unknown.causality != Causality::derivative) return std::nullopt;
         if (known.causality != Causality::input && known.causality != Causality::state) return std::nullopt;
-        if (update() != Outcome::ok) throw std::invalid_argument("there are no derivatives here");
+        if (update() != Outcome::ok) throw NoDerivative(unknown, known, " at these states and inputs");
         const Scalar growth = growth_rate();
         const bool by_load = follows_load() && &known.real() == &load_.value;
         const Scalar by_half_length = by_load ? half_length_by_load(load_.value) : Scalar(0);  // of a

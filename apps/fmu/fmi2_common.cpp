@@ -235,10 +235,18 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2Value
                                         std::size_t unknown_count, const fmi2ValueReference knowns[],
                                         std::size_t known_count, const fmi2Real seeds[], fmi2Real derivatives[]) {
     return call(component, "fmi2GetDirectionalDerivative", fmu::running, [&](Instance& instance) {
-        for (std::size_t i = 0; i < unknown_count; ++i) {
-            double sum = 0;
-            for (std::size_t j = 0; j < known_count; ++j) sum += instance.partial(unknowns[i], knowns[j]) * seeds[j];
-            derivatives[i] = sum;
+        try {
+            for (std::size_t i = 0; i < unknown_count; ++i) {
+                double sum = 0;
+                for (std::size_t j = 0; j < known_count; ++j) {
+                    sum += instance.partial(unknowns[i], knowns[j]) * seeds[j];
+                }
+                derivatives[i] = sum;
+            }
+            return fmi2OK;
+        } catch (const fmu::NoDerivative& none) {
+            instance.log(fmi2Discard, std::string("fmi2GetDirectionalDerivative: ") + none.what());
+            return fmi2Discard;
         }
     });
 }

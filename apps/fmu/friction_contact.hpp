@@ -56,15 +56,18 @@ public:
         const Scalar* const force = &unknown.real();
         const bool of_force = force == &force_.longitudinal || force == &force_.lateral || force == &force_.moment;
         if (!of_force || known.causality != Causality::input) {
-            throw std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name +
-                                        ": the forces have some by the inputs");
+            throw NoDerivative(unknown, known, ": the forces have some by the inputs");
         }
-        const Force by = past_.duration == 0 ? Force{0, 0, 0} : partial_by(known.real());
+        const bool stepped = past_.duration > 0;
+        if (!stepped && initial_state_ == static_cast<int>(InitialState::steady)) {
+            throw NoDerivative(unknown, known, " before the first step");
+        }
+        const Force by = stepped ? partial_by(known.real()) : Force{0, 0, 0};  // at rest there is no force
         const Scalar value = force == &force_.longitudinal ? by.longitudinal
                              : force == &force_.lateral    ? by.lateral
                                                            : by.moment;
         if (!rollbem::detail::is_finite(value)) {
-            throw std::invalid_argument("the derivative of " + unknown.name + " by " + known.name + " does not exist");
+            throw NoDerivative(unknown, known, " here");
         }
         return value;
     }
@@ -117,13 +120,13 @@ protected:
         show();
     }
 
-    /// Starts without a model, for a class that overrides take().
-    void begin(const Step& first) {
+    /// Starts without a model, for a class that overrides take(), as after a step.
+    void begin(const Past& inputs, const Step& first) {
         hertz_.reset();
         model_.reset();
         now_ = from_ = next_ = {};
         last_ = first;
-        past_ = {};
+        past_ = inputs;
         slip_work_ = 0;
         show();
     }
@@ -197,6 +200,7 @@ private:
     using State = FrictionModel::State;
 
     void roll_steadily() {
+        require_finite_inputs();
         const Step steady = model_->steady(now_, first_creepage(), end_load_, next_, *workspace_);
         require(steady.status == StepStatus::ok, "status of steady rolling at the first inputs", name(steady.status),
                 "be ok");

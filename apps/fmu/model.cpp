@@ -49,6 +49,13 @@ void Model::add_output(Variable::Value value, const char* name, const char* unit
          .items = items});
 }
 
+void Model::require_finite_inputs() const {
+    for (const Variable& variable : variables_) {
+        if (variable.causality != Causality::input) continue;
+        require(rollbem::detail::is_finite(variable.real()), variable.name.c_str(), variable.real(), "be finite");
+    }
+}
+
 void Model::settle_enumerations() {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
         const Variable& variable = variables_[i];

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -113,6 +114,13 @@ struct Identity {
 };
 extern const Identity identity;  // each FMU defines it
 
+/// Why a derivative cannot be given. The instance goes on.
+class NoDerivative : public std::invalid_argument {
+public:
+    NoDerivative(const Variable& unknown, const Variable& known, const std::string& reason)
+        : std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name + reason) {}
+};
+
 /// One contact. The FMI functions construct it, set variables and call initialise(), then step() or update(), and
 /// archive() at any time.
 class Model {
@@ -142,7 +150,7 @@ public:
     virtual Outcome update() { return Outcome::ok; }
 
     /// d unknown / d known. Model exchange: at the present states and inputs. Co-simulation: of an output at the end of
-    /// the last step by an input during it. Throws std::invalid_argument if there is none.
+    /// the last step by an input during it. Throws NoDerivative if there is none.
     virtual double partial(const Variable& unknown, const Variable& known) = 0;
 
     /// Names what an instance keeps in addition to the variables.
@@ -169,6 +177,9 @@ protected:
     static void require(bool holds, const char* parameter, Value value, const char* rule) {
         rollbem::detail::require(holds, identity.identifier, parameter, value, rule);
     }
+
+    /// Throws std::invalid_argument unless the inputs are finite, naming the first that is not.
+    void require_finite_inputs() const;
 
     void add_input(Input& input, const char* name, const char* unit, const char* description);
     void add_output(Variable::Value value, const char* name, const char* unit, const char* description,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -159,19 +160,22 @@ private:
         const rollbem::PatchContact<Scalar> contact = contact_under(largest_load_);
         require(rollbem::detail::is_finite(friction_coefficient_) && friction_coefficient_ >= 0, "friction_coefficient",
                 friction_coefficient_, "be finite and not negative");
+        require_finite_inputs();
+        require(speed_.value >= 0, "rolling_speed", speed_.value, "not be negative");
         require(load_.value >= 0, "normal_load", load_.value, "not be negative");
-        require(std::abs(poisson_ratio_ - grid.poisson_ratio()) <= 0.01, "poisson_ratio", poisson_ratio_,
+        // as the look-up: a decimal number may lie 0.01 away
+        require(std::abs(poisson_ratio_ - grid.poisson_ratio()) <= 0.01 + 1e-12, "poisson_ratio", poisson_ratio_,
                 ("be within 0.01 of " + std::to_string(grid.poisson_ratio()) + " of the table").c_str());
         require(contact.a_over_b() >= grid.smallest_a_over_b() && contact.a_over_b() <= grid.largest_a_over_b(),
                 "a/b of the contact", contact.a_over_b(),
                 ("lie in [" + std::to_string(grid.smallest_a_over_b()) + ", " +
                  std::to_string(grid.largest_a_over_b()) + "] of the table")
                     .c_str());
-        require(check(0) == StepStatus::ok, "rolling_speed", speed_.value, "not be negative, and all inputs finite");
-        const Step steady = look_up(at_once(1));
+        const Past inputs = at_once(1);
+        const Step steady = look_up(inputs);
         require(steady.status == StepStatus::ok, "status of the table at the first inputs", name(steady.status),
                 "be ok");
-        begin(steady);
+        begin(inputs, steady);
     }
 
     // A step at the present inputs.
@@ -200,20 +204,34 @@ private:
     Step look_up(const Past& step) const {
         const Scalar distance = std::max(step.distance, least_speed * step.duration);
         const auto& [along, across, turn] = step.shift;
-        const rollbem::TabulatedForce found =
-            table_->look_up(contact_under(step.load), friction_coefficient_, step.load,
-                            {along / distance, across / distance, turn / distance});
+        const Scalar load = lifted(step.load) ? 0 : step.load;
+        const rollbem::TabulatedForce found = table_->look_up(contact_under(load), friction_coefficient_, load,
+                                                              {along / distance, across / distance, turn / distance});
         Step result;
         result.status = found.status;
         result.force = found.force;
         result.tangent = (1 / distance) * found.tangent;
-        // N f(xi/N^(1/3), eta/N^(1/3), phi), and another N^(1/3) in the moment
-        result.tangent_by_load = (1 / step.load) * (found.force + -along / 3 * result.tangent.by_longitudinal +
-                                                    -across / 3 * result.tangent.by_lateral);
-        result.tangent_by_load.moment += found.force.moment / (3 * step.load);
+        if (load > 0) {
+            // N f(xi/N^(1/3), eta/N^(1/3), phi), and another N^(1/3) in the moment
+            result.tangent_by_load = (1 / load) * (found.force + -along / 3 * result.tangent.by_longitudinal +
+                                                   -across / 3 * result.tangent.by_lateral);
+            result.tangent_by_load.moment += found.force.moment / (3 * load);
+        } else {
+            result.tangent_by_load = first_force(along, across, turn / distance);
+        }
         result.slip_work =
             -(along * found.force.longitudinal + across * found.force.lateral + turn * found.force.moment);
         return result;
+    }
+
+    // By the load where there is none yet: N f(xi/N^(1/3), eta/N^(1/3), phi) slides everywhere, but under spin alone f is
+    // the same at any load; the moment has another N^(1/3).
+    Force first_force(Scalar along, Scalar across, Scalar spin) const {
+        const Scalar slip = std::hypot(along, across);
+        if (slip > 0) return {-friction_coefficient_ * (along / slip), -friction_coefficient_ * (across / slip), 0};
+        const Scalar load = ellipse_->load();
+        const Force any = table_->look_up(contact_under(load), friction_coefficient_, load, {0, 0, spin}).force;
+        return {any.longitudinal / load, any.lateral / load, 0};
     }
 
     Force partial_by(const Scalar& input) override {
@@ -233,9 +251,12 @@ private:
         half_width_ = scale * ellipse_->half_width();
     }
 
+    // No load, or one so small that the contact under it has no size in double precision.
+    bool lifted(Scalar load) const { return load >= 0 && load / ellipse_->load() < std::numeric_limits<Scalar>::min(); }
+
     // Without a load of that under largest_load.
     rollbem::PatchContact<Scalar> contact_under(Scalar load) const {
-        const Scalar scale = load > 0 ? std::cbrt(load / ellipse_->load()) : 1;
+        const Scalar scale = load > 0 && !lifted(load) ? std::cbrt(load / ellipse_->load()) : 1;
         return rollbem::PatchContact<Scalar>({.half_length = scale * ellipse_->half_length(),
                                               .half_width = scale * ellipse_->half_width(),
                                               .shear_modulus = shear_modulus_,

@@ -241,7 +241,13 @@ def test_derivatives():
             # by creepage and load it leaves out how the angles by which slip turns follow
             assert distance < (1e-5 if known == "rolling_speed" else 1e-2)
     instance = Instance(fmu).start()
-    assert status_of(lambda: instance.derivative("slip_work", "normal_load")) == error
+    assert status_of(lambda: instance.derivative("slip_work", "normal_load")) == discard
+    assert instance.derivative("lateral_force", "normal_load") == 0  # at rest
+    instance.close()
+    instance = Instance(fmu).start(initial_state=2, lateral_slip_velocity=1e-3)
+    assert status_of(lambda: instance.derivative("lateral_force", "normal_load")) == discard
+    assert "before the first step" in instance.messages[-1]
+    assert instance.step(0.0, 1e-5) == ok and instance.derivative("lateral_force", "normal_load") < 0
     instance.close()
 
 
