@@ -2,7 +2,7 @@ set terminal svg size 720,430 enhanced font 'sans,14' background '#ffffff'
 set key top left
 set grid
 set xlabel 'speed, m/s'
-set ylabel 'largest |y| after 20 to 30 s, mm'
+set ylabel 'largest |y| after 40 to 60 s, mm'
 set yrange [0:12]
 rows = "< awk 'NF == 4 && $1 > 0' hunting.txt"
 set arrow from graph 0, first 9.1 to graph 1, first 9.1 nohead dt 2 lc rgb '#555555'
