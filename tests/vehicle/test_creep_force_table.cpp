@@ -171,9 +171,10 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
     }
     INFO(errors[0] << ' ' << errors[1] << ' ' << errors[2] << "; " << outside[0] << ' ' << outside[1] << ' '
                    << outside[2]);
-    CHECK_THAT(observed_order(counts, errors), WithinAbs(2.5, 0.6));
-    // no third derivative where the pole of the spin crosses the edge: order 2.5 there, 3 in the mean
-    CHECK_THAT(observed_order(counts, outside), WithinAbs(2.5, 0.6));
+    // no third derivative where the pole of the spin crosses the edge: order 2.5 in the cells there, 3 in the mean
+    CHECK_THAT(observed_order(counts, errors), WithinAbs(3, 0.5));
+    // the second derivative by |u| changes its sign where forces are mirrored
+    CHECK_THAT(observed_order(counts, outside), WithinAbs(2, 0.5));
 }
 
 TEST_CASE("creep_force_table: tangents are derivatives, and continuous across cells") {
