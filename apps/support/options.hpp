@@ -179,7 +179,6 @@ private:
 
     void add_file(const std::string& name, const std::string& help, Kind kind);
 
-
     /// Throws BadInput if two inputs are standard input.
     void check_inputs() const;
 
