@@ -48,11 +48,12 @@ Job make_job(const study::Options& options) {
     const double nu = options.number("poisson", study::between(0, 0.5));
     const std::ptrdiff_t n = options.integer("n", 2, 100), shapes = options.integer("shapes", 4, 100);
     const auto levels = static_cast<int>(options.integer("levels", 4, 64));
-    const std::ptrdiff_t numbers = (levels + 3) * (levels + 3) * (2 * levels + 3) * (shapes + 2);
-    if (numbers > 10'000'000) {
-        throw study::BadInput(options.said("levels") + ", " + options.said("shapes") +
-                              " give a table of (levels + 3)^2 (2 levels + 3) (shapes + 2) = " +
-                              std::to_string(numbers) + " coefficients, which must be at most 10000000");
+    const Eigen::Index numbers = CreepForceGrid::coefficient_count(levels, shapes);
+    if (numbers > CreepForceGrid::most_coefficients) {
+        throw study::BadInput(
+            options.said("levels") + ", " + options.said("shapes") +
+            " give a table of (levels + 3)^2 (2 levels + 3) (shapes + 2) = " + std::to_string(numbers) +
+            " coefficients, which must be at most " + std::to_string(CreepForceGrid::most_coefficients));
     }
     std::vector<rollbem::CreepCoefficients<double>> coefficients(static_cast<std::size_t>(shapes));
     std::vector<std::array<double, 2>> elements(coefficients.size());
@@ -294,7 +295,7 @@ int main(int argc, char** argv) {
         "check", "N",
         "also print the mean and the largest difference between the table and the patches in N random scenes, 1 "
         "to 10000000 (dimensionless)");
-    options.set_default("n", "18");
+    options.set_default("n", "17");
     options.set_help("n",
                      "n^2 elements on each ellipse, as many of them in a strip as its shape wants, 2 to 100 "
                      "(dimensionless)");
@@ -312,9 +313,11 @@ G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FI
 CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves
 FILE.unfinished; the same command goes on from there.
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each is
-solved by one mesh: extrapolation from two has larger errors where spin is large. --check: log(a/b) uniform, direction
-of (xi C11, eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the
-difference of a scene is the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
+solved by one mesh, or, where the pole of a large spin lies inside, by the mean of it and one with one element a strip
+and one strip more; other columns than forces, residual and status are of the first. Extrapolation from two meshes has
+larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11, eta C22, phi c C23) uniform on the
+sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is the largest of F_x/(mu N),
+F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -28,32 +28,74 @@ rollbem::PatchMesh<double> mesh_of(const rollbem::PatchContact<double>& contact,
                                rollbem::uniform_mesh(across));
 }
 
+/// One element more in a strip, and one strip: the edges of either mesh lie where the other has its centres, both along
+/// y = 0 and at the centre, where the pressure is largest.
+rollbem::PatchMesh<double> shifted(const rollbem::PatchContact<double>& contact,
+                                   const rollbem::PatchMesh<double>& mesh) {
+    return rollbem::patch_mesh(contact, rollbem::cosine_mesh(mesh.elements_per_strip() + 1),
+                               rollbem::uniform_mesh(mesh.strip_count() + 1));
+}
+
+/// How much the shifted mesh counts: half where the pole of the spin lies inside and all but it slides. As the pole
+/// passes from the edge of an element to its centre, forces swing about their true value; those of the two meshes swing
+/// in opposite directions. With n = 18, against n = 32, in 150 random scenes with a spin above 2 and its pole inside,
+/// the mean of both differs by 1.7e-3 of mu N (root of the mean square; 6.3e-3 at most), the first alone by 2.4e-3
+/// (8.6e-3); with two strips more instead of one the mean would be hardly better than that.
+double share_of_shifted(double a_over_b, const Creepage<double>& v) {
+    // the pole's place in units of the semi-axes, with c = 1
+    const double pole = std::hypot(v.longitudinal * std::sqrt(a_over_b), v.lateral / std::sqrt(a_over_b)),
+                 spin = std::abs(v.spin);
+    const double sliding = (spin - 2) / 2, inside = (1.5 * spin - pole) / (0.3 * spin);
+    return spin > 2 ? 0.5 * std::clamp(std::min(sliding, inside), 0.0, 1.0) : 0;
+}
+
 }  // namespace
 
 // a = G = 1, mu N = G a b: creepages are the given numbers, a force over mu N is one over b
+Source::Patch::Patch(const rollbem::PatchContact<double>& contact, rollbem::PatchMesh<double> given)
+    : mesh(std::move(given)),
+      model(contact, mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio()),
+            {1.0, rollbem::hertz_pressures(contact, mesh, contact.half_width())}),
+      workspace(model.workspace()),
+      rest(model.at_rest()),
+      last(rest),
+      next(rest) {}
+
+Source::Solution Source::Patch::solve(const rollbem::PatchContact<double>& contact, const Creepage<double>& creepage,
+                                      bool from_rest) {
+    const Creepage<double> given{creepage.longitudinal, creepage.lateral, creepage.spin / contact.c()};
+    Solution solution;
+    solution.step = model.steady(from_rest ? rest : last, given, next, workspace);
+    if (!from_rest && solution.step.status == rollbem::StepStatus::no_solution) return solve(contact, creepage, true);
+    std::swap(last, next);
+    const auto& force = solution.step.force;
+    solution.force =
+        -Eigen::Array3d(force.longitudinal, force.lateral, force.moment / contact.c()) / contact.half_width();
+    return solution;
+}
+
 Source::Source(double a_over_b, double poisson_ratio, std::ptrdiff_t n)
     : contact_(rollbem::PatchContact<double>::dimensionless(a_over_b, poisson_ratio)),
-      mesh_(mesh_of(contact_, n)),
-      model_(contact_, mesh_, scheme, rollbem::HalfSpace<double>(poisson_ratio),
-             {1.0, rollbem::hertz_pressures(contact_, mesh_, contact_.half_width())}),
-      workspace_(model_.workspace()),
-      rest_(model_.at_rest()),
-      last_(rest_),
-      next_(rest_) {}
+      patch_(contact_, mesh_of(contact_, n)) {}
 
 rollbem::CreepCoefficients<double> Source::coefficients() const {
-    return rollbem::solve_steady(contact_, mesh_, scheme, rollbem::HalfSpace<double>(contact_.poisson_ratio()));
+    return rollbem::solve_steady(contact_, mesh(), scheme, rollbem::HalfSpace<double>(contact_.poisson_ratio()));
 }
 
 Source::Solution Source::solve(const Creepage<double>& creepage, bool from_rest) {
-    const Creepage<double> given{creepage.longitudinal, creepage.lateral, creepage.spin / contact_.c()};
-    Solution solution;
-    solution.step = model_.steady(from_rest ? rest_ : last_, given, next_, workspace_);
-    if (!from_rest && solution.step.status == rollbem::StepStatus::no_solution) return solve(creepage, true);
-    std::swap(last_, next_);
-    const auto& force = solution.step.force;
-    solution.force =
-        -Eigen::Array3d(force.longitudinal, force.lateral, force.moment / contact_.c()) / contact_.half_width();
+    Solution solution = patch_.solve(contact_, creepage, from_rest);
+    if (from_rest && shifted_) shifted_->last = shifted_->rest;
+    const double share = share_of_shifted(contact_.a_over_b(), creepage);
+    if (share == 0 || solution.step.status != rollbem::StepStatus::ok) return solution;
+
+    if (!shifted_) shifted_.emplace(contact_, shifted(contact_, mesh()));
+    Solution other = shifted_->solve(contact_, creepage, from_rest);
+    // where the pole lies on the line of centres y = 0 they may slip to either side: the mean of the two is symmetric
+    if (creepage.longitudinal == 0) other.force[0] = 0;
+    solution.force = (1 - share) * solution.force + share * other.force;
+    solution.step.status = other.step.status;
+    solution.step.complementarity_residual =
+        std::max(solution.step.complementarity_residual, other.step.complementarity_residual);
     return solution;
 }
 

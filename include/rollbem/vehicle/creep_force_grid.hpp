@@ -37,6 +37,11 @@ namespace rollbem {
 class CreepForceGrid {
 public:
     static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
+    static constexpr Eigen::Index most_coefficients = 10'000'000;
+    /// Of the splines of one force.
+    static constexpr Eigen::Index coefficient_count(Eigen::Index levels, Eigen::Index shapes) {
+        return (levels + 3) * (levels + 3) * (2 * levels + 3) * (shapes + 2);
+    }
 
     /// `coefficients` of the ellipses a_over_b_of(i, ...), whose number is that of shapes; `levels` nodes lie between
     /// no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
@@ -55,9 +60,10 @@ public:
                         "be finite and above the smallest");
         detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
         detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
-        const Eigen::Index side = levels_ + 3, count = side * side * (2 * levels_ + 3) * (shapes() + 2);
-        detail::require(count <= 10'000'000, name, "number of coefficients (levels + 3)^2 (2 levels + 3) (shapes + 2)",
-                        count, "be at most 10000000");
+        const Eigen::Index count = coefficient_count(levels_, shapes());
+        detail::require(count <= most_coefficients, name,
+                        "number of coefficients (levels + 3)^2 (2 levels + 3) (shapes + 2)", count,
+                        "be at most 10000000");
         scales_.resize(4, shapes());
         for (Eigen::Index i = 0; i < shapes(); ++i) {
             const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];
