@@ -290,7 +290,7 @@ int main(int argc, char** argv) {
     options.add_input(
         "rows",
         "take the rows from this file instead of computing them: the parts of --shard, one after the other; "
-        "with the same options");
+        "with the same options and version");
     options.add(
         "check", "N",
         "also print the mean and the largest difference between the table and the patches in N random scenes, 1 "
@@ -312,12 +312,12 @@ Writes a row for each node of the grid, with the columns of patch_study: creepag
 G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
 CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves
 FILE.unfinished; the same command goes on from there.
-Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each is
-solved by one mesh, or, where the pole of a large spin lies inside, by the mean of it and one with one element a strip
-and one strip more; other columns than forces, residual and status are of the first. Extrapolation from two meshes has
-larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11, eta C22, phi c C23) uniform on the
-sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is the largest of F_x/(mu N),
-F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
+Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
+is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
+has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
+Extrapolation from two meshes has larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11,
+eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is
+the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

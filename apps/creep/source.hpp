@@ -1,4 +1,4 @@
-// The patches that creep_table takes its forces from.
+// The patches that tables of creep forces are made from.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace creep {
 
-/// Steady forces of one ellipse by about n^2 elements; where the pole of the spin lies on a sliding ellipse, the mean of
-/// two meshes.
+/// Steady forces of one ellipse by about n^2 elements; under large spin with its pole on the ellipse or near its edge, a
+/// mean of two meshes.
 class Source {
 public:
     Source(double a_over_b, double poisson_ratio, std::ptrdiff_t n);

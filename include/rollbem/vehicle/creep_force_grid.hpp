@@ -37,6 +37,7 @@ namespace rollbem {
 class CreepForceGrid {
 public:
     static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
+    /// Of coefficient_count().
     static constexpr Eigen::Index most_coefficients = 10'000'000;
     /// Of the splines of one force.
     static constexpr Eigen::Index coefficient_count(Eigen::Index levels, Eigen::Index shapes) {
