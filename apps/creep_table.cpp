@@ -315,6 +315,7 @@ FILE.unfinished; the same command goes on from there.
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
 is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
 has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
+time_us stays empty, so that rows are the same wherever they are computed.
 Extrapolation from two meshes has larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11,
 eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is
 the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
