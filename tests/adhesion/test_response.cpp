@@ -7,7 +7,7 @@
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/adhesion/steady.hpp>
-#include <rollbem/assembly/element_blocks.hpp>
+#include <rollbem/system/element_blocks.hpp>
 #include <rollbem/compiled/frequency.hpp>
 
 #include "support/catch.hpp"

@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
-#include "../assembly/element_blocks.hpp"
-#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
+#include "../system/element_blocks.hpp"
+#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "detail/consistency.hpp"
 #include "stability_verdict.hpp"

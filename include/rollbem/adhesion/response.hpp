@@ -10,11 +10,11 @@
 
 #include <Eigen/LU>
 
-#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
+#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 
 namespace rollbem {

@@ -12,9 +12,9 @@
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
 
-#include "../assembly/element_blocks.hpp"
-#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
+#include "../system/element_blocks.hpp"
+#include "../system/rolling_system.hpp"
 #include "stability_verdict.hpp"
 
 namespace rollbem {

@@ -8,10 +8,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
+#include "../system/rolling_system.hpp"
 
 namespace rollbem {
 

@@ -8,12 +8,12 @@
 
 #include <Eigen/LU>
 
-#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "../spectral/chebyshev.hpp"
+#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 
 namespace rollbem {

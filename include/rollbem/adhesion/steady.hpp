@@ -20,6 +20,7 @@
 #include "../elasticity/line_kernel.hpp"
 #include "../scene/contact.hpp"
 #include "../status.hpp"
+#include "../system/contact_fit.hpp"
 #include "detail/consistency.hpp"
 
 namespace rollbem {

@@ -17,13 +17,11 @@
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../scene/patch_contact.hpp"
+#include "../system/element_blocks.hpp"
+#include "../system/shape_set.hpp"
 #include "../types.hpp"
 #include "detail/patch_rows.hpp"
-#include "detail/shape_set.hpp"
-#include "element_blocks.hpp"
-#include "elements.hpp"
 #include "patch_system.hpp"
-#include "rolling_system.hpp"
 
 namespace rollbem {
 

@@ -10,10 +10,10 @@
 #include "../discretisation/patch_mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
+#include "../system/element_blocks.hpp"
+#include "../system/elements.hpp"
 #include "../types.hpp"
 #include "detail/patch_rows.hpp"
-#include "element_blocks.hpp"
-#include "elements.hpp"
 #include "rolling_system.hpp"
 
 namespace rollbem {

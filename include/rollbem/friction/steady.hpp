@@ -11,8 +11,6 @@
 #include <Eigen/Core>
 
 #include "../adhesion/integrator.hpp"
-#include "../assembly/detail/contact_units.hpp"
-#include "../assembly/element_blocks.hpp"
 #include "../assembly/influence.hpp"
 #include "../assembly/patch_system.hpp"
 #include "../assembly/rolling_system.hpp"
@@ -24,7 +22,10 @@
 #include "../elasticity/line_kernel.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../scene/contact.hpp"
+#include "../scene/contact_units.hpp"
 #include "../scene/patch_contact.hpp"
+#include "../system/contact_fit.hpp"
+#include "../system/element_blocks.hpp"
 #include "detail/convergence.hpp"
 #include "detail/core.hpp"
 #include "law.hpp"
@@ -137,14 +138,14 @@ public:
     /// ElementSystem, which has both, detects it.
     SteadyFrictionModel(const Contact<Scalar>& contact, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths,
                         const Friction<Law, Scalar>& friction, Checks checks = {}) requires(directions_ == 1)
-        : SteadyFrictionModel(Made{}, contact, std::move(G_prime), detail::unplaced(widths), widths.size(), friction,
-                              checks) {}
+        : SteadyFrictionModel(Made{}, contact, std::move(G_prime), Elements<Scalar>::unplaced(widths), widths.size(),
+                              friction, checks) {}
     /// From the matrices of both directions.
     SteadyFrictionModel(const Contact<Scalar>& contact, const MatrixX<Scalar>& longitudinal_G_prime,
                         const MatrixX<Scalar>& lateral_G_prime, const ArrayX<Scalar>& widths,
                         const Friction<Law, Scalar>& friction, Checks checks = {}) requires(directions_ == 2)
         : SteadyFrictionModel(Made{}, contact, detail::uncoupled<Scalar>(longitudinal_G_prime, lateral_G_prime),
-                              detail::unplaced(widths), widths.size(), friction, checks) {}
+                              Elements<Scalar>::unplaced(widths), widths.size(), friction, checks) {}
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
     /// Of G', the elements, the contact and the pressures, but not of the law.

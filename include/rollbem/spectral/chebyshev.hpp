@@ -21,6 +21,8 @@
 #include "../elasticity/plane_model.hpp"
 #include "../scene/contact.hpp"
 #include "../status.hpp"
+#include "../system/contact_fit.hpp"
+#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "detail/chebyshev_compliance.hpp"
 #include "detail/quotient.hpp"
@@ -63,6 +65,10 @@ class ChebyshevSystem : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
+    /// What rolling_system(Chebyshev, kernel) has found: u_m = last . u, and a_0 ... a_m = stiffness u.
+    ChebyshevSystem(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
+        : RollingSystem<Scalar>(std::move(system)), last_(std::move(last)), stiffness_(std::move(stiffness)) {}
+
     /// p/G from the unknowns that any problem on the system returns, real or complex; also p/(G xi) from unknowns per
     /// creepage. Throws std::invalid_argument unless there are size() unknowns.
     template <class Value>
@@ -84,13 +90,7 @@ public:
         return this->with_spin_by("ChebyshevSystem", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
     }
 
-    template <SmoothSplitKernel Kernel>
-    friend ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel);
-
 private:
-    ChebyshevSystem(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
-        : RollingSystem<Scalar>(std::move(system)), last_(std::move(last)), stiffness_(std::move(stiffness)) {}
-
     VectorX<Scalar> last_;       // u_m = last . u
     MatrixX<Scalar> stiffness_;  // (m+1) x m: a_0 ... a_m of u
 };
@@ -169,12 +169,11 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
             if (angle >= circle.size()) angle -= circle.size();
         }
     }
-    ChebyshevSystem<Scalar> system(RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(weights)),
-                                   std::move(last), std::move(stiffness));
-    system.aspect_ = detail::aspect_of<Scalar>(kernel);
-    system.set_logarithm(kernel);
-    system.points_ = std::move(points);
-    return system;
+    SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = std::move(points)};
+    detail::let_breathe(kernel, origin);
+    return {{std::move(G), std::move(G_prime), std::move(weights), std::move(origin)},
+            std::move(last),
+            std::move(stiffness)};
 }
 
 namespace detail {

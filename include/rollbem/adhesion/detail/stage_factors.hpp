@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "../../detail/in_place_lu.hpp"
+#include "../../rolling/stage.hpp"
 #include "../../types.hpp"
-#include "rolling_stage.hpp"
 
 namespace rollbem::detail {
 

@@ -8,12 +8,12 @@
 
 #include <Eigen/Core>
 
-#include "../../assembly/detail/shape_set.hpp"
+#include "../../rolling/shape_influence.hpp"
+#include "../../rolling/stage.hpp"
 #include "../../scene/semi_axes.hpp"
+#include "../../system/shape_set.hpp"
 #include "../../types.hpp"
 #include "rational_exponential.hpp"
-#include "rolling_stage.hpp"
-#include "shape_influence.hpp"
 #include "stage_factors.hpp"
 
 namespace rollbem::detail {

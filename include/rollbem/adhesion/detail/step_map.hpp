@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
+#include "../../rolling/stage.hpp"
 #include "../../types.hpp"
 #include "rational_exponential.hpp"
-#include "rolling_stage.hpp"
 #include "stage_factors.hpp"
 
 namespace rollbem::detail {

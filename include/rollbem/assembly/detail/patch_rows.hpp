@@ -13,8 +13,8 @@
 #include "../../discretisation/patch_mesh.hpp"
 #include "../../discretisation/scheme.hpp"
 #include "../../elasticity/rectangle_kernel.hpp"
+#include "../../system/shape_set.hpp"
 #include "../../types.hpp"
-#include "shape_set.hpp"
 
 namespace rollbem::detail {
 

@@ -10,27 +10,18 @@
 #include <Eigen/Core>
 
 #include "../../adhesion/detail/consistency.hpp"
-#include "../../assembly/element_blocks.hpp"
-#include "../../assembly/elements.hpp"
-#include "../../assembly/rolling_system.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../detail/require.hpp"
+#include "../../system/element_blocks.hpp"
+#include "../../system/elements.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 
 namespace rollbem {
 
 namespace detail {
-
-/// Elements of which only the widths are known.
-template <class Scalar>
-Elements<Scalar> unplaced(const ArrayX<Scalar>& widths) {
-    Elements<Scalar> elements;
-    elements.areas = widths;
-    elements.behind = Elements<Scalar>::one_strip(widths.size());
-    return elements;
-}
 
 /// The fingerprint of G' and the elements' areas, by which states are recognised.
 template <class Scalar>

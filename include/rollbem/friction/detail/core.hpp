@@ -13,10 +13,10 @@
 #include <Eigen/Core>
 
 #include "../../adhesion/integrator.hpp"
-#include "../../assembly/detail/contact_units.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../normal/load.hpp"
+#include "../../scene/contact_units.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../../scene/travel.hpp"
 #include "../../status.hpp"

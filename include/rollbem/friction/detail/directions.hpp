@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "../../assembly/element_blocks.hpp"
-#include "../../assembly/rolling_system.hpp"
 #include "../../scene/creepage.hpp"
+#include "../../system/element_blocks.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "active_set.hpp"

@@ -8,12 +8,12 @@
 
 #include <Eigen/Core>
 
-#include "../../adhesion/detail/rolling_stage.hpp"
-#include "../../adhesion/detail/shape_influence.hpp"
-#include "../../assembly/element_blocks.hpp"
-#include "../../assembly/rolling_system.hpp"
+#include "../../rolling/shape_influence.hpp"
+#include "../../rolling/stage.hpp"
 #include "../../scene/semi_axes.hpp"
 #include "../../status.hpp"
+#include "../../system/element_blocks.hpp"
+#include "../../system/rolling_system.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "../../assembly/elements.hpp"
+#include "../../system/elements.hpp"
 #include "../../types.hpp"
 
 namespace rollbem::detail {

@@ -8,10 +8,10 @@
 
 #include <Eigen/Core>
 
-#include "../../assembly/detail/shape_set.hpp"
-#include "../../scene/semi_axes.hpp"
-#include "../../types.hpp"
-#include "rolling_stage.hpp"
+#include "../scene/semi_axes.hpp"
+#include "../system/shape_set.hpp"
+#include "../types.hpp"
+#include "stage.hpp"
 
 namespace rollbem::detail {
 

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "../../assembly/rolling_system.hpp"
-#include "../../scene/semi_axes.hpp"
-#include "../../types.hpp"
+#include "../scene/semi_axes.hpp"
+#include "../system/rolling_system.hpp"
+#include "../types.hpp"
 
 namespace rollbem::detail {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "../../types.hpp"
+#include "../types.hpp"
 
 namespace rollbem::detail {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "../../detail/fingerprint.hpp"
-#include "../../scene/contact.hpp"
-#include "../../scene/patch_contact.hpp"
+#include "../detail/fingerprint.hpp"
+#include "contact.hpp"
+#include "patch_contact.hpp"
 
 namespace rollbem::detail {
 

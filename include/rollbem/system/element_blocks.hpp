@@ -19,9 +19,9 @@
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../types.hpp"
-#include "detail/shape_set.hpp"
 #include "elements.hpp"
 #include "rolling_system.hpp"
+#include "shape_set.hpp"
 
 namespace rollbem {
 
@@ -214,26 +214,5 @@ private:
 
 template <class Scalar>
 ElementSystem(const ElementSystem<Scalar>&, const ElementSystem<Scalar>&) -> ElementSystem<Scalar, 2>;
-
-namespace detail {
-
-/// Throws std::invalid_argument unless the a/b of a system that may change its size, if it may, is that of a patch.
-template <class AnyContact, class Scalar>
-void require_same_shape(const char* who, const AnyContact& contact, const ElementSystem<Scalar, 2>& system) {
-    if (!system.shapes()) return;
-    const Scalar ratio = contact.a_over_b() / system.a_over_b();
-    const bool same = std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon();
-    require(same, who, "a/b of the patch over that of its system", ratio, "be 1");
-}
-
-/// Throws std::invalid_argument if the half-width of a contact is infinite or not that of the system's kernel.
-template <class Scalar>
-void require_same_aspect(const char* who, const Contact<Scalar>& contact, const ElementSystem<Scalar, 2>& system) {
-    require(is_finite(contact.half_width()), who, "half_width", contact.half_width(),
-            "be finite: an infinite one is for steady problems only");
-    require_same_aspect(who, contact, system.aspect());
-}
-
-}  // namespace detail
 
 }  // namespace rollbem

@@ -42,6 +42,14 @@ struct Elements {
         return behind;
     }
 
+    /// Elements of one strip at unknown places.
+    static Elements unplaced(const ArrayX<Scalar>& areas) {
+        Elements elements;
+        elements.areas = areas;
+        elements.behind = one_strip(areas.size());
+        return elements;
+    }
+
     /// Throws std::invalid_argument if the invariant does not hold; `area` is what `who` calls it.
     void require_valid(const char* who, const char* area) const;
 };

@@ -1,0 +1,204 @@
+// RollingSystem: G' p - (1/V) G dp/dt = inputs . v, Eq. (12), and the outputs that turn its unknowns into forces. All
+// problems that are not steady start from it; it knows no mesh, scheme or kernel.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "../detail/fingerprint.hpp"
+#include "../detail/require.hpp"
+#include "../types.hpp"
+#include "elements.hpp"
+
+namespace rollbem {
+
+/// What is known of a system beyond its matrices; nothing of ready ones.
+template <class Scalar>
+struct SystemOrigin {
+    bool unknowns_are_tractions = false;     ///< of elements: only then can their signs reveal a scheme that fails
+    std::optional<Scalar> aspect{};          ///< b/a of the kernel; empty for kernels without a half-width
+    std::optional<ArrayX<Scalar>> points{};  ///< x/a of the point of each equation
+    /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G and
+    /// G' of any half-length follow from these matrices, and the contact may breathe.
+    std::optional<Scalar> log_strength{};
+    /// 2 exp(C/S) of that kernel, in half-lengths of the contact: Lambda = 0 there, and a mode of a longer contact
+    /// grows in time. Infinite for other systems.
+    Scalar half_length_limit = std::numeric_limits<Scalar>::infinity();
+};
+
+/// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the
+/// same in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of
+/// a/G, G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
+///
+/// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite.
+template <class Scalar_>
+class RollingSystem {
+public:
+    using Scalar = Scalar_;
+
+    /// From ready matrices, for one creepage. Throws std::invalid_argument if they break the invariant.
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& weights,
+                  SystemOrigin<Scalar> origin = {})
+        : RollingSystem(std::move(G), std::move(G_prime), MatrixX<Scalar>::Ones(weights.size(), 1), weights.matrix(),
+                        std::move(origin)) {}
+
+    /// The same for k creepages, a column each in `inputs`, and their forces, a column each in `outputs`.
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs, MatrixX<Scalar> outputs,
+                  SystemOrigin<Scalar> origin = {});
+
+    Eigen::Index size() const { return outputs_.rows(); }        ///< n, number of unknowns
+    Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
+    const MatrixX<Scalar>& G() const { return G_; }              ///< [a/G]
+    const MatrixX<Scalar>& G_prime() const { return G_prime_; }  ///< [1/G]
+    const MatrixX<Scalar>& inputs() const { return inputs_; }    ///< rigid slip in each equation per creepage
+    const MatrixX<Scalar>& outputs() const { return outputs_; }  ///< forces per unknown
+    /// The first output: widths in units of a where p are tractions of a line contact.
+    Eigen::Map<const ArrayX<Scalar>> weights() const { return {outputs_.data(), outputs_.rows()}; }
+
+    const SystemOrigin<Scalar>& origin() const { return origin_; }
+    bool unknowns_are_tractions() const { return origin_.unknowns_are_tractions; }
+    const std::optional<Scalar>& aspect() const { return origin_.aspect; }
+    const std::optional<ArrayX<Scalar>>& points() const { return origin_.points; }
+    const std::optional<Scalar>& log_strength() const { return origin_.log_strength; }
+    Scalar half_length_limit() const { return origin_.half_length_limit; }
+
+    /// Equal for equal matrices, inputs and outputs, in any process; different, with near certainty, for others.
+    std::uint64_t fingerprint() const {
+        detail::Fingerprint fingerprint;
+        fingerprint.add(G_);
+        fingerprint.add(G_prime_);
+        fingerprint.add(inputs_);
+        fingerprint.add(outputs_);
+        return fingerprint.value();
+    }
+
+protected:
+    /// The same equations with spin as a second input, `moments` the moment per unknown. Throws std::invalid_argument
+    /// if the points are unknown.
+    RollingSystem with_spin_by(const char* who, const VectorX<Scalar>& moments) const {
+        detail::require(points().has_value(), who, "number of places", 0,
+                        "equal the number of equations: spin needs them");
+        MatrixX<Scalar> inputs(size(), 2), outputs(size(), 2);
+        inputs << inputs_, points()->matrix();
+        outputs << outputs_, moments;
+        return {G_, G_prime_, std::move(inputs), std::move(outputs), {unknowns_are_tractions(), aspect(), points()}};
+    }
+
+private:
+    MatrixX<Scalar> G_, G_prime_, inputs_, outputs_;
+    SystemOrigin<Scalar> origin_;
+};
+
+template <class Scalar>
+RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs,
+                                     MatrixX<Scalar> outputs, SystemOrigin<Scalar> origin)
+    : G_(std::move(G)),
+      G_prime_(std::move(G_prime)),
+      inputs_(std::move(inputs)),
+      outputs_(std::move(outputs)),
+      origin_(std::move(origin)) {
+    const Eigen::Index n = outputs_.rows();
+    detail::require(n >= 1, "RollingSystem", "number of weights", n, "be at least 1");
+    detail::require(outputs_.cols() >= 1, "RollingSystem", "number of outputs", outputs_.cols(), "be at least 1");
+    detail::require(inputs_.cols() == outputs_.cols(), "RollingSystem", "number of inputs", inputs_.cols(),
+                    "equal the number of outputs");
+    detail::require_square("RollingSystem", "G", G_, n, "weights");
+    detail::require_square("RollingSystem", "G_prime", G_prime_, n, "weights");
+    detail::require(inputs_.rows() == n, "RollingSystem", "number of rows of inputs", inputs_.rows(),
+                    "equal the number of weights");
+    detail::require_finite("RollingSystem", "inputs", inputs_);
+    detail::require_finite("RollingSystem", outputs_.cols() == 1 ? "weights" : "outputs", outputs_);
+}
+
+/// A system whose unknowns are the tractions of elements, p/G, which friction requires as it bounds each of them, along
+/// one direction (this template) or two (its specialisation in element_blocks.hpp).
+///
+/// Invariant: in addition, all weights are positive; they are the widths of the elements in units of a.
+template <class Scalar_, int directions = 1>
+class ElementSystem : public RollingSystem<Scalar_> {
+    static_assert(directions == 1, "for two directions include system/element_blocks.hpp");
+
+public:
+    using Scalar = Scalar_;
+
+    /// From ready matrices and the widths of the elements. Throws std::invalid_argument if they break the invariant, or
+    /// if the signs of both diagonals show that G and G' have been exchanged.
+    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
+        : ElementSystem(std::move(G), std::move(G_prime), Elements<Scalar>::unplaced(widths), widths.size(), {}) {}
+
+    /// The same with the places of the elements, on a mesh of `element_count`.
+    ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, Elements<Scalar> elements, Eigen::Index element_count,
+                  SystemOrigin<Scalar> origin);
+
+    /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
+    Eigen::Index element_count() const { return element_count_; }
+
+    /// The places of the unknown elements and of their equations.
+    const Elements<Scalar>& elements() const { return elements_; }
+
+    /// For the lateral direction: inputs lateral creepage and spin times a, whose rigid slip is x at the points of the
+    /// equations; outputs F_y over a G and the moment M_z over a^2 G, both per width, of tractions at the centres.
+    /// Throws std::invalid_argument where places are not known.
+    RollingSystem<Scalar> with_spin() const {
+        return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
+    }
+
+private:
+    static SystemOrigin<Scalar> tractions(SystemOrigin<Scalar> origin) {
+        origin.unknowns_are_tractions = true;
+        return origin;
+    }
+
+    Eigen::Index element_count_;
+    Elements<Scalar> elements_;
+};
+
+template <class Scalar, int directions>
+ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, Elements<Scalar> elements,
+                                                 Eigen::Index element_count, SystemOrigin<Scalar> origin)
+    : RollingSystem<Scalar>(std::move(G), std::move(G_prime), elements.areas, tractions(std::move(origin))),
+      element_count_(element_count),
+      elements_(std::move(elements)) {
+    elements_.require_valid("ElementSystem", "width");
+    // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
+    // itself
+    const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
+    detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
+                    "be positive, and that of G_prime negative: have they changed places?");
+}
+
+/// Two systems that do not couple as one: inputs and outputs of the first, then those of the second. With spin in the
+/// lateral one, AdhesionModel<3> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
+template <class Scalar>
+RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
+    const std::optional<Scalar>& aspect = longitudinal.aspect() ? longitudinal.aspect() : lateral.aspect();
+    detail::require(!lateral.aspect() || *lateral.aspect() == *aspect, "both_directions", "b/a of the lateral kernel",
+                    lateral.aspect().value_or(Scalar(0)), "be that of the longitudinal one");
+    const auto diagonal = [](const MatrixX<Scalar>& first, const MatrixX<Scalar>& second) {
+        MatrixX<Scalar> whole = MatrixX<Scalar>::Zero(first.rows() + second.rows(), first.cols() + second.cols());
+        whole.topLeftCorner(first.rows(), first.cols()) = first;
+        whole.bottomRightCorner(second.rows(), second.cols()) = second;
+        return whole;
+    };
+    return {diagonal(longitudinal.G(), lateral.G()),
+            diagonal(longitudinal.G_prime(), lateral.G_prime()),
+            diagonal(longitudinal.inputs(), lateral.inputs()),
+            diagonal(longitudinal.outputs(), lateral.outputs()),
+            {longitudinal.unknowns_are_tractions() && lateral.unknowns_are_tractions(), aspect}};
+}
+
+namespace detail {
+
+/// Throws std::invalid_argument if a system has more than one creepage.
+template <class Scalar>
+void require_single_input(const char* who, const RollingSystem<Scalar>& system) {
+    require(system.input_count() == 1, who, "number of inputs", system.input_count(), "be 1");
+}
+
+}  // namespace detail
+
+}  // namespace rollbem
