@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/rollbem.hpp>
@@ -42,27 +41,25 @@ double ride(Eigen::Index n, int steps_per_wave) {
                               judge_stability(patch_parts(mesh, scheme, kernel)), {0.3, load.normal_pressure});
 
     // 2. Two waves to forget the start, and one to look at
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
+    Run run(model);
     VectorX<double> wear = VectorX<double>::Zero(mesh.size());  // [J]
     double work = 0, power = 0, elastic = 0, least = infinite, largest = 0;
     for (int k = 1; k <= 3 * steps_per_wave; ++k) {
         const double dq = wave / steps_per_wave;
-        if (k == 2 * steps_per_wave + 1) elastic = model.elastic_energy(now);
+        if (k == 2 * steps_per_wave + 1) elastic = model.elastic_energy(run.now());
         hertz.set(mean_load * (1 + 0.5 * std::sin(2 * std::numbers::pi * k / steps_per_wave)), load);
-        const FrictionStep<2> step = model.advance(now, dq, creepage, load, next, workspace);
+        const FrictionStep<2> step = run.advance(dq, creepage, load);
         if (step.status != StepStatus::ok) return infinite;
         const auto& [F_x, F_y, M_z] = step.force;
         const double before = power;  // [J/m]
         power = -(F_x * creepage.longitudinal + F_y * creepage.lateral + M_z * creepage.spin);
-        std::swap(now, next);
         if (k <= 2 * steps_per_wave) continue;
         work += dq * (before + power) / 2;
-        wear += workspace.slip_work();
+        wear += run.workspace().slip_work();
         least = std::min(least, -F_x);
         largest = std::max(largest, -F_x);
     }
-    const double heat = wear.sum(), gap = (work - heat - (model.elastic_energy(now) - elastic)) / heat;
+    const double heat = wear.sum(), gap = (work - heat - (model.elastic_energy(run.now()) - elastic)) / heat;
 
     // 3. Strips of y from -b to b, each from the trailing to the leading edge
     std::printf("%d x %d: -F_x from %.0f to %.0f N, heat %.4f J of a wave, gap %.1e; its percent in each element\n",

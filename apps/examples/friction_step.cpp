@@ -1,5 +1,4 @@
 #include <iostream>
-#include <utility>
 
 #include <rollbem/rollbem.hpp>
 
@@ -14,14 +13,13 @@ int main() {
     const NodeDifference scheme{Nodes::chebyshev};
     const auto system = rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact));
     const FrictionModel model(contact, system, judge_stability(system), {0.3, line.mean_pressure(mesh)});
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
+    Run run(model);
     double heat = 0;  // by slip [J]
-    for (int k = 0; k < 200; ++k, std::swap(now, next)) {
-        const auto step = model.advance(now, 0.2e-3, 2e-3, next, workspace);  // rolls on by 0.2 mm, creepage 2e-3
+    for (int k = 0; k < 200; ++k) {
+        const auto step = run.advance(0.2e-3, 2e-3);  // rolls on by 0.2 mm, creepage 2e-3
         if (step.status != StepStatus::ok) return 1;
         heat += 2 * contact.half_width() * step.slip_work_per_width;
     }
-    std::cout << "F = " << model.force(now) << " N, heat " << heat << " J, elastic energy " << model.elastic_energy(now)
-              << " J\n";
+    std::cout << "F = " << model.force(run.now()) << " N, heat " << heat << " J, elastic energy "
+              << model.elastic_energy(run.now()) << " J\n";
 }

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <utility>
 
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/rollbem.hpp>
@@ -44,27 +43,25 @@ int main() {
     NormalLoad<double> normal = hertz.at(load);
     const FrictionModel model(contact, shapes.system(contact.a_over_b()), judge_stability(shapes),
                               {0.3, normal.normal_pressure});
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
+    Run run(model);
 
     // 2. From steady rolling over the change of profile, and on
     constexpr Creepage<double> creepage{5e-4, 5e-4, 0.15};  // spin [1/m]
-    FrictionStep<2> step = model.steady(now, creepage, next, workspace);
+    FrictionStep<2> step = run.steady(creepage);
     std::printf("q/a   a/b      F_x N      F_y N    M_z N m\n");
     for (int k = 0; k <= 400; ++k) {
         if (k > 0) {
             hertz.set(ellipse(std::min(k / 200.0, 1.0)), normal);
-            step = model.advance(now, 0.1 * first.half_length(), creepage, normal, next, workspace);
+            step = run.advance(0.1 * first.half_length(), creepage, normal);
         }
         if (step.status != StepStatus::ok) return EXIT_FAILURE;
-        std::swap(now, next);
         if (k % 40 != 0) continue;
-        std::printf("%3d %5.2f %10.0f %10.0f %10.2f\n", k / 10, now.half_length / now.half_width,
+        std::printf("%3d %5.2f %10.0f %10.0f %10.2f\n", k / 10, run.now().half_length / run.now().half_width,
                     step.force.longitudinal, step.force.lateral, step.force.moment);
     }
 
     // 3. It ends in steady rolling of the last ellipse
-    const FrictionStep<2> steady = model.steady(now, creepage, next, workspace);
+    const FrictionStep<2> steady = run.steady(creepage);
     const double gap =
         std::hypot(step.force.longitudinal - steady.force.longitudinal, step.force.lateral - steady.force.lateral) /
         (0.3 * load);

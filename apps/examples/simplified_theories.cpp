@@ -65,21 +65,19 @@ int main() {
     const Patch patch{.a_over_b = a_over_b, .c11 = adhesion.c11, .c22 = adhesion.c22, .c23 = adhesion.c23};
     const PatchMesh<double> mesh = recommended_patch(0.02, a_over_b).mesh(contact);
     const SteadyFrictionModel model(contact, mesh, scheme, kernel, {1.0, hertz_pressures(contact, mesh, 1.0)});
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
+    Run run(model);
 
     double fastsim_off = 0, saturated_off = 0;
     std::puts("spin,creepage,rollbem,fastsim,saturated_linear");  // both in forces without slip, over mu N
     for (const double spin : {0.0, 0.8}) {
-        now = model.at_rest();
+        run.now() = model.at_rest();
         for (int k = spin == 0 ? 0 : -40; k <= 40; ++k) {
             const double level = k / 10.0, per_level = 1 / patch.b;
             const Creepage<double> creepage = spin == 0 ? Creepage<double>{level * per_level / patch.c11, 0, 0}
                                                         : Creepage<double>{0, level * per_level / patch.c22,
                                                                            spin * per_level / (patch.c * patch.c23)};
-            const auto point = model.steady(now, creepage, next, workspace);
+            const auto point = run.steady(creepage);
             if (point.status != StepStatus::ok) return 1;
-            std::swap(now, next);
             const double own = spin == 0 ? -point.force.longitudinal : -point.force.lateral;
             const std::size_t along = spin == 0 ? 0 : 1;
             const double by_fastsim = fastsim(patch, creepage)[along], linear = saturated(patch, creepage)[along];

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <iostream>
-#include <utility>
 
 #include <rollbem/rollbem.hpp>
 
@@ -15,13 +14,11 @@ int main() {
     const auto system =
         rolling_system(mesh, NodeDifference{Nodes::chebyshev}, PlaneKernel<double>::longitudinal(contact));
     const FrictionModel model(contact, system, judge_stability(system), {0.3, load.normal_pressure});
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
+    Run run(model);
     for (int k = 1; k <= 100; ++k) {
         hertz.set(1e6 * (1 + 0.5 * std::sin(0.1 * k)), load);
-        const auto step = model.advance(now, 0.1 * contact.half_length(), 1e-3, load, next, workspace);
+        const auto step = run.advance(0.1 * contact.half_length(), 1e-3, load);
         if (step.status != StepStatus::ok) return 1;
-        std::swap(now, next);
         std::cout << step.force_per_width << '\n';
     }
 }

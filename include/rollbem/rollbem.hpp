@@ -35,6 +35,7 @@
 #include "friction/friction.hpp"
 #include "normal/hertz_ellipse.hpp"
 #include "normal/hertz_patch_load.hpp"
+#include "rolling/run.hpp"
 #include "scene/contact.hpp"
 #include "scene/creepage.hpp"
 #include "scene/outline.hpp"
