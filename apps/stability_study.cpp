@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/critical_alpha.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/reference/critical_alpha.hpp>
 
 #include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"

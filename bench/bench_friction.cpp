@@ -11,6 +11,7 @@
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/reference/stick_border.hpp>
 
 namespace {
 

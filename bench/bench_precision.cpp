@@ -11,7 +11,7 @@
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/polynomial.hpp>
+#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
 

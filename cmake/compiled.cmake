@@ -21,9 +21,9 @@ function(compile_headers name)
     set(${name}_source "${source}" PARENT_SCOPE)
 endfunction()
 compile_headers(steady assembly lu steady)
-compile_headers(eigenvalues balanced_reduction decompositions stability)
-compile_headers(line chebyshev frequency polynomial rolling_system transient)
-compile_headers(friction friction)
+compile_headers(eigenvalues balanced_reduction decompositions monomial stability)
+compile_headers(line chebyshev frequency rolling_system transient)
+compile_headers(friction friction stick_border)
 compile_headers(patch creep_force_table patch)
 
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.

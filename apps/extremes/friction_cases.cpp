@@ -8,7 +8,7 @@
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/stick_border.hpp>
+#include <rollbem/compiled/stick_border.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/pressure_table.hpp>
 #include <rollbem/reference/strip.hpp>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/polynomial.hpp>
+#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/strip.hpp>
 

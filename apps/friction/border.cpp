@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stick_border.hpp>
 
 #include "creep_curve.hpp"
 #include "support/timing.hpp"

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include <rollbem/adhesion/critical_alpha.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/reference/critical_alpha.hpp>
 
 #include "support/timing.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/polynomial.hpp>
+#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "evaluate.hpp"

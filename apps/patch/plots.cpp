@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/closed_form/kalker_table.hpp>
+#include <rollbem/reference/kalker_table.hpp>
 
 namespace patch {
 

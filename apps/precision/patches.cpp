@@ -8,10 +8,10 @@
 #include <rollbem/accuracy/recommended_patch.hpp>
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/adhesion/patch_stability.hpp>
-#include <rollbem/closed_form/kalker_table.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/reference/kalker_table.hpp>
 
 #include "support/csv.hpp"
 #include "support/errors.hpp"

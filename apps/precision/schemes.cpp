@@ -8,9 +8,9 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/polynomial.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 
 #include "discretisations.hpp"
 #include "norms.hpp"

@@ -8,7 +8,6 @@
 #include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
-#include "adhesion/critical_alpha.hpp"
 #include "adhesion/frequency.hpp"
 #include "adhesion/patch_frequency.hpp"
 #include "adhesion/patch_stability.hpp"

@@ -9,10 +9,10 @@
 
 #include <rollbem/adhesion/patch_frequency.hpp>
 #include <rollbem/adhesion/patch_stability.hpp>
-#include <rollbem/closed_form/kalker_table.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/reference/kalker_table.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

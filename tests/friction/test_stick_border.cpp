@@ -1,4 +1,4 @@
-// rollbem/friction/stick_border.hpp
+// rollbem/reference/stick_border.hpp
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include <rollbem/compiled/polynomial.hpp>
+#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/fitted_polynomial.hpp>
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <rollbem/compiled/polynomial.hpp>
+#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "lists.hpp"

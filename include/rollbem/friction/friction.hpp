@@ -10,5 +10,4 @@
 #include "../normal/pressure_table.hpp"
 #include "law.hpp"
 #include "steady.hpp"
-#include "stick_border.hpp"
 #include "transient.hpp"

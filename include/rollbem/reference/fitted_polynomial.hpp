@@ -1,5 +1,5 @@
 // B of Eq. (19) fitted by least squares to the integral of Eq. (20), as the paper obtains it: GSL quadrature with the
-// logarithm and the root singularities in the weight. Independent of the closed form in spectral/polynomial.hpp.
+// logarithm and the root singularities in the weight. Independent of the closed form in monomial.hpp.
 #pragma once
 
 #include <cmath>

@@ -17,6 +17,7 @@
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
+#include "../friction/steady.hpp"
 #include "../normal/hertz.hpp"
 #include "../scene/contact.hpp"
 #include "../status.hpp"
@@ -24,7 +25,6 @@
 #include "detail/angular_points.hpp"
 #include "detail/exact_border.hpp"
 #include "detail/stick_zone.hpp"
-#include "steady.hpp"
 
 namespace rollbem {
 

@@ -1,7 +1,7 @@
-// The monomial approach compiled for double. Replaces spectral/polynomial.hpp; link rollbem::compiled.
+// The monomial approach compiled for double. Replaces reference/monomial.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../spectral/polynomial.hpp"
+#include "../reference/monomial.hpp"
 #include "decompositions.hpp"
 
 namespace rollbem {

@@ -9,10 +9,11 @@
 
 #include <Eigen/LU>
 
+#include "../adhesion/stability.hpp"
+#include "../adhesion/stability_count.hpp"
+#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
-#include "stability.hpp"
-#include "stability_count.hpp"
 
 namespace rollbem {
 
@@ -21,13 +22,14 @@ struct CriticalAlphaOptions {
     double first = 0.3, last = 1.5;  ///< range of alpha_T [-]
     double step = 5e-4;              ///< of the scan [-]: unstable islands narrower than this can be missed
     double tolerance = 1e-5;         ///< of the crossing [-]
-    /// How many steps may be taken at once where nothing happens, that is if both ends are stable, the angle of the
-    /// eigenvalue nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue
-    /// can move fast only through infinity, where G is nearly singular. 1 takes every step.
-    int largest_stride = 16;
 };
 
 namespace detail {
+
+// How many steps may be taken at once where nothing happens, that is if both ends are stable, the angle of the eigenvalue
+// nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue can move fast
+// only through infinity, where G is nearly singular.
+inline constexpr long largest_stride = 16;
 
 template <class Scalar, class Kernel, class SchemeOf>
 class CriticalAlphaSearch {
@@ -72,8 +74,6 @@ requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> st
                     options.last, "be finite and at least first");
     detail::require_positive("critical_alpha_T", "step", options.step);
     detail::require_positive("critical_alpha_T", "tolerance", options.tolerance);
-    detail::require(options.largest_stride >= 1, "critical_alpha_T", "largest_stride", options.largest_stride,
-                    "be at least 1");
     const detail::CriticalAlphaSearch<Scalar, Kernel, SchemeOf> search(mesh, scheme_of, kernel);
     const auto grid = [&options](long k) { return options.first + static_cast<double>(k) * options.step; };
     const long count = std::lround(std::floor((options.last - options.first) / options.step * (1 + 1e-12)));
@@ -82,7 +82,7 @@ requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> st
     if (here.unstable) return grid(0);
     long k = 0, fine_until = 0;
     while (k < count) {
-        const long stride = k < fine_until ? 1 : std::min<long>(here.regular ? options.largest_stride : 1, count - k);
+        const long stride = k < fine_until ? 1 : std::min(here.regular ? detail::largest_stride : 1, count - k);
         const auto next = search.look(grid(k + stride));
         if (stride > 1) {
             const bool quiet = !next.unstable && next.regular &&

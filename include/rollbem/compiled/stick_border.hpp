@@ -1,0 +1,14 @@
+// The exact border of stick compiled for double. Replaces reference/stick_border.hpp; link rollbem::compiled.
+#pragma once
+
+#include "../reference/stick_border.hpp"
+#include "friction.hpp"
+
+namespace rollbem {
+
+extern template decltype(detail::find_exact_border<double, PlaneKernel<double>>)
+    detail::find_exact_border<double, PlaneKernel<double>>;
+extern template decltype(detail::find_exact_border<double, StripKernel<double>>)
+    detail::find_exact_border<double, StripKernel<double>>;
+
+}  // namespace rollbem
