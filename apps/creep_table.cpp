@@ -19,12 +19,12 @@
 #include <vector>
 
 #include <rollbem/compiled/creep_force_table.hpp>
+#include <rollbem/detail/parallel_for.hpp>
 
 #include "creep/source.hpp"
 #include "support/csv.hpp"
 #include "support/files.hpp"
 #include "support/options.hpp"
-#include "support/parallel.hpp"
 #include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/table.hpp"
@@ -57,7 +57,7 @@ Job make_job(const study::Options& options) {
     }
     std::vector<rollbem::CreepCoefficients<double>> coefficients(static_cast<std::size_t>(shapes));
     std::vector<std::array<double, 2>> elements(coefficients.size());
-    study::parallel_for(coefficients.size(), study::job_count(options), [&](std::size_t i) {
+    rollbem::detail::parallel_for(coefficients.size(), study::job_count(options), [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i),
                                                             static_cast<Eigen::Index>(shapes), ends[0], ends[1]);
         const creep::Source source(a_over_b, nu, n);
@@ -206,7 +206,7 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
     Difference largest;
     std::size_t done = 0;
     study::Progress progress(options.program() + " --check", count, study::shows_progress(options), "scenes");
-    study::parallel_for(ellipses, study::job_count(options), [&](std::size_t ellipse) {
+    rollbem::detail::parallel_for(ellipses, study::job_count(options), [&](std::size_t ellipse) {
         std::mt19937_64 random(ellipse);
         std::uniform_real_distribution<double> uniform;
         const double low = job.grid.smallest_a_over_b(), high = job.grid.largest_a_over_b();

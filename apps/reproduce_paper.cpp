@@ -18,6 +18,8 @@
 #include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
 
+#include <rollbem/detail/parallel_for.hpp>
+
 #include "build_info.hpp"
 #include "paper/claims.hpp"
 #include "paper/figures.hpp"
@@ -27,7 +29,6 @@
 #include "support/errors.hpp"
 #include "support/files.hpp"
 #include "support/output_folder.hpp"
-#include "support/parallel.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
 
@@ -45,7 +46,7 @@ void in_parallel(const std::string& what, std::size_t count, const Settings& set
     study::Progress progress("reproduce_paper", count, !settings.quiet, what);
     std::size_t done = 0;
     progress.update(0);
-    study::parallel_for(count, settings.jobs, compute, [&] { progress.update(++done); });
+    rollbem::detail::parallel_for(count, settings.jobs, compute, [&] { progress.update(++done); });
 }
 
 paper::Results compute_figures(const Settings& settings) {

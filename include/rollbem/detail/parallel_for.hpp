@@ -1,5 +1,7 @@
-// parallel_for: independent tasks on several threads.
+// parallel_for: independent tasks on several threads. Internal.
 #pragma once
+
+#include "language.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace study {
+namespace rollbem::detail {
 
 /// Runs task(k) once for every k < count on `jobs` threads, the caller's among them, in any order. done(), which must
 /// not throw, is called after each task, never by two threads at a time. If a task throws, no further one is started,
@@ -47,4 +49,4 @@ inline void parallel_for(
     if (error) std::rethrow_exception(error);
 }
 
-}  // namespace study
+}  // namespace rollbem::detail
