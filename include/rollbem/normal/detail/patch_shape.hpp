@@ -1,0 +1,181 @@
+// The outline of a normal contact to second order in the size of its cells, and its peak pressure.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "../../scene/outline.hpp"
+#include "../normal_contact.hpp"
+
+namespace rollbem::detail {
+
+/// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. `squares` are those
+/// of the `count` cells with pressure, in units of the cell. The result is the place of the edge behind cell 0, as the
+/// distance from its centre, between -1/2 (inside) and 1; `squares` count from that edge inwards.
+template <class Squares>
+double edge_distance(const Squares& squares, Eigen::Index count) {
+    constexpr double inside = -0.5, outside = 1;
+    const Eigen::Index skip = count < 7 ? 1 : 2, used = count - 2 * skip, degree = count < 7 ? 2 : 4;
+    if (used <= degree) {  // a parabola that has its zeros half a cell outside, or none
+        return 0.5;
+    }
+    const double middle = double(count - 1) / 2, scale = std::max(middle, 1.0);
+    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
+    Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
+    for (Eigen::Index i = skip; i < count - skip; ++i) {
+        const double t = (double(i) - middle) / scale, weight = 1 / (0.02 + (1 + t) * (1 + t) * (1 - t) * (1 - t));
+        double powers[5] = {1, t, t * t, t * t * t, t * t * t * t};
+        for (Eigen::Index r = 0; r <= degree; ++r) {
+            for (Eigen::Index c = 0; c <= degree; ++c) normal(r, c) += weight * powers[r] * powers[c];
+            right[r] += weight * powers[r] * squares(i);
+        }
+    }
+    for (Eigen::Index r = degree + 1; r < 5; ++r) normal(r, r) = 1;
+    const Eigen::Matrix<double, 5, 1> c = normal.ldlt().solve(right);
+    const auto value = [&](double from) {  // at the distance `from` behind the centre of cell 0
+        const double t = (-from - middle) / scale;
+        return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
+    };
+    if (!(value(inside) > 0)) return inside;
+    if (!(value(outside) < 0)) return outside;
+    double low = inside, high = outside;
+    for (int k = 0; k < 40; ++k) {
+        const double half = (low + high) / 2;
+        (value(half) > 0 ? low : high) = half;
+    }
+    return low;
+}
+
+/// Fritsch and Carlson's monotone cubic.
+class MonotoneCubic {
+public:
+    MonotoneCubic(std::vector<double> x, std::vector<double> y)
+        : x_(std::move(x)), y_(std::move(y)), slope_(x_.size(), 0) {
+        const std::size_t n = x_.size();
+        const auto chord = [&](std::size_t i) { return (y_[i + 1] - y_[i]) / (x_[i + 1] - x_[i]); };
+        for (std::size_t i = 1; i + 1 < n; ++i) {
+            const double before = chord(i - 1), after = chord(i);
+            if (!(before * after > 0)) continue;
+            const double h = x_[i] - x_[i - 1], k = x_[i + 1] - x_[i];
+            slope_[i] = 3 * (h + k) / ((2 * k + h) / before + (k + 2 * h) / after);
+        }
+        slope_[0] = end(chord(0), chord(1), x_[1] - x_[0], x_[2] - x_[1]);
+        slope_[n - 1] = end(chord(n - 2), chord(n - 3), x_[n - 1] - x_[n - 2], x_[n - 2] - x_[n - 3]);
+    }
+
+    double operator()(double x) const {
+        const auto next = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
+        const auto i = static_cast<std::size_t>(next - x_.begin()) - 1;
+        const double h = x_[i + 1] - x_[i], t = (x - x_[i]) / h, u = 1 - t;
+        return u * u * (1 + 2 * t) * y_[i] + t * t * (1 + 2 * u) * y_[i + 1] +
+               h * t * u * (u * slope_[i] - t * slope_[i + 1]);
+    }
+
+private:
+    // three points, but no overshoot
+    static double end(double first, double second, double h, double k) {
+        const double slope = ((2 * h + k) * first - h * second) / (h + k);
+        if (!(slope * first > 0)) return 0;
+        return first * second < 0 && std::abs(slope) > 3 * std::abs(first) ? 3 * first : slope;
+    }
+
+    std::vector<double> x_, y_, slope_;
+};
+
+/// Of the cells with pressure, which every row y = const cuts in one interval; nothing otherwise, or if fewer than 3 rows
+/// have any.
+inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+    std::vector<double> y, square, middle;
+    Eigen::Index first_row = -1, last_row = -1;
+    struct Row {
+        Eigen::Index first, last;
+    };
+    std::vector<Row> rows;
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        Eigen::Index first = -1, last = -1, count = 0;
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            if (!(p(i, j) > 0)) continue;
+            if (first < 0) first = i;
+            last = i;
+            ++count;
+        }
+        if (first < 0) {
+            if (first_row >= 0 && last_row < 0) last_row = j - 1;
+            continue;
+        }
+        if (last_row >= 0 || count != last - first + 1) return std::nullopt;
+        if (first_row < 0) first_row = j;
+        rows.push_back({first, last});
+        const double behind = edge_distance([&](Eigen::Index i) { return p(first + i, j) * p(first + i, j); }, count),
+                     ahead = edge_distance([&](Eigen::Index i) { return p(last - i, j) * p(last - i, j); }, count);
+        const double x_1 = grid.x(first) - behind * grid.dx, x_2 = grid.x(last) + ahead * grid.dx;
+        y.push_back(grid.y(j));
+        square.push_back((x_2 - x_1) * (x_2 - x_1));
+        middle.push_back((x_1 + x_2) / 2);
+    }
+    if (rows.size() < 3) return std::nullopt;
+    if (last_row < 0) last_row = grid.ny - 1;
+    // the ends in y, along the columns that reach farthest
+    const auto end = [&](const Row& outermost, bool high) {
+        double farthest = -1;
+        const Eigen::Index centre = (outermost.first + outermost.last) / 2;
+        for (Eigen::Index i = std::max<Eigen::Index>(centre - 1, 0); i <= std::min(centre + 1, grid.nx - 1); ++i) {
+            Eigen::Index low = first_row, top = last_row;
+            while (low <= last_row && !(p(i, low) > 0)) ++low;
+            while (top >= first_row && !(p(i, top) > 0)) --top;
+            if (top < low) continue;
+            const Eigen::Index edge = high ? top : low;
+            const double beyond = edge_distance(
+                [&](Eigen::Index j) { return std::pow(p(i, high ? top - j : low + j), 2); }, top - low + 1);
+            farthest = std::max(farthest, (high ? double(edge - last_row) : double(first_row - edge)) + beyond);
+        }
+        return std::clamp(farthest, 0.02, 1.0) * grid.dy;
+    };
+    const double low = y.front() - end(rows.front(), false), high = y.back() + end(rows.back(), true);
+    y.insert(y.begin(), low);
+    y.push_back(high);
+    square.insert(square.begin(), 0);
+    square.push_back(0);
+    middle.insert(middle.begin(), middle.front());
+    middle.push_back(middle.back());
+    const MonotoneCubic squares(y, square), middles(y, middle);
+    constexpr Eigen::Index lines = 241;
+    Eigen::ArrayXd at(lines), trailing(lines), leading(lines);
+    for (Eigen::Index k = 0; k < lines; ++k) {
+        const bool tip = k == 0 || k == lines - 1;
+        at[k] = k == 0 ? low
+                : k == lines - 1
+                    ? high
+                    : (low + high) / 2 - (high - low) / 2 * std::cos(std::numbers::pi * double(k) / (lines - 1));
+        const double half = tip ? 0 : std::max(std::sqrt(std::max(squares(at[k]), 0.0)) / 2, 1e-6 * grid.dx),
+                     x = middles(at[k]);
+        trailing[k] = x - half;
+        leading[k] = x + half;
+    }
+    return Outline<double>(at, trailing, leading);
+}
+
+/// The largest pressure: the square of the pressure is nearly quadratic about its largest cell.
+inline double peak_pressure(const Eigen::ArrayXXd& p) {
+    Eigen::Index i, j;
+    const double largest = p.maxCoeff(&i, &j), square = largest * largest;
+    double peak = square;
+    const auto rise = [&](double before, double after) {
+        const double bend = 2 * square - before * before - after * after, slope = (after * after - before * before) / 2;
+        return before > 0 && after > 0 && bend > 0 ? slope * slope / (2 * bend) : 0;
+    };
+    if (i > 0 && i + 1 < p.rows()) peak += rise(p(i - 1, j), p(i + 1, j));
+    if (j > 0 && j + 1 < p.cols()) peak += rise(p(i, j - 1), p(i, j + 1));
+    return std::sqrt(peak);
+}
+
+}  // namespace rollbem::detail

@@ -1,0 +1,181 @@
+// Frictionless contact of two elastic half-spaces whose surfaces are a given distance apart: pressures on a grid of cells,
+// by conjugate gradients with projection (Polonsky and Keer 1999).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
+#include "../types.hpp"
+#include "detail/grid_convolution.hpp"
+
+namespace rollbem {
+
+/// Why a normal contact has no numbers, or doubtful ones.
+enum class NormalStatus {
+    ok,
+    doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
+    no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
+    end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
+    undefined_section,  ///< the wheel's section is not a function there: yaw is too large
+    load_not_reached,   ///< no height was found at which the contact carries the load
+    not_converged,      ///< pressures did not settle within 300 steps
+    few_cells,          ///< fewer than 7 cells touch: the grid is too coarse
+    not_finite,         ///< an input or a result is NaN or infinite
+};
+
+constexpr const char* name(NormalStatus status) {
+    switch (status) {
+        case NormalStatus::ok: return "ok";
+        case NormalStatus::doubtful_plane: return "doubtful_plane";
+        case NormalStatus::no_contact: return "no_contact";
+        case NormalStatus::end_of_profile: return "end_of_profile";
+        case NormalStatus::undefined_section: return "undefined_section";
+        case NormalStatus::load_not_reached: return "load_not_reached";
+        case NormalStatus::not_converged: return "not_converged";
+        case NormalStatus::few_cells: return "few_cells";
+        case NormalStatus::not_finite: break;
+    }
+    return "not_finite";
+}
+
+/// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy.
+struct CellGrid {
+    Eigen::Index nx, ny;
+    double x_0, y_0, dx, dy;
+
+    double x(Eigen::Index i) const { return x_0 + double(i) * dx; }
+    double y(Eigen::Index j) const { return y_0 + double(j) * dy; }
+};
+
+/// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Keeps its memory from one solution to
+/// the next, so that a time loop does not allocate once grids no longer grow.
+class NormalContact {
+public:
+    using Grid = Eigen::ArrayXXd;
+
+    struct Solution {
+        double load = 0;      ///< [N]
+        double approach = 0;  ///< of the bodies from where h is the gap [m]
+        int steps = 0;
+        NormalStatus status = NormalStatus::not_finite;
+    };
+
+    /// 1/E* = (1-nu_1)/(2 G_1) + (1-nu_2)/(2 G_2) [1/Pa]; of equal bodies (1-nu)/G.
+    explicit NormalContact(double compliance) : compliance_(compliance) {}
+
+    /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where there
+    /// is pressure exceeds `tolerance` times the approach from the least h. The present pressures are the first guess if
+    /// they are of a grid of the same size and `warm` is set.
+    Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
+        return solve(grid, h, load, 0, tolerance, warm);
+    }
+    /// The same at a given approach [m].
+    Solution approach(const CellGrid& grid, const Grid& h, double approach, double tolerance = 1e-6,
+                      bool warm = false) {
+        return solve(grid, h, std::nullopt, approach, tolerance, warm);
+    }
+
+    const Grid& pressure() const { return p_; }  ///< of the last solution [Pa], nx x ny
+    double compliance() const { return compliance_; }
+
+private:
+    Solution solve(const CellGrid& grid, const Grid& h, std::optional<double> load, double approach, double tolerance,
+                   bool warm);
+
+    // the mean over cells with pressure
+    double mean(const Grid& of) const {
+        return (p_ > 0).select(of, 0).sum() / double(std::max<Eigen::Index>((p_ > 0).count(), 1));
+    }
+
+    double compliance_;
+    detail::GridConvolution convolution_;
+    Grid p_, u_, g_, t_, q_;
+};
+
+inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const Grid& h, std::optional<double> load,
+                                                    double approach, double tolerance, bool warm) {
+    Solution result;
+    if (!h.allFinite() || !detail::is_finite(approach) || (load && !detail::is_finite(*load))) return result;
+    const double least = h.minCoeff(), cell = grid.dx * grid.dy;
+    result.status = NormalStatus::no_contact;
+    if (load ? !(*load > 0) : !(approach > least)) {
+        p_ = Grid::Zero(grid.nx, grid.ny);
+        result.approach = approach;
+        return result;
+    }
+    convolution_.prepare(grid.nx, grid.ny, grid.dx, grid.dy);
+    const double unit = compliance_ / std::numbers::pi;
+    const auto displace = [&](const Grid& p, Grid& u) {
+        convolution_.apply(p, u);
+        u *= unit;
+    };
+    if (!warm || p_.rows() != grid.nx || p_.cols() != grid.ny || !((p_ > 0).any())) {
+        // where surfaces overlap, like Hertz's pressure; with a load over all cells
+        const double level = load ? h.maxCoeff() : approach;
+        p_ = (level - h).cwiseMax(0).sqrt();
+        if (!load)
+            p_ *= std::sqrt(level - least) /
+                  (compliance_ * 2 * std::sqrt(double((p_ > 0).count()) * cell / std::numbers::pi));
+    }
+    u_.resize(grid.nx, grid.ny);
+    q_.resize(grid.nx, grid.ny);
+    if (load) p_ *= *load / (p_.sum() * cell);
+    t_ = Grid::Zero(grid.nx, grid.ny);
+    double last = 1;
+    bool grown = true;
+    constexpr int most = 300;
+    for (result.steps = 1; result.steps <= most; ++result.steps) {
+        displace(p_, u_);
+        g_ = u_ + h;
+        if (load) approach = mean(g_);
+        g_ -= approach;
+        const double square = (p_ > 0).select(g_.square(), 0).sum();
+        const double worst = (p_ > 0).select(g_.abs(), 0).maxCoeff();
+        const bool outside = ((p_ <= 0) && (g_ < -tolerance * (approach - least))).any();
+        if (!detail::is_finite(square)) return {.status = NormalStatus::not_finite};
+        if (worst <= tolerance * (approach - least) && !outside) {
+            result.status = NormalStatus::ok;
+            break;
+        }
+        const double beta = grown ? 0 : square / last;
+        last = square;
+        t_ = (p_ > 0).select(g_ + beta * t_, 0);
+        displace(t_, q_);
+        if (load) q_ -= mean(q_);
+        const double bend = (q_ * t_).sum();
+        const double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
+        if (!(tau > 0)) {  // rounding has used up the direction
+            result.status =
+                worst <= 1e3 * tolerance * (approach - least) ? NormalStatus::ok : NormalStatus::not_converged;
+            break;
+        }
+        grown = false;
+        for (Eigen::Index k = 0; k < p_.size(); ++k) {
+            double& p = p_.data()[k];
+            const bool touched = p > 0;
+            if (touched) p = std::max(p - tau * t_.data()[k], 0.0);
+            if (!(p > 0) && !touched && g_.data()[k] < 0) {
+                p = -tau * g_.data()[k];
+                grown = true;
+            }
+        }
+        if (load) {
+            const double sum = p_.sum() * cell;
+            if (!(sum > 0)) return {.status = NormalStatus::not_finite};
+            p_ *= *load / sum;
+        }
+        if (!(p_ > 0).any()) break;
+    }
+    if (result.status == NormalStatus::no_contact && result.steps > most) result.status = NormalStatus::not_converged;
+    result.load = p_.sum() * cell;
+    result.approach = approach;
+    return result;
+}
+
+}  // namespace rollbem

@@ -1,0 +1,630 @@
+// Where a wheel touches a rail and how hard: contact locus, planes of contact, gaps by exact sections of the wheel, and the
+// height at which the patches carry a load. SI units.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+#include "../scene/outline.hpp"
+#include "../scene/patch_contact.hpp"
+#include "detail/patch_shape.hpp"
+#include "normal_contact.hpp"
+#include "pressure_grid.hpp"
+#include "profile.hpp"
+
+namespace rollbem {
+
+/// Where profiles are. Track axes: x forward, y to the right, z down, the origin between the rails at the height of their
+/// tops.
+struct TrackDimensions {
+    double gauge = 1.435, gauge_depth = 0.014;  ///< between the rails, measured this far below their tops [m]
+    double flange_back = 1.36;                  ///< between the backs of both flanges [m]
+    double tape_offset = 0.07;                  ///< of the tape circle from the flange's back [m]
+    double radius = 0.46;                       ///< of the tape circle r0 [m]
+    double shear_modulus = 8.2e10;              ///< G [Pa] of both bodies
+    double poisson_ratio = 0.28;                ///< nu [-] of both bodies
+};
+
+/// Of a wheelset: its middle at (0, lateral, height - r0), rolled about x, then yawed about z.
+struct WheelsetPosition {
+    double lateral = 0;  ///< y_ws [m]
+    double height = 0;   ///< z_ws [m], positive down; 0 where profiles with z = 0 at the tape circle and the top touch
+    double roll = 0;     ///< phi [rad]
+    double yaw = 0;      ///< psi [rad]
+};
+
+/// One patch of a wheel on a rail. The plane of contact has its origin at the reference point, s along y turned by the
+/// angle, and n into the rail; patch and pressures are in the axes (x, s) from there.
+struct RailPatch {
+    double x = 0, y = 0, z = 0;      ///< reference point, on the rail, in track axes [m]
+    double rail_y = 0, wheel_y = 0;  ///< of it in both profiles [m]
+    double angle = 0;                ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
+    double rolling_radius = 0;       ///< r0 + z of the wheel there [m]
+    double load = 0;                 ///< normal force [N]
+    double approach = 0;             ///< from where the surfaces would touch, undeformed [m]
+    double penetration = 0;          ///< the largest of the undeformed surfaces, along n, where the wheel is now [m]
+    double peak_pressure = 0;        ///< [Pa]
+    double area = 0;                 ///< [m^2]
+    double half_length = 0, half_width = 0;  ///< half the extents [m]
+    int steps = 0;                           ///< of the normal problem, the last time
+    NormalStatus status = NormalStatus::not_finite;
+    CellGrid grid{};           ///< of the pressures
+    Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
+    std::optional<Outline<double>> outline;
+    bool has_numbers() const { return status == NormalStatus::ok || status == NormalStatus::doubtful_plane; }
+};
+
+/// The right wheel of a wheelset on the right rail; a left one is its mirror image, with y, roll, yaw and lateral
+/// quantities reversed. Immutable.
+class WheelOnRail {
+public:
+    /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, and the rail's inner side
+    /// reaches the depth at which the gauge is measured.
+    WheelOnRail(Profile wheel, Profile rail, const TrackDimensions& dimensions = {});
+
+    struct Options {
+        Eigen::Index cells_x = 40, cells_s = 20;  ///< across what touches; more in patches with two lobes
+        double tolerance = 1e-6;                  ///< of the load, and of gaps over the approach
+    };
+
+    /// Memory of a solution, and where the search for the next one starts.
+    struct Workspace {
+        double approach = 0;  ///< vertical, of the last solution [m]; 0: none
+        std::vector<NormalContact> normal;
+        struct Sample {
+            double x, y, gap;  // of the locus at height 0: below it the rail's top
+            bool defined;
+        };
+        std::vector<Sample> locus;
+        NormalContact::Grid h;
+        Eigen::ArrayXd at;
+    };
+
+    struct Contact {
+        double height = 0;                               ///< z_ws [m] at which the load is carried
+        std::vector<RailPatch> patches;                  ///< by decreasing load
+        NormalStatus status = NormalStatus::not_finite;  ///< that of the worst patch
+    };
+
+    /// The contact that carries the vertical load [N] at this lateral position, roll and yaw; the height of `position`
+    /// is not used. `friction` is the force along s over the normal force, positive on the wheel towards positive s, by
+    /// which friction supports the wheel: N (cos delta + friction sin delta) is vertical.
+    Contact carry(const WheelsetPosition& position, double load, double friction, Workspace& workspace,
+                  const Options& options) const;
+    Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
+        return carry(position, load, 0, workspace, Options{});
+    }
+
+    const Profile& wheel() const { return wheel_; }
+    const Profile& rail() const { return rail_; }
+    const TrackDimensions& dimensions() const { return dimensions_; }
+    double compliance() const { return (1 - dimensions_.poisson_ratio) / dimensions_.shear_modulus; }  ///< 1/E* [1/Pa]
+    double rail_origin() const { return rail_origin_; }    ///< y of the right rail's [m]
+    double wheel_origin() const { return wheel_origin_; }  ///< of the right wheel's from the middle of the axle [m]
+
+private:
+    using Point = Profile::Point;
+
+    struct Place {
+        double x, y, z;
+        bool defined;
+    };
+    // The sines and cosines of a position.
+    struct Attitude {
+        WheelsetPosition at;
+        double sin_roll, cos_roll, sin_yaw, cos_yaw;
+
+        Attitude(const WheelsetPosition& position)  // NOLINT: implicit on purpose
+            : at(position),
+              sin_roll(std::sin(position.roll)),
+              cos_roll(std::cos(position.roll)),
+              sin_yaw(std::sin(position.yaw)),
+              cos_yaw(std::cos(position.yaw)) {}
+    };
+    // Samples of the wheel that lie below the rail.
+    struct Region {
+        std::size_t first, last;
+    };
+    // The plane of a region, and the region in it.
+    struct Plane {
+        double x, y, z, angle, sine, cosine;  // its origin, on the rail, in track axes
+        double wheel_s, rail_s;               // of both profiles there
+        double deepest;                       // penetration along n
+        double low, high;                     // ends of the region along s
+
+        double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
+        double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
+    };
+
+    // sin theta = `sine`; not defined where the wheel turns away too fast for a section
+    Place place(const Attitude& attitude, const Point& p, double sine) const {
+        const double eta = wheel_origin_ + p.y, r = dimensions_.radius + p.z;
+        const double cosine = std::sqrt(std::max(1 - sine * sine, 0.0));
+        const double across = attitude.sin_yaw * r * sine + attitude.cos_yaw * eta;
+        return {attitude.cos_yaw * r * sine - attitude.sin_yaw * eta,
+                attitude.at.lateral + attitude.cos_roll * across - attitude.sin_roll * r * cosine,
+                attitude.at.height - dimensions_.radius + attitude.sin_roll * across + attitude.cos_roll * r * cosine,
+                std::abs(sine) <= 0.3};
+    }
+    // The point of the locus, where the surface's normal has no component along x.
+    Place locus(const Attitude& attitude, const Point& p) const {
+        const double tangent = attitude.sin_yaw / attitude.cos_yaw;
+        return place(attitude, p, p.slope[0] > 0 ? -tangent * p.slope[1] / p.slope[0] : 1);
+    }
+    // Length along the rail at y in track axes; NaN beyond its upper side.
+    double rail_place(double y) const;
+    void find_locus(const Attitude& attitude, Workspace& workspace) const;
+    std::vector<Region> regions(double height, const Workspace& workspace) const;
+    Plane plane(const Attitude& attitude, double height, const Region& region) const;
+    // The gap before deformation; false where a section is not defined.
+    bool find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid, Workspace& workspace) const;
+    CellGrid first_grid(const Plane& plane) const;
+    // Cells over what touches, with two cells of margin.
+    static CellGrid finer(const CellGrid& grid, const NormalContact::Grid& p, const Options& options, bool lobes);
+    bool has_lobes(const Attitude& attitude, const Plane& plane, Workspace& workspace) const;
+    // Pressures as patches, one for each connected set of cells.
+    void add_patches(const Plane& plane, const CellGrid& grid, const NormalContact& normal,
+                     const NormalContact::Solution& solution, std::vector<RailPatch>& patches) const;
+
+    Profile wheel_, rail_;
+    TrackDimensions dimensions_;
+    double rail_origin_ = 0, wheel_origin_ = 0;
+    std::vector<Point> samples_;  // of the wheel
+    std::vector<double> sample_s_;
+    Eigen::Index rail_first_ = 0, rail_last_ = 0;  // the stretch of the rail about its top where y grows
+};
+
+inline WheelOnRail::WheelOnRail(Profile wheel, Profile rail, const TrackDimensions& dimensions)
+    : wheel_(std::move(wheel)), rail_(std::move(rail)), dimensions_(dimensions) {
+    constexpr const char* who = "WheelOnRail";
+    const TrackDimensions& d = dimensions_;
+    detail::require_positive(who, "gauge", d.gauge);
+    detail::require_positive(who, "gauge_depth", d.gauge_depth);
+    detail::require_positive(who, "flange_back", d.flange_back);
+    detail::require_finite(who, "tape_offset", d.tape_offset);
+    detail::require_positive(who, "radius", d.radius);
+    detail::require_positive(who, "shear_modulus", d.shear_modulus);
+    detail::require_poisson_ratio(who, d.poisson_ratio);
+    Eigen::Index top = 0;
+    const double highest = rail_.z().minCoeff(&top);
+    for (rail_first_ = top; rail_first_ > 0 && rail_.y()[rail_first_ - 1] < rail_.y()[rail_first_];) --rail_first_;
+    for (rail_last_ = top; rail_last_ + 1 < rail_.size() && rail_.y()[rail_last_ + 1] > rail_.y()[rail_last_];)
+        ++rail_last_;
+    Eigen::Index below = top;
+    while (below > 0 && rail_.z()[below] - highest < d.gauge_depth) --below;
+    detail::require(rail_.z()[below] - highest >= d.gauge_depth, who, "depth of the rail's inner side",
+                    rail_.z()[below] - highest, "be at least the gauge_depth");
+    double low = rail_.s()[below], high = rail_.s()[below + 1];
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        (rail_.at(middle).z - highest >= d.gauge_depth ? low : high) = middle;
+    }
+    rail_origin_ = d.gauge / 2 - rail_.at(low).y;
+    wheel_origin_ = d.flange_back / 2 + d.tape_offset;
+    constexpr double distance = 1e-4;  // of samples [m]: flange contacts are four times as wide at least
+    const auto count = static_cast<Eigen::Index>(std::ceil(wheel_.length() / distance));
+    for (Eigen::Index i = 0; i <= count; ++i) {
+        sample_s_.push_back(wheel_.length() * double(i) / double(count));
+        samples_.push_back(wheel_.at(sample_s_.back()));
+    }
+}
+
+inline double WheelOnRail::rail_place(double y) const {
+    const double at = y - rail_origin_;
+    const double *const first = rail_.y().data() + rail_first_, *const last = rail_.y().data() + rail_last_;
+    if (!(at >= *first && at <= *last)) return std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Index i = std::min(std::upper_bound(first, last, at), last) - rail_.y().data();
+    double s = rail_.s()[i - 1] +
+               (rail_.s()[i] - rail_.s()[i - 1]) * (at - rail_.y()[i - 1]) / (rail_.y()[i] - rail_.y()[i - 1]);
+    for (int k = 0; k < 2; ++k) {
+        const Point p = rail_.at(s);
+        s -= (p.y - at) / p.slope[0];
+    }
+    return s;
+}
+
+inline void WheelOnRail::find_locus(const Attitude& attitude, Workspace& workspace) const {
+    workspace.locus.clear();
+    for (const Point& sample : samples_) {
+        const Place at = locus(attitude, sample);
+        workspace.locus.push_back({at.x, at.y, rail_.at(rail_place(at.y)).z - at.z, at.defined});
+    }
+}
+
+inline auto WheelOnRail::regions(double height, const Workspace& workspace) const -> std::vector<Region> {
+    constexpr double joined = 4e-3;  // regions that are closer share a plane [m]
+    std::vector<Region> found;
+    const auto& locus = workspace.locus;
+    for (std::size_t i = 0; i < locus.size(); ++i) {
+        if (!(locus[i].gap < height)) continue;
+        if (!found.empty() && (found.back().last + 1 == i || locus[i].y - locus[found.back().last].y < joined)) {
+            found.back().last = i;
+        } else {
+            found.push_back({i, i});
+        }
+    }
+    return found;
+}
+
+inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Region& region) const -> Plane {
+    const double from = sample_s_[region.first > 0 ? region.first - 1 : 0],
+                 to = sample_s_[std::min(region.last + 1, sample_s_.size() - 1)];
+    constexpr int count = 160;
+    struct Cut {
+        double s, x, y, z, depth, angle;
+    };
+    std::array<Cut, count + 1> cuts;
+    double sum = 0, y = 0, angle = 0, deepest = 0;
+    for (int k = 0; k <= count; ++k) {
+        Cut& cut = cuts[static_cast<std::size_t>(k)];
+        cut.s = from + (to - from) * k / count;
+        const Place at = locus(attitude, wheel_.at(cut.s));
+        const Point below = rail_.at(rail_place(at.y));
+        cut = {cut.s,
+               at.x,
+               at.y,
+               below.z,
+               std::max(height + at.z - below.z, 0.0),
+               std::atan2(below.slope[1], below.slope[0])};
+        if (!detail::is_finite(cut.depth)) cut.depth = 0;
+        const double weight = std::pow(cut.depth, 2.5);
+        if (weight == 0) continue;
+        sum += weight;
+        y += weight * cut.y;
+        angle += weight * cut.angle;
+        deepest = std::max(deepest, cut.depth);
+    }
+    y /= sum;
+    angle /= sum;
+    Plane found{.y = y, .angle = angle, .sine = std::sin(angle), .cosine = std::cos(angle)};
+    found.rail_s = rail_place(y);
+    found.z = rail_.at(found.rail_s).z;
+    found.deepest = deepest * found.cosine;
+    std::size_t k = 1;
+    while (k < count && cuts[k].y < y) ++k;
+    const double part = (y - cuts[k - 1].y) / (cuts[k].y - cuts[k - 1].y);
+    found.wheel_s = cuts[k - 1].s + part * (cuts[k].s - cuts[k - 1].s);
+    found.x = cuts[k - 1].x + part * (cuts[k].x - cuts[k - 1].x);
+    std::size_t first = 0, last = count;
+    while (first < count && cuts[first].depth == 0) ++first;
+    while (last > 0 && cuts[last].depth == 0) --last;
+    found.low = found.s(cuts[first].y, cuts[first].z);
+    found.high = found.s(cuts[last].y, cuts[last].z);
+    return found;
+}
+
+inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid,
+                                   Workspace& workspace) const {
+    auto& h = workspace.h;
+    h.resize(grid.nx, grid.ny);
+    const double sin_yaw = attitude.sin_yaw, cos_yaw = attitude.cos_yaw;
+    const double sin_roll = attitude.sin_roll, cos_roll = attitude.cos_roll;
+    double rail_s = plane.rail_s + grid.y(0);
+    bool defined = true;
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        const double s = grid.y(j);
+        Point rail{};
+        for (int k = 0; k < 12; ++k) {
+            rail = rail_.at(rail_s);
+            const double off = plane.s(rail_origin_ + rail.y, rail.z) - s;
+            rail_s -= off / std::max(rail.slope[0] * plane.cosine + rail.slope[1] * plane.sine, 0.1);
+            if (std::abs(off) < 1e-13) break;
+        }
+        const double n_rail = plane.n(rail_origin_ + rail.y, rail.z);
+        const Eigen::Index centre = grid.nx / 2;
+        double at = j == 0 ? plane.wheel_s + s : workspace.at[centre] + grid.dy;
+        workspace.at.resize(std::max(workspace.at.size(), grid.nx));
+        // from the middle outwards, each column from its neighbour
+        for (Eigen::Index c = 0; c < grid.nx; ++c) {
+            const Eigen::Index i = c < grid.nx - centre ? centre + c : grid.nx - 1 - c;
+            if (c == grid.nx - centre) at = workspace.at[centre];
+            const double X = plane.x + grid.x(i);
+            double n_wheel = 0;
+            for (int k = 0; k < 12; ++k) {
+                const Point p = wheel_.at(at);
+                const double eta = wheel_origin_ + p.y, r = dimensions_.radius + p.z;
+                const double sine = (X + sin_yaw * eta) / (cos_yaw * r);
+                if (!(std::abs(sine) <= 0.3)) {
+                    defined = false;
+                    break;
+                }
+                const Place found = place(attitude, p, sine);
+                const double off = plane.s(found.y, found.z) - s;
+                n_wheel = plane.n(found.y, found.z);
+                if (std::abs(off) < 1e-13) break;
+                const double cosine = std::sqrt(1 - sine * sine);
+                const double turn = (sin_yaw * p.slope[0] - cos_yaw * sine * p.slope[1]) / (cos_yaw * r);
+                const double across = sin_yaw * (p.slope[1] * sine + r * turn) + cos_yaw * p.slope[0];
+                const double down = p.slope[1] * cosine - r * sine / cosine * turn;
+                const double rate = (cos_roll * across - sin_roll * down) * plane.cosine +
+                                    (sin_roll * across + cos_roll * down) * plane.sine;
+                at -= off / std::max(rate, 0.1);
+            }
+            workspace.at[i] = at;
+            h(i, j) = n_rail - n_wheel;
+        }
+    }
+    return defined;
+}
+
+inline CellGrid WheelOnRail::first_grid(const Plane& plane) const {
+    constexpr Eigen::Index cells = 24;
+    const double curvature = plane.cosine / (dimensions_.radius + wheel_.at(plane.wheel_s).z);
+    const double half = 1.1 * std::sqrt(2 * plane.deepest / curvature), height = 1.04 * (plane.high - plane.low);
+    const double dx = 2 * half / cells, dy = height / cells;
+    return {cells, cells, -half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
+}
+
+inline CellGrid WheelOnRail::finer(const CellGrid& grid, const NormalContact::Grid& p, const Options& options,
+                                   bool lobes) {
+    Eigen::Index left = grid.nx, right = -1, bottom = grid.ny, top = -1;
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            if (!(p(i, j) > 0)) continue;
+            left = std::min(left, i);
+            right = std::max(right, i);
+            bottom = std::min(bottom, j);
+            top = std::max(top, j);
+        }
+    }
+    constexpr Eigen::Index margin = 2, most = 60;
+    const Eigen::Index nx = lobes ? std::max(options.cells_x, most) : options.cells_x,
+                       ny = lobes ? std::max(options.cells_s, most) : options.cells_s;
+    const double dx = grid.dx * double(right - left + 1) / double(nx - 2 * margin),
+                 dy = grid.dy * double(top - bottom + 1) / double(ny - 2 * margin);
+    return {
+        nx, ny, grid.x(left) - grid.dx / 2 + (0.5 - margin) * dx, grid.y(bottom) - grid.dy / 2 + (0.5 - margin) * dy,
+        dx, dy};
+}
+
+inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane, Workspace& workspace) const {
+    constexpr Eigen::Index count = 60;
+    const double ds = (plane.high - plane.low) / count;
+    if (!find_gaps(attitude, plane, {1, count, 0, plane.low + ds / 2, ds, ds}, workspace)) return false;
+    const auto& h = workspace.h;
+    // a valley between two lobes is shallower than both by a twentieth of the penetration
+    double least = h(0, 0), highest_since = h(0, 0);
+    const double step = plane.deepest / 20;
+    bool rising = false;
+    for (Eigen::Index j = 1; j < count; ++j) {
+        if (!rising) {
+            least = std::min(least, h(0, j));
+            if (h(0, j) > least + step) {
+                rising = true;
+                highest_since = h(0, j);
+            }
+        } else {
+            highest_since = std::max(highest_since, h(0, j));
+            if (h(0, j) < highest_since - step) return true;
+        }
+    }
+    return false;
+}
+
+inline void WheelOnRail::add_patches(const Plane& plane, const CellGrid& grid, const NormalContact& normal,
+                                     const NormalContact::Solution& solution, std::vector<RailPatch>& patches) const {
+    const NormalContact::Grid& p = normal.pressure();
+    Eigen::ArrayXXi label = Eigen::ArrayXXi::Zero(p.rows(), p.cols());
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> open;
+    int count = 0;
+    for (Eigen::Index j = 0; j < p.cols(); ++j) {
+        for (Eigen::Index i = 0; i < p.rows(); ++i) {
+            if (!(p(i, j) > 0) || label(i, j) != 0) continue;
+            label(i, j) = ++count;
+            for (open.push_back({i, j}); !open.empty();) {
+                const auto [k, l] = open.back();
+                open.pop_back();
+                for (Eigen::Index m = std::max<Eigen::Index>(l - 1, 0); m <= std::min(l + 1, p.cols() - 1); ++m) {
+                    for (Eigen::Index o = std::max<Eigen::Index>(k - 1, 0); o <= std::min(k + 1, p.rows() - 1); ++o) {
+                        if (!(p(o, m) > 0) || label(o, m) != 0) continue;
+                        label(o, m) = count;
+                        open.push_back({o, m});
+                    }
+                }
+            }
+        }
+    }
+    const double cell = grid.dx * grid.dy;
+    for (int part = 1; part <= count; ++part) {
+        RailPatch patch;
+        patch.grid = grid;
+        patch.pressure = (label == part).select(p, 0);
+        patch.load = patch.pressure.sum() * cell;
+        if (count > 1 && patch.load < 1e-6 * solution.load) continue;  // a cell that is about to lift
+        const Point wheel = wheel_.at(plane.wheel_s), rail = rail_.at(plane.rail_s);
+        patch.x = plane.x;
+        patch.y = plane.y;
+        patch.z = plane.z;
+        patch.rail_y = rail.y;
+        patch.wheel_y = wheel.y;
+        patch.angle = plane.angle;
+        patch.rolling_radius = dimensions_.radius + wheel.z;
+        patch.approach = patch.penetration = plane.deepest + solution.approach;
+        patch.peak_pressure = detail::peak_pressure(patch.pressure);
+        patch.steps = solution.steps;
+        patch.status = solution.status;
+        patch.outline = detail::contact_outline(grid, patch.pressure);
+        if (patch.outline && (patch.pressure > 0).count() >= 7) {
+            const Outline<double>& outline = *patch.outline;
+            patch.area = outline.area();
+            patch.half_width = (outline.high() - outline.low()) / 2;
+            double ahead = outline.leading(outline.low()), behind = ahead;
+            for (const double at : outline.y()) {
+                ahead = std::max(ahead, outline.leading(at));
+                behind = std::min(behind, outline.trailing(at));
+            }
+            patch.half_length = (ahead - behind) / 2;
+            const auto angle = [&](double s) {
+                const double along = plane.rail_s + s;
+                const Point at = rail_.at(along);
+                return std::atan2(at.slope[1], at.slope[0]);
+            };
+            const double rail_low = plane.rail_s + outline.low(), rail_high = plane.rail_s + outline.high(),
+                         wheel_low = plane.wheel_s + outline.low(), wheel_high = plane.wheel_s + outline.high();
+            if (patch.status == NormalStatus::ok && std::abs(angle(outline.high()) - angle(outline.low())) > 0.2) {
+                patch.status = NormalStatus::doubtful_plane;
+            }
+            if (rail_low < rail_.s()[rail_first_] || rail_high > rail_.s()[rail_last_] || wheel_low < 0 ||
+                wheel_high > wheel_.length()) {
+                patch.status = NormalStatus::end_of_profile;
+            }
+        } else if (patch.has_numbers()) {
+            patch.status = NormalStatus::few_cells;
+        }
+        patches.push_back(std::move(patch));
+    }
+}
+
+inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, double friction, Workspace& workspace,
+                               const Options& options) const -> Contact {
+    Contact contact;
+    if (!detail::is_finite(position.lateral) || !detail::is_finite(position.roll) || !detail::is_finite(position.yaw) ||
+        !(detail::is_finite(load) && load > 0)) {
+        return contact;
+    }
+    const Attitude attitude({position.lateral, 0, position.roll, position.yaw});
+    find_locus(attitude, workspace);
+    std::size_t nearest = samples_.size();
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (detail::is_finite(workspace.locus[i].gap) &&
+            (nearest == samples_.size() || workspace.locus[i].gap < workspace.locus[nearest].gap)) {
+            nearest = i;
+        }
+    }
+    contact.status = NormalStatus::no_contact;
+    if (nearest == samples_.size()) return contact;
+    contact.status = NormalStatus::undefined_section;
+    if (!workspace.locus[nearest].defined) return contact;
+    const double touch = workspace.locus[nearest].gap;
+
+    struct Part {
+        Plane plane;
+        CellGrid grid;
+        NormalContact::Solution solution;
+        double load = 0;
+    };
+    std::vector<Part> parts;
+    const auto vertical = [&](const Part& part) { return part.plane.cosine + friction * part.plane.sine; };
+    // at a height, on coarse grids, or on `fine` ones over what touches on the coarse; false if a section is undefined
+    const auto press = [&](double height, bool fine, double tolerance) {
+        const std::vector<Region> found = regions(height, workspace);
+        const std::vector<Part> before = std::exchange(parts, {});
+        while (workspace.normal.size() < found.size()) workspace.normal.emplace_back(compliance());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            Part part{.plane = plane(attitude, height, found[k])};
+            if (before.size() == found.size()) part.load = before[k].load;
+            parts.push_back(part);
+        }
+        for (int round = 0; round < (parts.size() > 1 ? 4 : 1); ++round) {
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                Part& part = parts[k];
+                double lift = 0;  // what the other loads displace here
+                for (std::size_t other = 0; other < parts.size(); ++other) {
+                    if (other == k) continue;
+                    const Plane& there = parts[other].plane;
+                    const double distance =
+                        std::hypot(part.plane.x - there.x, std::hypot(part.plane.y - there.y, part.plane.z - there.z));
+                    lift += parts[other].load * compliance() / (std::numbers::pi * distance);
+                }
+                // grids and gaps hold for the height of the plane, at which h includes the penetration
+                const auto solve = [&](const CellGrid& grid, double to) {
+                    part.grid = grid;
+                    if (!find_gaps(WheelsetPosition{position.lateral, height, position.roll, position.yaw}, part.plane, grid,
+                                   workspace))
+                        return false;
+                    workspace.h += lift;
+                    part.solution = workspace.normal[k].approach(grid, workspace.h, 0, to);
+                    part.load = part.solution.load;
+                    return true;
+                };
+                if (!solve(first_grid(part.plane), 1e-3)) return false;
+                if (!fine || part.load == 0) continue;
+                const bool lobes =
+                    has_lobes(WheelsetPosition{position.lateral, height, position.roll, position.yaw}, part.plane, workspace);
+                if (!solve(finer(part.grid, workspace.normal[k].pressure(), options, lobes), tolerance)) return false;
+            }
+        }
+        return true;
+    };
+    const auto carried = [&] {
+        double sum = 0;
+        for (const Part& part : parts) sum += part.load * vertical(part);
+        return sum;
+    };
+
+    // 1. The height on coarse grids, to some percent: loads grow like the power 3/2 of the approach
+    double approach = workspace.approach > 0 ? workspace.approach : 2e-5 * std::cbrt(load / 1e4 * (load / 1e4));
+    double low = 0, high = std::numeric_limits<double>::infinity();
+    const auto next = [&](double found) {
+        (found < load ? low : high) = approach;
+        double to = found > 0 ? approach * std::pow(load / found, 2.0 / 3) : 2 * approach;
+        if (!(to > low && to < high)) to = detail::is_finite(high) ? (low + high) / 2 : 2 * approach;
+        approach = to;
+    };
+    bool near = false;
+    for (int k = 0; k < 40 && !near; ++k) {
+        if (!press(touch + approach, false, 1e-3)) return contact;
+        const double found = carried();
+        near = std::abs(found / load - 1) < 0.02;
+        if (!near) next(found);
+    }
+    contact.status = NormalStatus::load_not_reached;
+    if (!near) return contact;
+
+    // 2. On fine grids: one patch carries the load itself, and tells by how much the wheel is too high
+    if (parts.size() == 1) {
+        Part& part = parts[0];
+        NormalContact& normal = workspace.normal[0];
+        for (int round = 0; round < 6; ++round) {
+            const double height = touch + approach;
+            const std::vector<Region> found = regions(height, workspace);
+            if (found.size() != 1) break;
+            const CellGrid coarse = part.grid;
+            part.plane = plane(attitude, height, found[0]);
+            const Attitude there({position.lateral, height, position.roll, position.yaw});
+            if (round == 0)
+                part.grid = finer(coarse, normal.pressure(), options, has_lobes(there, part.plane, workspace));
+            if (!find_gaps(there, part.plane, part.grid, workspace)) {
+                contact.status = NormalStatus::undefined_section;
+                return contact;
+            }
+            part.solution = normal.carry(part.grid, workspace.h, load / vertical(part), options.tolerance, round > 0);
+            part.load = part.solution.load;
+            approach += part.solution.approach / part.plane.cosine;
+            if (std::abs(part.solution.approach) < 1e-4 * part.plane.deepest) break;
+        }
+    } else {
+        near = false;
+        for (int k = 0; k < 25 && !near; ++k) {
+            if (!press(touch + approach, true, options.tolerance)) return contact;
+            const double found = carried();
+            near = std::abs(found / load - 1) < options.tolerance;
+            if (!near) next(found);
+        }
+        if (!near) return contact;
+    }
+    workspace.approach = approach;
+    contact.height = touch + approach;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (parts[k].load > 0)
+            add_patches(parts[k].plane, parts[k].grid, workspace.normal[k], parts[k].solution, contact.patches);
+    }
+    std::sort(contact.patches.begin(), contact.patches.end(),
+              [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
+    contact.status = contact.patches.empty() ? NormalStatus::no_contact : NormalStatus::ok;
+    for (const RailPatch& patch : contact.patches) contact.status = std::max(contact.status, patch.status);
+    return contact;
+}
+
+}  // namespace rollbem
