@@ -138,10 +138,10 @@ private:
     };
     // The plane of a region, and the region in it.
     struct Plane {
-        double x, y, z, angle, sine, cosine;  // its origin, on the rail, in track axes
-        double wheel_s, rail_s;               // of both profiles there
-        double deepest;                       // penetration along n
-        double low, high;                     // ends of the region along s
+        double x = 0, y = 0, z = 0, angle = 0, sine = 0, cosine = 1;  // its origin, on the rail, in track axes
+        double wheel_s = 0, rail_s = 0;                               // of both profiles there
+        double deepest = 0;                                           // penetration along n
+        double low = 0, high = 0;                                     // ends of the region along s
 
         double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
         double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
@@ -172,7 +172,8 @@ private:
     CellGrid first_grid(const Plane& plane) const;
     // Cells over what touches, with two cells of margin.
     static CellGrid finer(const CellGrid& grid, const NormalContact::Grid& p, const Options& options, bool lobes);
-    bool has_lobes(const Attitude& attitude, const Plane& plane, Workspace& workspace) const;
+    // Whether `cells` along s are too few for the narrowest lobe of the gap, or there are several.
+    bool has_lobes(const Attitude& attitude, const Plane& plane, Eigen::Index cells, Workspace& workspace) const;
     // Pressures as patches, one for each connected set of cells.
     void add_patches(const Plane& plane, const CellGrid& grid, const NormalContact& normal,
                      const NormalContact::Solution& solution, std::vector<RailPatch>& patches) const;
@@ -287,7 +288,11 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
     }
     y /= sum;
     angle /= sum;
-    Plane found{.y = y, .angle = angle, .sine = std::sin(angle), .cosine = std::cos(angle)};
+    Plane found;
+    found.y = y;
+    found.angle = angle;
+    found.sine = std::sin(angle);
+    found.cosine = std::cos(angle);
     found.rail_s = rail_place(y);
     found.z = rail_.at(found.rail_s).z;
     found.deepest = deepest * found.cosine;
@@ -388,25 +393,25 @@ inline CellGrid WheelOnRail::finer(const CellGrid& grid, const NormalContact::Gr
         dx, dy};
 }
 
-inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane, Workspace& workspace) const {
-    constexpr Eigen::Index count = 60;
+inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane, Eigen::Index cells,
+                                   Workspace& workspace) const {
+    constexpr Eigen::Index count = 80, least_cells = 10;
     const double ds = (plane.high - plane.low) / count;
     if (!find_gaps(attitude, plane, {1, count, 0, plane.low + ds / 2, ds, ds}, workspace)) return false;
-    const auto& h = workspace.h;
-    // a valley between two lobes is shallower than both by a twentieth of the penetration
-    double least = h(0, 0), highest_since = h(0, 0);
-    const double step = plane.deepest / 20;
-    bool rising = false;
-    for (Eigen::Index j = 1; j < count; ++j) {
-        if (!rising) {
-            least = std::min(least, h(0, j));
-            if (h(0, j) > least + step) {
-                rising = true;
-                highest_since = h(0, j);
-            }
-        } else {
-            highest_since = std::max(highest_since, h(0, j));
-            if (h(0, j) < highest_since - step) return true;
+    const Eigen::ArrayXd h = workspace.h.row(0);
+    // across the deepest lobe: where the gap has risen by a quarter, a parabola has half its width
+    Eigen::Index deepest = 0;
+    const double least = h.minCoeff(&deepest);
+    Eigen::Index low = deepest, high = deepest;
+    while (low > 0 && h[low - 1] < 0.75 * least) --low;
+    while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
+    if (double(high - low + 1) / count * 2 * double(cells) < least_cells) return true;
+    // another valley, deeper than what parts it from this one
+    for (const Eigen::Index step : {-1, 1}) {
+        double ridge = least;
+        for (Eigen::Index j = deepest + step; j >= 0 && j < count; j += step) {
+            ridge = std::max(ridge, h[j]);
+            if (h[j] < ridge + least / 200) return true;
         }
     }
     return false;
@@ -509,9 +514,9 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
     const double touch = workspace.locus[nearest].gap;
 
     struct Part {
-        Plane plane;
-        CellGrid grid;
-        NormalContact::Solution solution;
+        Plane plane{};
+        CellGrid grid{};
+        NormalContact::Solution solution{};
         double load = 0;
     };
     std::vector<Part> parts;
@@ -540,8 +545,8 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
                 // grids and gaps hold for the height of the plane, at which h includes the penetration
                 const auto solve = [&](const CellGrid& grid, double to) {
                     part.grid = grid;
-                    if (!find_gaps(WheelsetPosition{position.lateral, height, position.roll, position.yaw}, part.plane, grid,
-                                   workspace))
+                    if (!find_gaps(WheelsetPosition{position.lateral, height, position.roll, position.yaw}, part.plane,
+                                   grid, workspace))
                         return false;
                     workspace.h += lift;
                     part.solution = workspace.normal[k].approach(grid, workspace.h, 0, to);
@@ -550,8 +555,8 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
                 };
                 if (!solve(first_grid(part.plane), 1e-3)) return false;
                 if (!fine || part.load == 0) continue;
-                const bool lobes =
-                    has_lobes(WheelsetPosition{position.lateral, height, position.roll, position.yaw}, part.plane, workspace);
+                const bool lobes = has_lobes(WheelsetPosition{position.lateral, height, position.roll, position.yaw},
+                                             part.plane, options.cells_s, workspace);
                 if (!solve(finer(part.grid, workspace.normal[k].pressure(), options, lobes), tolerance)) return false;
             }
         }
@@ -594,7 +599,8 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
             part.plane = plane(attitude, height, found[0]);
             const Attitude there({position.lateral, height, position.roll, position.yaw});
             if (round == 0)
-                part.grid = finer(coarse, normal.pressure(), options, has_lobes(there, part.plane, workspace));
+                part.grid =
+                    finer(coarse, normal.pressure(), options, has_lobes(there, part.plane, options.cells_s, workspace));
             if (!find_gaps(there, part.plane, part.grid, workspace)) {
                 contact.status = NormalStatus::undefined_section;
                 return contact;

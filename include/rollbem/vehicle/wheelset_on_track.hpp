@@ -1,0 +1,125 @@
+// A wheelset on real rails: the position in which both wheels carry their loads, and the creepages of each patch.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "../detail/finite.hpp"
+#include "../normal/pressure_grid.hpp"
+#include "../normal/wheel_on_rail.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/patch_contact.hpp"
+
+namespace rollbem {
+
+/// Speeds of a wheelset: the middle of its axle moves by `forward` along x.
+struct WheelsetSpeeds {
+    double forward = 1;                  ///< V [m/s]
+    double pitch_rate = 0;               ///< about the axle [rad/s], negative when rolling forward
+    double lateral = 0, vertical = 0;    ///< of the middle [m/s]
+    double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
+};
+
+/// The slip of the wheel's material on the rail at the reference point of a patch, over the mean of V and the
+/// circumferential speed: rigid creepages as for any contact of this library, the numbers of CONTACT's CKSI, CETA and
+/// CPHI [-, -, 1/m]. Forces by them act on the wheel, along x and s, and the moment about n; CONTACT's act on the rail.
+inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
+                                    double radius) {
+    const double sine = std::sin(patch.angle), cosine = std::cos(patch.angle);
+    const double axle_x = -std::sin(at.yaw), axle_y = std::cos(at.roll) * std::cos(at.yaw),
+                 axle_z = std::sin(at.roll) * std::cos(at.yaw);
+    const double w_x = speeds.pitch_rate * axle_x + speeds.roll_rate, w_y = speeds.pitch_rate * axle_y,
+                 w_z = speeds.pitch_rate * axle_z + speeds.yaw_rate;
+    // the wheel's material lies below the rail's surface
+    const double r_x = patch.x, r_y = patch.y - patch.penetration * sine - at.lateral,
+                 r_z = patch.z + patch.penetration * cosine - (at.height - radius);
+    const double v_x = speeds.forward + w_y * r_z - w_z * r_y, v_y = speeds.lateral + w_z * r_x - w_x * r_z,
+                 v_z = speeds.vertical + w_x * r_y - w_y * r_x;
+    const double reference = (speeds.forward + std::abs(speeds.pitch_rate) * patch.rolling_radius) / 2;
+    return {-v_x / reference, -(v_y * cosine + v_z * sine) / reference, -(w_z * cosine - w_y * sine) / reference};
+}
+
+/// The contact patch as friction takes it: its outline in the axes (x, s) of its plane.
+inline PatchContact<double> contact_of(const RailPatch& patch, const TrackDimensions& dimensions) {
+    detail::require(patch.outline.has_value(), "contact_of", "status of the patch", name(patch.status), "be ok");
+    return {*patch.outline, dimensions.shear_modulus, dimensions.poisson_ratio};
+}
+
+/// Its pressures, bilinear between the centres of the cells.
+inline PressureGrid<double> pressure_of(const RailPatch& patch) {
+    const CellGrid& grid = patch.grid;
+    return {Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1)),
+            Eigen::ArrayXd::LinSpaced(grid.ny, grid.y(0), grid.y(grid.ny - 1)), patch.pressure.matrix()};
+}
+
+/// Both wheels of a wheelset on both rails, which are mirror images. Immutable.
+class WheelsetOnTrack {
+public:
+    explicit WheelsetOnTrack(WheelOnRail wheel) : wheel_(std::move(wheel)) {}
+
+    const WheelOnRail& wheel() const { return wheel_; }
+
+    enum class Side { left, right };
+
+    struct Workspace {
+        std::array<WheelOnRail::Workspace, 2> wheels;
+    };
+
+    struct Contacts {
+        WheelsetPosition position;  ///< with the height and the roll that carry the loads
+        /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one reversed.
+        std::array<WheelOnRail::Contact, 2> wheels;
+        NormalStatus status = NormalStatus::not_finite;  ///< of the worse
+    };
+
+    /// A position as the wheel of one side sees it: reversed for the left one.
+    static WheelsetPosition seen_from(Side side, const WheelsetPosition& position) {
+        if (side == Side::right) return position;
+        return {-position.lateral, position.height, -position.roll, -position.yaw};
+    }
+
+    /// Where both wheels carry their vertical loads [N], left and right, at this lateral position and yaw: height and roll
+    /// follow. `friction` as in WheelOnRail::carry, for each wheel as the right one.
+    Contacts carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
+                   const std::array<double, 2>& friction = {0, 0}, const WheelOnRail::Options& options = {}) const;
+
+private:
+    WheelOnRail wheel_;
+};
+
+inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
+                                   const std::array<double, 2>& friction, const WheelOnRail::Options& options) const
+    -> Contacts {
+    Contacts contacts;
+    // by how much the right wheel's height exceeds the left one's; a roll lowers the right wheel, so that it falls
+    const auto gap = [&](double roll) {
+        position.roll = roll;
+        for (const Side side : {Side::left, Side::right}) {
+            const auto k = static_cast<std::size_t>(side);
+            contacts.wheels[k] =
+                wheel_.carry(seen_from(side, position), loads[k], friction[k], workspace.wheels[k], options);
+        }
+        contacts.status = std::max(contacts.wheels[0].status, contacts.wheels[1].status);
+        return contacts.wheels[1].height - contacts.wheels[0].height;
+    };
+    const auto found = [&] { return contacts.status <= NormalStatus::doubtful_plane; };
+    double roll = position.roll, rate = -2 * wheel_.wheel_origin(), value = gap(roll);
+    constexpr double precise = 1e-10;  // of the height [m]
+    for (int k = 0; k < 20 && found() && std::abs(value) > precise; ++k) {
+        const double next = roll - std::clamp(value / rate, -5e-3, 5e-3), there = gap(next);
+        const double slope = (there - value) / (next - roll);
+        if (slope < rate / 10 && slope > rate * 10) rate = slope;
+        roll = next;
+        value = there;
+    }
+    if (found() && std::abs(value) > 100 * precise) contacts.status = NormalStatus::load_not_reached;
+    position.height = (contacts.wheels[0].height + contacts.wheels[1].height) / 2;
+    contacts.position = position;
+    return contacts;
+}
+
+}  // namespace rollbem
