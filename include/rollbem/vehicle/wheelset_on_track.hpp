@@ -24,9 +24,9 @@ struct WheelsetSpeeds {
     double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
 };
 
-/// The slip of the wheel's material on the rail at the reference point of a patch, over the mean of V and the
-/// circumferential speed: rigid creepages as for any contact of this library, the numbers of CONTACT's CKSI, CETA and
-/// CPHI [-, -, 1/m]. Forces by them act on the wheel, along x and s, and the moment about n; CONTACT's act on the rail.
+/// The rigid slip of the wheel on the rail at the reference point of a patch, over the mean of V and the circumferential
+/// speed, in the axes (x, s, n) of its plane [-, -, 1/m]: a braked wheel has a positive longitudinal creepage. Forces by
+/// it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite sign, and its forces act on the rail.
 inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                     double radius) {
     const double sine = std::sin(patch.angle), cosine = std::cos(patch.angle);
@@ -40,7 +40,7 @@ inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPositi
     const double v_x = speeds.forward + w_y * r_z - w_z * r_y, v_y = speeds.lateral + w_z * r_x - w_x * r_z,
                  v_z = speeds.vertical + w_x * r_y - w_y * r_x;
     const double reference = (speeds.forward + std::abs(speeds.pitch_rate) * patch.rolling_radius) / 2;
-    return {-v_x / reference, -(v_y * cosine + v_z * sine) / reference, -(w_z * cosine - w_y * sine) / reference};
+    return {v_x / reference, (v_y * cosine + v_z * sine) / reference, (w_z * cosine - w_y * sine) / reference};
 }
 
 /// The contact patch as friction takes it: its outline in the axes (x, s) of its plane.

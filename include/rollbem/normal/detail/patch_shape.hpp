@@ -32,7 +32,7 @@ double edge_distance(const Squares& squares, Eigen::Index count) {
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
     Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
     for (Eigen::Index i = skip; i < count - skip; ++i) {
-        const double t = (double(i) - middle) / scale, weight = 1 / (0.02 + (1 + t) * (1 + t) * (1 - t) * (1 - t));
+        const double t = (double(i) - middle) / scale, weight = 1 / (1 + std::pow(double(i) / 12, 4));
         double powers[5] = {1, t, t * t, t * t * t, t * t * t * t};
         for (Eigen::Index r = 0; r <= degree; ++r) {
             for (Eigen::Index c = 0; c <= degree; ++c) normal(r, c) += weight * powers[r] * powers[c];

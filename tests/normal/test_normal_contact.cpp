@@ -1,0 +1,176 @@
+// rollbem/normal/normal_contact.hpp and what is made of its pressures
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <rollbem/normal/detail/patch_shape.hpp>
+#include <rollbem/normal/normal_contact.hpp>
+
+#include "support/catch.hpp"
+#include "support/observed_order.hpp"
+
+namespace {
+
+using namespace rollbem;
+using support::observed_order;
+
+/// E* = 1 and a gap h(x, y) on nx x ny cells over the rectangle x_1 ... x_2, y_1 ... y_2.
+struct Scene {
+    CellGrid grid;
+    NormalContact::Grid h;
+    NormalContact normal{1.0};
+    NormalContact::Solution solution;
+
+    template <class Gap>
+    Scene(Eigen::Index nx, Eigen::Index ny, double x_1, double x_2, double y_1, double y_2, const Gap& gap)
+        : grid{nx, ny, 0, 0, (x_2 - x_1) / double(nx), (y_2 - y_1) / double(ny)}, h(nx, ny) {
+        grid.x_0 = x_1 + grid.dx / 2;
+        grid.y_0 = y_1 + grid.dy / 2;
+        for (Eigen::Index j = 0; j < ny; ++j) {
+            for (Eigen::Index i = 0; i < nx; ++i) h(i, j) = gap(grid.x(i), grid.y(j));
+        }
+    }
+    Scene& carry(double load) {
+        solution = normal.carry(grid, h, load);
+        return *this;
+    }
+    Outline<double> outline() const { return detail::contact_outline(grid, normal.pressure()).value(); }
+    double peak() const { return detail::peak_pressure(normal.pressure()); }
+};
+
+struct Ellipse {
+    double B, a, b, p_0, approach;  // of h = x^2/920 + B y^2 under 0.0878
+};
+constexpr Ellipse ellipses[] = {{1.0 / 920, 3.117247, 3.117247, .00431413, .02112441},
+                                {1.0 / 4000, 2.382467, 6.289725, .00279755, .01605989},
+                                {1.0 / 26, 4.697661, .478929, .01863301, .03280901}};
+
+TEST_CASE("normal_contact: Hertz's ellipses, by load and by approach, to second order in the cells", "[normal]") {
+    for (const Ellipse& e : ellipses) {
+        const auto gap = [&](double x, double y) { return x * x / 920 + e.B * y * y; };
+        std::vector<double> counts, approach, peak;
+        for (const Eigen::Index n : {20, 30, 44, 64}) {
+            Scene scene(n, n, -1.17 * e.a, 1.21 * e.a, -1.23 * e.b, 1.19 * e.b, gap);
+            scene.carry(0.0878);
+            INFO("B = " << e.B << ", n = " << n << ", steps " << scene.solution.steps);
+            REQUIRE(scene.solution.status == NormalStatus::ok);
+            CHECK(scene.solution.load == Approx(0.0878).epsilon(1e-12));
+            CHECK(scene.solution.steps < 60);
+            counts.push_back(double(n));
+            approach.push_back(scene.solution.approach / e.approach - 1);
+            peak.push_back(scene.peak() / e.p_0 - 1);
+            const Outline<double> outline = scene.outline();
+            CHECK(outline.area() == Approx(std::numbers::pi * e.a * e.b).epsilon(n < 40 ? 2e-2 : 4e-3));
+            CHECK((outline.high() - outline.low()) / 2 == Approx(e.b).epsilon(n < 40 ? 1e-2 : 5e-3));
+            CHECK((outline.leading(0) - outline.trailing(0)) / 2 == Approx(e.a).epsilon(n < 40 ? 5e-3 : 1e-3));
+            const double load = scene.solution.load;
+            scene.solution = scene.normal.approach(scene.grid, scene.h, scene.solution.approach);
+            CHECK(scene.solution.load == Approx(load).epsilon(1e-5));
+        }
+        INFO("errors of the approach " << approach[0] << " to " << approach[3] << ", of the peak " << peak[0] << " to "
+                                       << peak[3]);
+        CHECK(observed_order(counts, approach) == Approx(2).margin(0.5));
+        CHECK(observed_order(counts, peak) == Approx(2).margin(0.8));
+        CHECK(std::abs(approach[3]) < 2e-4);
+        CHECK(std::abs(peak[3]) < 2e-4);
+    }
+}
+
+TEST_CASE("normal_contact: two radii, and a tilted ellipse", "[normal]") {
+    Scene radii(64, 64, -4.8, 4.8, -1.2, 3.3,
+                [](double x, double y) { return x * x / 920 + y * y / (y > 0 ? 600 : 60); });
+    radii.carry(0.0878);
+    CHECK(radii.solution.approach == Approx(.025305).epsilon(1e-3));
+    CHECK(radii.peak() == Approx(.009276).epsilon(3e-3));
+    const Outline<double> outline = radii.outline();
+    CHECK(outline.area() == Approx(19.45).epsilon(5e-3));
+    CHECK(outline.low() == Approx(-.639).epsilon(1e-2));
+    CHECK(outline.high() == Approx(2.715).epsilon(1e-2));
+    double moment = 0;
+    for (Eigen::Index j = 0; j < radii.grid.ny; ++j) {
+        moment += radii.normal.pressure().col(j).sum() * radii.grid.y(j) * radii.grid.dx * radii.grid.dy;
+    }
+    CHECK(moment / 0.0878 == Approx(.62248).epsilon(1e-3));
+
+    Scene tilted(64, 64, -7, 7, -3.9, 3.8, [](double x, double y) { return x * x / 920 + y * y / 300 + .003 * x * y; });
+    tilted.carry(0.0878);
+    CHECK(tilted.solution.approach == Approx(.01998851).epsilon(2e-4));
+    CHECK(tilted.peak() == Approx(.00526998).epsilon(1e-3));
+    CHECK(tilted.outline().area() == Approx(24.990589).epsilon(4e-3));
+    CHECK(tilted.outline().high() == Approx(3.058204).epsilon(5e-3));
+}
+
+TEST_CASE("normal_contact: pressures push, gaps are open, and both not in one cell", "[normal]") {
+    for (const bool by_load : {true, false}) {
+        Scene scene(37, 29, -5, 6, -3, 4, [](double x, double y) {
+            return x * x / 900 + y * y / 500 + 0.002 * std::cos(3 * y) * std::cos(2 * x);
+        });
+        scene.solution = by_load ? scene.normal.carry(scene.grid, scene.h, 0.06, 1e-9)
+                                 : scene.normal.approach(scene.grid, scene.h, 0.015, 1e-9);
+        REQUIRE(scene.solution.status == NormalStatus::ok);
+        const auto& p = scene.normal.pressure();
+        const double deepest = scene.solution.approach - scene.h.minCoeff();
+        CHECK((p >= 0).all());
+        // displacements by the sum over the cells
+        for (Eigen::Index j = 0; j < scene.grid.ny; ++j) {
+            for (Eigen::Index i = 0; i < scene.grid.nx; ++i) {
+                double u = 0;
+                for (Eigen::Index l = 0; l < scene.grid.ny; ++l) {
+                    for (Eigen::Index k = 0; k < scene.grid.nx; ++k) {
+                        if (p(k, l) == 0) continue;
+                        for (const int e : {-1, 1}) {
+                            for (const int f : {-1, 1}) {
+                                const double x = (double(i - k) + 0.5 * e) * scene.grid.dx,
+                                             y = (double(j - l) + 0.5 * f) * scene.grid.dy;
+                                u += e * f * p(k, l) *
+                                     (x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)));
+                            }
+                        }
+                    }
+                }
+                const double w = scene.h(i, j) + u / std::numbers::pi - scene.solution.approach;
+                if (p(i, j) > 0) {
+                    CHECK(std::abs(w) < 2e-9 * deepest);
+                } else {
+                    CHECK(w > -2e-9 * deepest);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("normal_contact: two equal lobes share a load, and what does not touch carries none", "[normal]") {
+    Scene lobes(64, 30, -7, 7, -2, 2,
+                [](double x, double y) { return std::pow(std::abs(x) - 3.5, 2) / 300 + y * y / 300; });
+    lobes.carry(0.05);
+    REQUIRE(lobes.solution.status == NormalStatus::ok);
+    const auto& p = lobes.normal.pressure();
+    const double left = p.topRows(32).sum() * lobes.grid.dx * lobes.grid.dy;
+    CHECK(left == Approx(0.025).epsilon(1e-6));
+    CHECK((p.rowwise().sum() == 0).any());
+
+    Scene apart(20, 20, -1, 1, -1, 1, [](double x, double y) { return 1 + x * x + y * y; });
+    CHECK(apart.normal.approach(apart.grid, apart.h, 0.9).status == NormalStatus::no_contact);
+    CHECK(apart.normal.carry(apart.grid, apart.h, 0).status == NormalStatus::no_contact);
+    CHECK(apart.normal.carry(apart.grid, apart.h, NAN).status == NormalStatus::not_finite);
+    apart.h(3, 3) = INFINITY;
+    CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == NormalStatus::not_finite);
+}
+
+TEST_CASE("normal_contact: a flat punch on its middle line is a cylinder's per width", "[normal]") {
+    // h does not depend on y over a strip 40 times as long as the contact is wide: Hertz's line in the middle
+    const double R = 1, length = 4, per_width = 0.01;
+    Scene strip(48, 96, -0.16, 0.16, -length / 2, length / 2, [&](double x, double) { return x * x / (2 * R); });
+    strip.carry(per_width * length);
+    const double a = std::sqrt(4 * per_width * R / std::numbers::pi), p_0 = 2 * per_width / (std::numbers::pi * a);
+    const Eigen::ArrayXd middle = strip.normal.pressure().col(48);
+    // its ends carry more, so the middle a little less
+    const double carried = middle.sum() * strip.grid.dx;
+    CHECK(carried == Approx(per_width).epsilon(0.06));
+    CHECK(middle.maxCoeff() ==
+          Approx(2 * carried / (std::numbers::pi * std::sqrt(4 * carried * R / std::numbers::pi))).epsilon(5e-3));
+    CHECK(p_0 > middle.maxCoeff());
+}
+
+}  // namespace

@@ -1,0 +1,185 @@
+// rollbem/normal/profile.hpp, normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <rollbem/normal/profile.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
+
+#include "support/catch.hpp"
+#include "support/draw.hpp"
+#include "support/refusal.hpp"
+
+namespace {
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+
+const WheelOnRail& standard() {
+    static const WheelOnRail wheel(s1002(), rail_60e1());
+    return wheel;
+}
+
+/// The friction ratio for which a vertical load of 10 kN makes the normal force N.
+double friction_for(double load, double angle) { return (1e4 / load - std::cos(angle)) / std::sin(angle); }
+
+TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, against CONTACT", "[profiles]") {
+    // reference values of CONTACT v25.2 on a grid of 0.2 mm; mm, N, MPa; left wheels are mirrored
+    struct Case {
+        const char* name;
+        int side;
+        double lateral, roll, yaw, pitch_rate;
+        double x, y, z, angle, load, approach, peak, area, xi, eta, phi;
+    };
+    constexpr Case cases[] = {{"left 1", -1, 0, 0, 0, -4.3481181, 0, -751.8726, .1252, .0290, 9997, .01596, 338.3,
+                               51.64, -5.665e-5, 0, -6.302e-5},
+                              {"left 6", -1, 2.5, -1.457e-4, .006, -4.3455627, 4.5233, -756.9177, .0219, .0121, 10040,
+                               .02094, 483.1, 31.96, -9.792e-4, 5.998e-3, -2.655e-5},
+                              {"left 14", -1, 6.5, -4.376e-3, .0156, -4.2748834, 11.8913, -758.6243, .0061, .0064,
+                               10010, .02369, 637.0, 24.04, -.01764, .01546, -2.319e-5},
+                              {"right 2", 1, .5, -2.304e-5, .0012, -4.3474134, -.8614, 744.5026, .4289, -.0568, 9870,
+                               .01948, 632.5, 45.88, 4.948e-4, 1.202e-3, 1.233e-4},
+                              {"right 4", 1, 1.5, -8.103e-5, .0036, -4.346244, -2.5385, 741.3771, .6189, -.0753, 9811,
+                               .02489, 754.1, 20.56, 7.903e-4, 3.612e-3, 1.633e-4},
+                              {"right 13", 1, 6, -6.272e-4, .0144, -4.3293718, -7.3822, 725.1371, 3.6882, -.4176, 9709,
+                               .02728, 1149, 13.28, 5.077e-3, .0158, 8.744e-4},
+                              {"right 17", 1, 8, -8.606e-3, .0192, -4.2534857, -.9036, 719.8316, 8.0092, -.9501, 12720,
+                               .03494, 2634, 7.96, .02127, .0330, 1.701e-3}};
+    WheelOnRail::Workspace workspace;
+    for (const Case& c : cases) {
+        const double side = c.side;
+        WheelsetPosition position{side * c.lateral * 1e-3, 0, side * c.roll, side * c.yaw};
+        const auto contact = standard().carry(position, 1e4, friction_for(c.load, side * c.angle), workspace, {});
+        INFO(c.name << ": " << name(contact.status));
+        REQUIRE(contact.status == NormalStatus::ok);
+        REQUIRE(contact.patches.size() == 1);
+        const RailPatch& patch = contact.patches[0];
+        // the arcs of the formulas differ from the benchmark's table by up to 6e-3 mm where they join: at the gauge corner
+        const bool corner = std::abs(c.angle) > 0.2;
+        CHECK(1e3 * patch.x == Approx(c.x).margin(corner ? 2e-2 : 2e-3));
+        CHECK(1e3 * side * patch.y == Approx(c.y).margin(corner ? 1e-2 : 2e-3));
+        CHECK(1e3 * patch.z == Approx(c.z).margin(corner ? 5e-3 : 5e-4));
+        CHECK(side * patch.angle == Approx(c.angle).margin(corner ? 1e-3 : 1e-4));
+        CHECK(patch.load == Approx(c.load).epsilon(1e-3));
+        CHECK(1e3 * patch.approach == Approx(c.approach).epsilon(corner ? 5e-3 : 3e-3));
+        // CONTACT's own errors on this grid are 3e-3 and 2e-2, more where the patch is a few cells wide
+        CHECK(1e-6 * patch.peak_pressure == Approx(c.peak).epsilon(corner ? 2e-2 : 4e-3));
+        CHECK(1e6 * patch.area == Approx(c.area).epsilon(corner ? 8e-2 : 2.5e-2));
+        position.height = contact.height;
+        const Creepage<double> creepage =
+            creepage_of(patch, position, {.forward = 2, .pitch_rate = c.pitch_rate}, 0.46);
+        CHECK(-creepage.longitudinal == Approx(c.xi).margin(corner ? 3e-5 : 2e-6));
+        CHECK(-side * creepage.lateral == Approx(c.eta).margin(corner ? 3e-5 : 4e-6));
+        CHECK(-side * creepage.spin * 1e-3 == Approx(c.phi).margin(corner ? 3e-6 : 2e-7));
+    }
+}
+
+TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    const auto contact = standard().carry({6.5e-3, 0, -4.376e-3, .0156}, 1e4, friction_for(15441, -1.15908), workspace,
+                                          {.cells_x = 60, .cells_s = 60});
+    REQUIRE(contact.patches.size() == 1);
+    const RailPatch& patch = contact.patches[0];
+    CHECK(patch.angle == Approx(-1.15908).margin(1e-3));
+    CHECK(patch.load == Approx(15441).epsilon(2e-3));
+    CHECK(1e-6 * patch.peak_pressure == Approx(2585.8).epsilon(2e-3));
+    CHECK(1e6 * patch.area == Approx(8.96).epsilon(4e-3));
+    CHECK(1e3 * patch.approach == Approx(.03643).epsilon(6e-3));
+}
+
+TEST_CASE("wheel_on_rail: a cone on a round rail is Hertz's contact", "[profiles]") {
+    // the wheel's radius r along x and the rail's R across, on a cone of slope 0: e.g. r = R gives a circle
+    const double r = 0.46, R = 0.3;
+    const Eigen::ArrayXd across = Eigen::ArrayXd::LinSpaced(400, -0.03, 0.03);
+    const Profile cylinder(across, Eigen::ArrayXd::Zero(400));
+    const Eigen::ArrayXd head = Eigen::ArrayXd::LinSpaced(900, -0.12, 0.03);
+    const Profile round(head, R - (R * R - head.square()).sqrt());
+    const WheelOnRail wheel(cylinder, round,
+                            {.gauge = 1.5 - 2 * 0.0903, .gauge_depth = 0.0139, .flange_back = 1.5, .tape_offset = 0});
+    WheelOnRail::Workspace workspace;
+    const auto contact = wheel.carry({}, 8e4, 0, workspace, {.cells_x = 64, .cells_s = 64});
+    REQUIRE(contact.status == NormalStatus::ok);
+    const RailPatch& patch = contact.patches.at(0);
+    CHECK(patch.y == Approx(wheel.rail_origin()).margin(2e-6));
+    CHECK(patch.load == Approx(8e4).epsilon(1e-6));
+    // e from A/B = R/r by the ratio's own series is left to hertz_ellipse: compare a^3 b^3 with its volume
+    const double volume = 1.5 * 8e4 / (std::numbers::pi * patch.half_length * patch.half_width);
+    CHECK(patch.peak_pressure == Approx(volume).epsilon(6e-3));
+    CHECK(patch.area == Approx(std::numbers::pi * patch.half_length * patch.half_width).epsilon(6e-3));
+}
+
+TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load is carried", "[profiles]") {
+    std::mt19937_64 random(41);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    WheelOnRail::Workspace workspace;
+    int solved = 0;
+    for (int k = 0; k < 60; ++k) {
+        const WheelsetPosition position{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
+        const double load = 1e5 * std::pow(10, uniform(random));
+        const auto contact = standard().carry(position, load, workspace);
+        CAPTURE(position.lateral, position.roll, position.yaw, load, name(contact.status));
+        CHECK(contact.status != NormalStatus::not_finite);
+        CHECK(contact.status != NormalStatus::not_converged);
+        if (contact.status > NormalStatus::doubtful_plane) continue;
+        ++solved;
+        double vertical = 0;
+        for (const RailPatch& patch : contact.patches) {
+            CHECK((patch.pressure >= 0).all());
+            CHECK(patch.outline.has_value());
+            vertical += patch.load * std::cos(patch.angle);
+        }
+        CHECK(vertical == Approx(load).epsilon(3e-6));
+    }
+    CHECK(solved > 50);
+}
+
+TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions are mirror images", "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const auto one = wheelset.carry({.lateral = 2.5e-3, .yaw = 6e-3}, {1e4, 1e4}, workspace);
+    REQUIRE(one.status == NormalStatus::ok);
+    CHECK(one.position.roll == Approx(-1.457e-4).margin(2e-6));  // of the benchmark
+    CHECK(one.wheels[0].height == Approx(one.wheels[1].height).margin(1e-9));
+    const auto other = wheelset.carry({.lateral = -2.5e-3, .yaw = -6e-3}, {1e4, 1e4}, workspace);
+    CHECK(other.position.roll == Approx(-one.position.roll).epsilon(1e-6));
+    CHECK(other.wheels[0].patches[0].y == Approx(one.wheels[1].patches[0].y).epsilon(1e-9));
+    CHECK(other.wheels[1].patches[0].angle == Approx(one.wheels[0].patches[0].angle).epsilon(1e-6));
+}
+
+TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation it was given", "[profiles]") {
+    const auto refused = [](const std::vector<double>& y, const std::vector<double>& z) {
+        return refusal([&] {
+            Profile(Eigen::Map<const Eigen::ArrayXd>(y.data(), Eigen::Index(y.size())),
+                    Eigen::Map<const Eigen::ArrayXd>(z.data(), Eigen::Index(z.size())));
+        });
+    };
+    CHECK_THAT(refused({0, 1, 2}, {0, 0, 0}), ContainsSubstring("number of points = 3 must be at least 4"));
+    CHECK_THAT(refused({0, 1, 1, 2}, {0, 0, 0, 0}), ContainsSubstring("point = 3"));
+    CHECK_THAT(refused({0, 1, 0.5, 2}, {0, 0, 0, 0}), ContainsSubstring("90 degrees"));
+    CHECK_THAT(refused({0, 1, NAN, 2}, {0, 0, 0, 0}), ContainsSubstring("finite"));
+
+    const Profile exact = rail_60e1();
+    // the spline through its points is the curve between them; from either end
+    const Profile reversed(exact.y().reverse(), exact.z().reverse());
+    for (const double s : {0.01, 0.0233, 0.04}) CHECK(reversed.at(s).z == Approx(exact.at(s).z).margin(1e-12));
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal(0, 1e-5);
+    Eigen::ArrayXd z = exact.z();
+    for (double& value : z) value += normal(random);
+    const Profile noisy(exact.y(), z), smooth = noisy.smoothed(1e-5);
+    const double left = std::sqrt(((smooth.z() - noisy.z()).square() + (smooth.y() - noisy.y()).square()).mean());
+    CHECK(left == Approx(1e-5).epsilon(1e-3));
+    // what the noise has bent is straight again
+    const auto roughest = [](const Profile& profile) {
+        double bend = 0;
+        for (double s = 0.02; s < 0.05; s += 1e-5) bend = std::max(bend, std::abs(profile.at(s).bend[1]));
+        return bend;
+    };
+    CHECK(roughest(noisy) > 20 * roughest(exact));
+    CHECK(roughest(smooth) < 2 * roughest(exact));
+}
+
+}  // namespace
