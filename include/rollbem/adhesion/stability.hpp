@@ -211,11 +211,11 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
     result.spectral_abscissa = -infinity;
     Scalar largest = 0, smallest = infinity;
     for (const std::complex<Scalar>& nu : result.eigenvalues()) {
-        result.spectral_radius = std::max(result.spectral_radius, std::abs(nu));
-        largest = std::max(largest, std::abs(nu.real()));
-        smallest = std::min(smallest, std::abs(nu.real()));
+        result.spectral_radius = (std::max)(result.spectral_radius, std::abs(nu));
+        largest = (std::max)(largest, std::abs(nu.real()));
+        smallest = (std::min)(smallest, std::abs(nu.real()));
         if (!detail::is_finite(nu.real())) continue;
-        result.spectral_abscissa = std::max(result.spectral_abscissa, nu.real());
+        result.spectral_abscissa = (std::max)(result.spectral_abscissa, nu.real());
         if (nu.real() > 0) ++result.unstable_count;
     }
     result.stiffness_ratio = largest / smallest;

@@ -304,7 +304,7 @@ SchemeRows<Scalar> NodeDifference::rows(Quantity quantity, const Mesh<Scalar>& m
     if (quantity == Quantity::slope) {
         result.averages = 1;
     } else {
-        for (Scalar& alpha : result.alpha) alpha = std::min(alpha, half);
+        for (Scalar& alpha : result.alpha) alpha = (std::min)(alpha, half);
     }
     return result;
 }

@@ -82,12 +82,12 @@ requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> st
     if (here.unstable) return grid(0);
     long k = 0, fine_until = 0;
     while (k < count) {
-        const long stride = k < fine_until ? 1 : std::min(here.regular ? detail::largest_stride : 1, count - k);
+        const long stride = k < fine_until ? 1 : (std::min)(here.regular ? detail::largest_stride : 1, count - k);
         const auto next = search.look(grid(k + stride));
         if (stride > 1) {
             const bool quiet = !next.unstable && next.regular &&
                                std::abs(next.flattest_cosine - here.flattest_cosine) <=
-                                   std::min(-here.flattest_cosine, -next.flattest_cosine) / 4;
+                                   (std::min)(-here.flattest_cosine, -next.flattest_cosine) / 4;
             if (!quiet) {
                 fine_until = k + stride;
                 continue;

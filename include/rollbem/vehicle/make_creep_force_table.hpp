@@ -63,7 +63,7 @@ public:
         solution.force = (1 - share) * solution.force + share * other.force;
         solution.step.status = other.step.status;
         solution.step.complementarity_residual =
-            std::max(solution.step.complementarity_residual, other.step.complementarity_residual);
+            (std::max)(solution.step.complementarity_residual, other.step.complementarity_residual);
         return solution;
     }
 
@@ -113,8 +113,8 @@ private:
         detail::require(n >= 2 && n <= 1000, "CreepForceSource", "n", n, "lie in [2, 1000]");
         const double per_strip = std::clamp(std::pow(contact_.a_over_b(), 0.6), 0.25, 2.0),
                      side = static_cast<double>(n);
-        const long along = std::max(std::lround(side * std::sqrt(per_strip)), 2L);
-        const long across = 2 * std::max(std::lround(side * side / static_cast<double>(2 * along)), 1L);
+        const long along = (std::max)(std::lround(side * std::sqrt(per_strip)), 2L);
+        const long across = 2 * (std::max)(std::lround(side * side / static_cast<double>(2 * along)), 1L);
         return patch_mesh(contact_, cosine_mesh(std::min(along, 2 * across)), uniform_mesh(across));
     }
 

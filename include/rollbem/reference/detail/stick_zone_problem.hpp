@@ -100,7 +100,7 @@ private:
         Scalar largest = 0;
         for (Eigen::Index n = 0; n < count; ++n) {
             h[n] *= (n == 0 ? 1 : 2) / static_cast<Scalar>(M);
-            largest = std::max(largest, std::abs(h[n]));
+            largest = (std::max)(largest, std::abs(h[n]));
         }
         Eigen::Index kept = count;
         while (kept > 1 && std::abs(h[kept - 1]) <= 4 * std::numeric_limits<Scalar>::epsilon() * largest) --kept;
