@@ -34,6 +34,9 @@ public:
         detail::require_positive("PressureGrid", "load", load);
     }
 
+    const ArrayX<Scalar>& x() const { return x_; }
+    const ArrayX<Scalar>& y() const { return y_; }
+
     /// Integral of the pressure over the grid.
     Scalar integral() const { return over({x_[0], x_[x_.size() - 1], y_[0], y_[y_.size() - 1]}); }
 
