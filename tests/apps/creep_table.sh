@@ -18,7 +18,7 @@ bad '--check = 10 has no effect with --shard' "$creep" --check 10 --shard 1/2 --
 bad '--rows = x.csv must be a file that can be read' "$creep" --rows x.csv --output y.csv
 bad '--shard = 1/2 has no effect with --rows' "$creep" --rows x.csv --shard 1/2 --output y.csv
 # an ellipse that such elements cannot solve, and a table that cannot be written, before the first row
-bad 'a/b = 1000 with --n = 4 must have the status ok, not' "$creep" $coarse --a-over-b 0.1,1000 --output x.csv
+bad 'a/b = 100 with --n = 17 must have the status ok, not' "$creep" --n 17 --levels 4 --shapes 4 --a-over-b 0.1,100 --output x.csv
 mkdir blocked.csv.bin
 bad '--output = ../blocked.csv.bin must be a file that can be written' "$creep" $coarse --output ../blocked.csv
 [ -e blocked.csv ] && fail 'rows of a table that cannot be written'
