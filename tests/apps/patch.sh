@@ -111,7 +111,8 @@ cut -d, -f"$(column c21),$(column c31)" out | tail -n 1 >steady
 "$patch" --n 16 --outline turned.csv --omega 0 >out
 cut -d, -f"$(column c21_re),$(column c31_re)" out | tail -n 1 | paste -d, - steady |
     awk -F, '{ exit !(($1 / $3 - 1) ^ 2 + ($2 / $4 - 1) ^ 2 < 1e-20) }' || fail 'c21 and c31 at omega = 0'
-good 2 "$patch" --n 4
+good 0 "$patch" --n 4 --output c.csv
+grep -q '^c11 = .*c21 c22 c23' c.csv.toml && mv c.csv out || fail 'the law of the coefficients beside the table'
 check 'those of a symmetric patch' '$c12 $c13 $c21 $c31 == "0000"'
 
 # --- frequency response and differential equations
@@ -124,7 +125,7 @@ good 2 "$patch" --n 4 --a-over-b 2 --state-space space --no-timing
 awk -F, 'END { exit !(NR == 32 && NF == 32) }' space/A.csv || fail 'size of A'
 awk -F, 'END { exit !(NR == 32 && NF == 3) }' space/B.csv || fail 'size of B'
 awk -F, 'END { exit !(NR == 3 && NF == 32) }' space/C.csv || fail 'size of C'
-grep -q 'phi c' space/state_space.toml || fail 'conventions of state_space.toml'
+grep -q 'c21 c22 c23' space/state_space.toml || fail 'conventions of state_space.toml'
 good 2 "$patch" --n 6 --state-space reduced --states 8 --no-timing
 awk -F, 'END { exit !(NR == 8 && NF == 8) }' reduced/A.csv || fail 'size of the reduced A'
 grep -q '^error_bound' reduced/state_space.toml || fail 'bound of the reduction'
