@@ -162,8 +162,9 @@ public:
         return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
     }
 
-    template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
-    friend ElementSystem<S> rolling_system(const Mesh<S>& mesh, const Scheme& scheme, const Kernel& kernel);
+    /// What rolling_system returns, which checks the concepts; clang 16 would not know it as a constrained friend.
+    template <class Scheme, class Kernel>
+    static ElementSystem assembled(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel);
 
 private:
     Eigen::Index element_count_;
@@ -258,20 +259,28 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
     return elements;
 }
 
-/// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
-/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
-ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+template <class Scalar, int directions>
+template <class Scheme, class Kernel>
+ElementSystem<Scalar, directions> ElementSystem<Scalar, directions>::assembled(const Mesh<Scalar>& mesh,
+                                                                               const Scheme& scheme,
+                                                                               const Kernel& kernel) {
     require_stable_model(kernel);
     detail::require_one_system(scheme, mesh);
     InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
-    ElementSystem<Scalar> system(std::move(matrices.G), std::move(matrices.G_prime), unknown_widths(mesh, scheme));
+    ElementSystem system(std::move(matrices.G), std::move(matrices.G_prime), unknown_widths(mesh, scheme));
     system.element_count_ = mesh.size();
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
     system.points_ = detail::equation_points(mesh, scheme);
     system.elements_ = line_elements(mesh, scheme);
     if (detail::holds_at_points(scheme, mesh)) system.set_logarithm(kernel);
     return system;
+}
+
+/// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
+/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return ElementSystem<Scalar>::assembled(mesh, scheme, kernel);
 }
 
 /// Two systems that do not couple as one: inputs and outputs of the first, then those of the second. With spin in the

@@ -84,8 +84,9 @@ public:
         return this->with_spin_by("ChebyshevSystem", std::numbers::pi_v<Scalar> / 2 * stiffness_.row(1).transpose());
     }
 
-    template <SmoothSplitKernel Kernel>
-    friend ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel);
+    /// What rolling_system returns, as in ElementSystem.
+    template <class Kernel>
+    static ChebyshevSystem assembled(const Chebyshev& method, const Kernel& kernel);
 
 private:
     ChebyshevSystem(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
@@ -123,16 +124,9 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
     return A;
 }
 
-/// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
-/// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument unless there is at least one state, the half-width is
-/// finite (otherwise only solve_steady exists), b/a >= 0.001, and, for a plane kernel, Lambda > 0, as its model is
-/// otherwise unstable in time. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
-/// Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at about
-/// m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a steady
-/// solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never is.
-template <SmoothSplitKernel Kernel>
-ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
-    using Scalar = typename Kernel::Scalar;
+template <class Scalar_>
+template <class Kernel>
+ChebyshevSystem<Scalar_> ChebyshevSystem<Scalar_>::assembled(const Chebyshev& method, const Kernel& kernel) {
     require_stable_model(kernel);
     const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);
     detail::require(detail::is_finite(split.constant), "Chebyshev", "constant part of the kernel", split.constant,
@@ -169,12 +163,24 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
             if (angle >= circle.size()) angle -= circle.size();
         }
     }
-    ChebyshevSystem<Scalar> system(RollingSystem<Scalar>(std::move(G), std::move(G_prime), std::move(weights)),
-                                   std::move(last), std::move(stiffness));
+    ChebyshevSystem system({std::move(G), std::move(G_prime), std::move(weights)}, std::move(last),
+                           std::move(stiffness));
     system.aspect_ = detail::aspect_of<Scalar>(kernel);
     system.set_logarithm(kernel);
     system.points_ = std::move(points);
     return system;
+}
+
+/// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
+/// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument unless there is at least one state, the half-width is
+/// finite (otherwise only solve_steady exists), b/a >= 0.001, and, for a plane kernel, Lambda > 0, as its model is
+/// otherwise unstable in time. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
+/// Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at about
+/// m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a steady
+/// solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never is.
+template <SmoothSplitKernel Kernel>
+ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
+    return ChebyshevSystem<typename Kernel::Scalar>::assembled(method, kernel);
 }
 
 namespace detail {
