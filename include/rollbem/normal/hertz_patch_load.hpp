@@ -27,7 +27,7 @@ template <class Scalar>
 SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh) {
     const auto half_of_three = [](const ArrayX<Scalar>& edges) {
         const Eigen::Index count = edges.size() - 1, first = std::max<Eigen::Index>((count - 3) / 2, 0);
-        return (edges[std::min(first + 3, count)] - edges[first]) / 2;
+        return (edges[(std::min)(first + 3, count)] - edges[first]) / 2;
     };
     const Scalar a = contact.half_length(), rounding = 1 - 8 * std::numeric_limits<Scalar>::epsilon();
     return {a * rounding * half_of_three(mesh.along().edges()), a * rounding * half_of_three(mesh.edges())};
