@@ -48,6 +48,19 @@ double trusted(rollbem::Status status, double value) {
     return status == rollbem::Status::ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Kalker's 3 x 3 coefficients of forces over G a^2, moments over G a^3 and spin times a.
+template <class Matrix>
+Matrix to_kalker(const Patch& patch, Matrix coefficients) {
+    const double force = patch.contact.a_over_b(), length = std::sqrt(force);
+    coefficients *= force;
+    coefficients.col(2) *= length;
+    coefficients.row(2) *= length;
+    return coefficients;
+}
+
+/// Of a patch that is not its own mirror image.
+const std::vector<std::pair<Eigen::Index, Eigen::Index>> unmirrored{{0, 1}, {0, 2}, {1, 0}, {2, 0}};
+
 // --- steady rolling ------------------------------------------------------------------------------------------------
 
 std::vector<std::string> steady_columns(const study::Options& options) {
@@ -56,7 +69,7 @@ std::vector<std::string> steady_columns(const study::Options& options) {
     if (options.flag("stability")) {
         names = joined(names, {"unstable_count", "uncertain_count", "spectral_abscissa"});
     }
-    return joined(names, {"status", "nodes"});
+    return joined(names, {"status", "nodes", "c12", "c13", "c21", "c31"});
 }
 
 study::Row steady_row(const study::Options& options, const Patch& patch) {
@@ -89,6 +102,8 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
         }
     }
     row.insert(row.end(), {status, nodes_name(patch)});
+    const Eigen::MatrixXd c = to_kalker(patch, steady.coefficients);
+    for (const auto& [i, j] : unmirrored) row.emplace_back(trusted(steady.status, c(i, j)));
     return row;
 }
 
@@ -96,8 +111,9 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
 
 const std::vector<std::string>& response_columns() {
     static const std::vector<std::string> names =
-        joined(patch::columns(), {"omega", "c11_re", "c11_im", "c22_re", "c22_im", "c23_re", "c23_im", "c32_re",
-                                  "c32_im", "c33_re", "c33_im", "status", "nodes"});
+        joined(patch::columns(), {"omega",  "c11_re", "c11_im", "c22_re", "c22_im", "c23_re", "c23_im",
+                                  "c32_re", "c32_im", "c33_re", "c33_im", "status", "nodes",  "c12_re",
+                                  "c12_im", "c13_re", "c13_im", "c21_re", "c21_im", "c31_re", "c31_im"});
     return names;
 }
 
@@ -114,6 +130,11 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
             row.emplace_back(trusted(point.status, c.imag()));
         }
         row.insert(row.end(), {name(point.status), nodes_name(patch)});
+        const Eigen::MatrixXcd c = to_kalker(patch, point.coefficients);
+        for (const auto& [k, j] : unmirrored) {
+            row.emplace_back(trusted(point.status, c(k, j).real()));
+            row.emplace_back(trusted(point.status, c(k, j).imag()));
+        }
         emit(std::move(row));
     }
 }
@@ -144,7 +165,7 @@ std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& 
         options, space,
         "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi "
         "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
-        "response = \"(c11 0 0; 0 c22 c23; 0 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
+        "response = \"(c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
         "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
         "the matrix of coefficients");
 }

@@ -296,11 +296,10 @@ void print_recommendations(const study::Options& options) {
     print("the same by elements", [&] {
         return "precision_study --quantity c11_z5 --schemes richardson-nodes --n " + elements(Purpose::frequency);
     });
-    print("force in time, from q/a = 1 on after a step",
-          [&] { return "transient_study --step 1 --kernel plane " + states(Purpose::time_loop); });
-    print("the same by elements", [&] {
-        return "transient_study --step 1 --kernel plane --mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop);
-    });
+    const std::string after_step = "transient_study --step 1 --dq 1 --integrator exponential --kernel plane ";
+    print("force in time, from q/a = 1 on after a step", [&] { return after_step + states(Purpose::time_loop); });
+    print("the same by elements",
+          [&] { return after_step + "--mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop); });
     print("friction, creepage ratios from 0.05", [&] {
         return "friction_study --kernel plane --method nodes --nodes chebyshev --n " + elements(Purpose::friction);
     });

@@ -79,7 +79,7 @@ Source::Source(double a_over_b, double poisson_ratio, std::ptrdiff_t n)
     : contact_(rollbem::PatchContact<double>::dimensionless(a_over_b, poisson_ratio)),
       patch_(contact_, mesh_of(contact_, n)) {}
 
-rollbem::CreepCoefficients<double> Source::coefficients() const {
+rollbem::PatchSteadySolution<double> Source::coefficients() const {
     return rollbem::solve_steady(contact_, mesh(), scheme, rollbem::HalfSpace<double>(contact_.poisson_ratio()));
 }
 

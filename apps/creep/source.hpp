@@ -22,7 +22,7 @@ public:
     const rollbem::PatchContact<double>& contact() const { return contact_; }
     const rollbem::PatchMesh<double>& mesh() const { return patch_.mesh; }  ///< the first of the two
     /// In full adhesion, of the same elements.
-    rollbem::CreepCoefficients<double> coefficients() const;
+    rollbem::PatchSteadySolution<double> coefficients() const;
 
     struct Solution {
         Eigen::Array3d force;           ///< -F_x, -F_y over mu N, -M_z over mu N c; to be used if the status is ok

@@ -114,7 +114,7 @@ public:
         next_ = from_ = now_;
         past_ = {};
         show(now_);
-        status_ = value_of(StepStatus::ok);
+        status_ = initial_state_ == static_cast<int>(InitialState::steady) ? value_of(StepStatus::ok) : 0;
     }
 
     Outcome step(Scalar duration) override {
@@ -335,7 +335,7 @@ private:
     int length_ = static_cast<int>(Length::fixed);
     Input slip_{0}, speed_{20}, load_{1e5}, load_rate_{0};
     Scalar force_ = 0, half_length_ = 0;
-    int status_ = value_of(StepStatus::ok);
+    int status_ = 0;
     Vector displacement_, rates_;
     Vector unknowns_, slope_;  // y and A y, the slope's coefficients, at the last update()
 

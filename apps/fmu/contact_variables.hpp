@@ -44,7 +44,7 @@ private:
 
 extern const Enumeration initial_states;
 
-/// The statuses of a step, ok first.
+/// The statuses of a step: 0 none, 1 ok.
 extern const Enumeration step_statuses;
 
 /// The value of a variable of that enumeration.

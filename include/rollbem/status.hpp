@@ -39,6 +39,7 @@ enum class StepStatus {
     needs_places,      ///< spin other than zero, although the system does not know the points of its equations (ready
                        ///< matrices)
     wrong_table,  ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
+    unresolved,  ///< the contact on a fixed mesh is narrower than three of its strips or elements: forces are too rough
 };
 
 /// The name of a status as spelt in this header.
@@ -66,6 +67,7 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::assists_creepage: return "assists_creepage";
         case StepStatus::needs_places: return "needs_places";
         case StepStatus::wrong_table: return "wrong_table";
+        case StepStatus::unresolved: return "unresolved";
         case StepStatus::not_finite: break;
     }
     return "not_finite";

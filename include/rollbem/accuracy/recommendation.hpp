@@ -135,7 +135,7 @@ inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double asp
         return at < errors.size() ? errors[at] : beyond;
     };
     const double count = static_cast<double>(m);
-    const double strip = 0.6 * std::exp(-count * std::asinh(std::max(aspect, std::sqrt(aspect))));
+    const double strip = 0.6 * std::exp(-count * std::asinh((std::max)(aspect, std::sqrt(aspect))));
     const double narrow = aspect < 10 ? 3 : 1;
     switch (purpose) {
         case Purpose::steady: break;

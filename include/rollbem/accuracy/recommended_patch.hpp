@@ -64,7 +64,7 @@ inline RecommendedPatch recommended_patch(double tolerance, double a_over_b,
     constexpr Eigen::Index least_n = 6, largest_n = 32;
     RecommendedPatch result{.n = least_n, .strips = recommended_strips(least_n, a_over_b)};
     detail::require(!detail::is_nan(spin) && spin >= 0, "recommended_patch", "spin", spin, "not be negative");
-    const double factor = (std::max)(1.6, spin < 1.25 ? 4 * spin : 5) * std::sqrt(std::min(1.0, a_over_b));
+    const double factor = (std::max)(1.6, spin < 1.25 ? 4 * spin : 5) * std::sqrt((std::min)(1.0, a_over_b));
     const auto bound = [&](Eigen::Index n) { return factor / static_cast<double>(n * n); };
     if (!detail::is_finite(tolerance) || !(tolerance >= bound(largest_n) && tolerance < 1)) {
         const std::string rule =

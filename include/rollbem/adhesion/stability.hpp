@@ -66,7 +66,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     MatrixX<Scalar> square(A.cols(), A.cols());
     square.noalias() = A.transpose() * A;
     const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
-    return std::sqrt(std::max(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
+    return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
 }
 
 /// |G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).

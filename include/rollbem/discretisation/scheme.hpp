@@ -195,7 +195,7 @@ SchemeRows<Scalar> collocation_rows(const Scheme& scheme, Quantity quantity, con
 template <class Scalar>
 Scalar sine_of_quarters(Eigen::Index k, Eigen::Index n) {
     const Scalar quarter = std::numbers::pi_v<Scalar> / static_cast<Scalar>(4 * n);
-    return std::sin(static_cast<Scalar>(std::min(k, 4 * n - k)) * quarter);
+    return std::sin(static_cast<Scalar>((std::min)(k, 4 * n - k)) * quarter);
 }
 
 // Throws std::invalid_argument unless a mesh is the cosine mesh to rounding.

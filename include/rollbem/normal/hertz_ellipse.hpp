@@ -91,7 +91,7 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     std::array<Scalar, 6> ends = {unit.y_1, unit.y_2, 0, 0, 0, 0};
     for (std::size_t k = 0; k < 2; ++k) {
         const Scalar x = k == 0 ? unit.x_1 : unit.x_2;
-        ends[2 + 2 * k] = std::sqrt(std::max((1 - x) * (1 + x), Scalar(0)));
+        ends[2 + 2 * k] = std::sqrt((std::max)((1 - x) * (1 + x), Scalar(0)));
         ends[3 + 2 * k] = -ends[2 + 2 * k];
     }
     for (Scalar& y : ends) y = std::clamp(y, (std::max)(unit.y_1, Scalar(-1)), (std::min)(unit.y_2, Scalar(1)));
@@ -264,7 +264,7 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parame
     const bool across = xx < yy;  // the larger curvature, and with it the shorter axis
     turn_ = std::atan2(across ? -2 * xy : 2 * xy, std::abs(xx - yy)) / 2;
 
-    const Scalar kappa = detail::ellipse_of_curvatures<Scalar>(std::min(smaller / larger, Scalar(1)));
+    const Scalar kappa = detail::ellipse_of_curvatures<Scalar>((std::min)(smaller / larger, Scalar(1)));
     const detail::EllipticIntegrals<Scalar> integrals(kappa);
     const Scalar pi = std::numbers::pi_v<Scalar>;
     const Scalar longer = std::cbrt(3 * load_ * compliance * integrals.D / (pi * smaller)), shorter = kappa * longer;

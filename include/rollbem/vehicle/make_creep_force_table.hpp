@@ -115,7 +115,7 @@ private:
                      side = static_cast<double>(n);
         const long along = (std::max)(std::lround(side * std::sqrt(per_strip)), 2L);
         const long across = 2 * (std::max)(std::lround(side * side / static_cast<double>(2 * along)), 1L);
-        return patch_mesh(contact_, cosine_mesh(std::min(along, 2 * across)), uniform_mesh(across));
+        return patch_mesh(contact_, cosine_mesh((std::min)(along, 2 * across)), uniform_mesh(across));
     }
 
     /// One more element in each strip and one more strip: one mesh has an edge where the other has centres, across at
@@ -136,7 +136,7 @@ private:
         const double a_over_b = contact_.a_over_b(), spin = std::abs(v.spin),
                      pole = std::hypot(v.longitudinal * std::sqrt(a_over_b), v.lateral / std::sqrt(a_over_b));
         const double sliding = (spin - 2) / 2, inside = (1.5 * spin - pole) / (0.3 * spin);
-        return spin > 2 ? 0.5 * std::clamp(std::min(sliding, inside), 0.0, 1.0) : 0;
+        return spin > 2 ? 0.5 * std::clamp((std::min)(sliding, inside), 0.0, 1.0) : 0;
     }
 
     PatchContact<double> contact_;

@@ -124,8 +124,8 @@ private:
                 B[i] = difference * difference;
             }
         }
-        A = A.min(far_ratio_);
-        if constexpr (!SingleRatio) B = B.min(far_ratio_);
+        A = (A.min)(far_ratio_);
+        if constexpr (!SingleRatio) B = (B.min)(far_ratio_);
         const Scalar scale = 2 * h * strength_;
         Chunk result = moment_sum<SingleRatio>(A, SingleRatio ? A : B);
         if (slope_) {

@@ -75,11 +75,11 @@ public:
         // the squares of the points are the roots of z^2 - 2 p z + q
         const Scalar determinant = m6 * m2 - m4 * m4;
         const Scalar p = (m8 * m2 - m6 * m4) / (2 * determinant), q = (m8 * m4 - m6 * m6) / determinant;
-        const Scalar root = std::sqrt(p * p - q), large = p + root, small = q / large;
-        near_ = std::sqrt(small);
-        far_ = std::sqrt(large);
-        far_weight_ = (m4 - small * m2) / (large * (large - small));
-        near_weight_ = (m2 - large * far_weight_) / small;
+        const Scalar root = std::sqrt(p * p - q), outer = p + root, inner = q / outer;
+        near_ = std::sqrt(inner);
+        far_ = std::sqrt(outer);
+        far_weight_ = (m4 - inner * m2) / (outer * (outer - inner));
+        near_weight_ = (m2 - outer * far_weight_) / inner;
     }
 
     /// Whether the error of this rule, about (t/distance)^10/250 for t = (d + h)/2, is less than the rounding of

@@ -27,25 +27,25 @@ public:
     /// Writes every far entry to result(l, m).
     void fill(MatrixX<Scalar>& result) const {
         const QuadratureRule<Scalar> rule = second_average<Scalar>(entries_.averages);
-        std::vector<Eigen::Index> far;
+        std::vector<Eigen::Index> distant;
         for (Eigen::Index m = 0; m < entries_.columns.half.size(); ++m) {
-            far.clear();
+            distant.clear();
             for (Eigen::Index l = 0; l < entries_.count; ++l) {
-                if (!entries_.is_near(l, m)) far.push_back(l);
+                if (!entries_.is_near(l, m)) distant.push_back(l);
             }
-            if (far.empty()) continue;
-            Array d(static_cast<Eigen::Index>(far.size())), delta(d.size());
+            if (distant.empty()) continue;
+            Array d(static_cast<Eigen::Index>(distant.size())), delta(d.size());
             for (Eigen::Index i = 0; i < d.size(); ++i) {
-                d[i] = entries_.distance(far[static_cast<std::size_t>(i)], m);
-                delta[i] = entries_.rows.half[far[static_cast<std::size_t>(i)]];
+                d[i] = entries_.distance(distant[static_cast<std::size_t>(i)], m);
+                delta[i] = entries_.rows.half[distant[static_cast<std::size_t>(i)]];
             }
-            for (const Eigen::Index l : far) result(l, m) = 0;
+            for (const Eigen::Index l : distant) result(l, m) = 0;
             Array shifted(d.size());
             for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
                 for (Eigen::Index i = 0; i < d.size(); ++i) shifted[i] = d[i] + rule.nodes[k] * delta[i];
                 const Array sum = taylor_sum(shifted, entries_.columns.half[m], delta);
                 for (Eigen::Index i = 0; i < d.size(); ++i) {
-                    result(far[static_cast<std::size_t>(i)], m) += rule.weights[k] / 2 * sum[i];
+                    result(distant[static_cast<std::size_t>(i)], m) += rule.weights[k] / 2 * sum[i];
                 }
             }
         }

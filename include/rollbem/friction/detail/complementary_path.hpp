@@ -115,7 +115,7 @@ private:
             } else if (bound[i] > 0 && sign_[i] * change_[i] < 0) {
                 room = -slip_[i] / change_[i];
             }
-            if (std::max(room, Scalar(0)) < step) {
+            if ((std::max)(room, Scalar(0)) < step) {
                 step = (std::max)(room, Scalar(0));
                 blocking = i;
             }

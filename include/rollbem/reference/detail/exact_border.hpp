@@ -41,7 +41,7 @@ void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scala
     if (!is_finite(distance)) return rule.set(points, 0, 0, 0);
     const Scalar digits = -std::log(std::numeric_limits<Scalar>::epsilon());
     const Scalar ellipse = std::acosh((std::sqrt(4 + distance * distance) + distance) / 2), line = std::asinh(distance);
-    const auto N = static_cast<Eigen::Index>(4 + 14 / ellipse) * (std::min(level, 2) + 2) / 2;
+    const auto N = static_cast<Eigen::Index>(4 + 14 / ellipse) * ((std::min)(level, 2) + 2) / 2;
     const auto P = (std::max)(2 * N, (N + static_cast<Eigen::Index>(digits / line)) / 2 + 5);
     const auto K = std::min<Eigen::Index>(static_cast<Eigen::Index>(4 + 12 / line) * (level + 2) / 2, 1000);
     rule.set(points, N, P, (std::max)(std::min<Eigen::Index>(points.size(), 512), K));
@@ -53,7 +53,7 @@ template <class Scalar, class Problem>
 std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const StickZoneRule<Scalar>& rule,
                                                        Scalar creepage, Scalar y, int& evaluations) {
     // x/a is rounded, which matters if the distance y to the trailing edge is small
-    const Scalar small = 4 * std::numeric_limits<Scalar>::epsilon();
+    const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
     ++evaluations;
     typename Problem::Point point = problem.evaluate(2, rule);
     if (creepage >= point.creepage) return {Scalar(2), point};
@@ -66,10 +66,10 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
         ++evaluations;
         point = problem.evaluate(y, rule);
         const Scalar excess = point.creepage - creepage;
-        if (!is_finite(excess) || std::abs(excess) <= small * (1 + 1 / y) * creepage) break;
+        if (!is_finite(excess) || std::abs(excess) <= rounding * (1 + 1 / y) * creepage) break;
         (excess < 0 ? low : high) = y;
         (excess < 0 ? low_excess : high_excess) = excess;
-        if (high - low <= small * (std::min)(high, Scalar(1))) break;
+        if (high - low <= rounding * (std::min)(high, Scalar(1))) break;
         Scalar next = y - excess * (y - y_before) / (excess - excess_before);
         if (!(next > low && next < high)) next = low - low_excess * (high - low) / (high_excess - low_excess);
         if (iteration % 3 == 2) {
