@@ -21,9 +21,9 @@ nu = 0.5 or a/b >= 5). A patch more than ten times longer than wide is solved wi
 as many elements in each, too: coefficients that change by more than 7 % are empty, the status is not_converged.
 Four times as many elements as strips suit such patches, --n 48 --strips 12; c33 at nu = 0.5 takes more.
 assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
-the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). If status is neither
-ok nor not_converged the coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change,
-and the largest Re(nu) a.
+the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). With any other status but ok
+the coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change
+one by one (that all decay may yet be proved), and the largest Re(nu) a.
 --longitudinal, --lateral, --spin: friction, steady or in time (--help friction, --help transient).
 --state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
 )";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommended_patch.hpp>
+#include <rollbem/adhesion/dissipation.hpp>
 #include <rollbem/adhesion/patch_stability.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
@@ -235,6 +236,41 @@ TEST_CASE("patch_friction: slip work is the work of the creepages") {
         CHECK(residual(limits[which], 8) == Approx(at_8).epsilon(0.04));
         CHECK(residual(limits[which], 12) == Approx(at_12).epsilon(0.04));
     }
+}
+
+TEST_CASE("patch_friction: needles have forces where those of full adhesion are right") {
+    // 8 x 0.38 mm, off the middle: not dissipative on 24 x 32 elements, an eighth of the traction assists the creepage
+    ArrayX<double> y = ArrayX<double>::LinSpaced(41, -0.19e-3, 0.19e-3), trailing(41), leading(41);
+    for (Eigen::Index i = 0; i < 41; ++i) {
+        const double length = std::sqrt(std::max(0.0, 1 - std::pow(y[i] / 0.19e-3, 2)));
+        trailing[i] = -4.6e-3 * length;
+        leading[i] = 3.4e-3 * length;
+    }
+    const PatchContact<double> contact(Outline<double>(y, trailing, leading), 8.2e10, nu);
+    const double c = contact.half_length(), load = 15e3, unit = mu * load / (8.2e10 * c * c);
+    std::vector<TangentialForce<double>> forces;
+    for (const auto& [n, m] : {std::pair{24, 32}, {16, 9}}) {
+        const auto mesh = patch_mesh(contact, cosine_mesh(n), uniform_mesh(m));
+        const ArrayX<double> pressure = ArrayX<double>::Constant(mesh.size(), load / contact.outline()->area());
+        const SteadyFrictionModel model(contact, mesh, chebyshev, HalfSpace<double>(nu), {mu, pressure});
+        CHECK(is_dissipative(detail::joined(assemble_G_prime(mesh, chebyshev, HalfSpace<double>(nu))),
+                             patch_elements(mesh, chebyshev).areas) == (n == 16));
+        auto workspace = model.workspace();
+        auto to = model.at_rest();
+        const auto step = model.steady(
+            model.at_rest(), {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c}, to, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        forces.push_back(step.force);
+    }
+    CHECK(std::abs(forces[0].longitudinal - forces[1].longitudinal) < 0.02 * mu * load);
+    CHECK(std::abs(forces[0].lateral - forces[1].lateral) < 0.02 * mu * load);
+
+    // 8 % off in full adhesion, where two fifths of the traction assist
+    const auto long_ellipse = PatchContact<double>::dimensionless(50, 0.5);
+    const auto mesh = patch_mesh(long_ellipse, 24, 24);
+    CHECK_FALSE(SteadyFrictionModel(long_ellipse, mesh, chebyshev, HalfSpace<double>(0.5),
+                                    {mu, hertz_pressures(long_ellipse, mesh, 1.0)})
+                    .converges());
 }
 
 TEST_CASE("patch_friction: limits and symmetries") {
