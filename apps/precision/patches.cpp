@@ -85,7 +85,7 @@ Found forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh
 
 /// Extrapolated from strips of equal width and three times as many in both directions.
 Found reference_forces(const PatchContact& contact) {
-    const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 10.0);
+    const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 25.0);
     long n = 10;
     while (n > 2 && 9 * n * rollbem::recommended_strips(n, a_over_b) > reference_elements) --n;
     const long strips = rollbem::recommended_strips(n, a_over_b);
@@ -160,7 +160,7 @@ PatchComputation::PatchComputation(const study::Options& options, const std::vec
     const std::vector<std::string> schemes = options.choices("schemes", patch_scheme_names());
     for (const std::ptrdiff_t n : sizes) {
         for (const std::string& name : schemes) {
-            const bool own = name == uniform && a_over_b >= 0.1 && a_over_b <= 10;
+            const bool own = name == uniform && a_over_b >= 0.1 && a_over_b <= 25;
             const std::ptrdiff_t usual = own ? rollbem::recommended_strips(n, a_over_b) : n;
             for (const std::ptrdiff_t m : by_strips_ ? strips : std::vector{usual}) {
                 if (n * m > most_elements) {

@@ -112,7 +112,7 @@ TEST_CASE("patch_steady: of long patches no coefficient is wrong that other mesh
     CHECK(relative(fine.c22, 21.82) < 1.5e-2);
     CHECK(relative(fine.c23, 34.25) < 1.5e-2);
     CHECK(relative(fine.c33, 0.440) < 1.5e-2);
-    CHECK(solved(20, 0.28, 12, 1).status == Status::not_converged);
+    CHECK(solved(20, 0.28, 12, 1).status != Status::ok);
     CHECK(solved(10, 0.28, 12, 1).mesh_change.c11 == 0);
 }
 

@@ -20,16 +20,15 @@ namespace rollbem {
 template <class Scalar>
 bool is_dissipative(MatrixX<Scalar> A, const ArrayX<Scalar>& areas) {
     const Eigen::Index size = A.rows();
-    const ArrayX<Scalar> root = areas.sqrt().replicate(size / areas.size(), 1);
+    const ArrayX<Scalar> root = areas.sqrt().replicate(size / areas.size(), 1), inverse = root.inverse();
     const Scalar rounding =
         static_cast<Scalar>(size) * std::numeric_limits<Scalar>::epsilon() * A.cwiseAbs().maxCoeff();
     // W^-1/2 S W^-1/2 in the lower triangle: its eigenvalues do not depend on the grading of the mesh
     for (Eigen::Index j = 0; j < size; ++j) {
-        for (Eigen::Index i = j; i < size; ++i) {
-            const Scalar ratio = root[i] / root[j];
-            A(i, j) = -(ratio * A(i, j) + A(j, i) / ratio) / 2;
-        }
-        A(j, j) -= rounding;
+        const Eigen::Index after = size - j - 1;
+        A.col(j).tail(after + 1).array() *= root.tail(after + 1) * (-inverse[j] / 2);
+        A.col(j).tail(after).array() -= A.row(j).tail(after).transpose().array() * inverse.tail(after) * (root[j] / 2);
+        A(j, j) = 2 * A(j, j) - rounding;
     }
     const Eigen::LLT<Eigen::Ref<MatrixX<Scalar>>> cholesky(A);
     return cholesky.info() == Eigen::Success;
