@@ -68,8 +68,8 @@ template <class Scalar>
 void add_part(const Response<Scalar>& part, Eigen::Index first, PatchSteadySolution<Scalar>& solution) {
     const Eigen::Index count = part.coefficients.cols();
     solution.coefficients.block(first, first, count, count) = part.coefficients;
-    solution.residual = std::max(solution.residual, part.residual);
-    solution.rcond = std::min(solution.rcond, part.rcond);
+    solution.residual = (std::max)(solution.residual, part.residual);
+    solution.rcond = (std::min)(solution.rcond, part.rcond);
     if (solution.status == Status::ok) solution.status = part.status;
 }
 
@@ -124,10 +124,10 @@ bool is_elongated(const PatchMesh<Scalar>& mesh) {
 
 template <class Scalar>
 void compare_meshes(const CreepCoefficients<Scalar>& other, PatchSteadySolution<Scalar>& solution) {
-    const Scalar coupling = std::max(std::abs(solution.c23), std::abs(solution.c32));
+    const Scalar coupling = (std::max)(std::abs(solution.c23), std::abs(solution.c32));
     const auto compare = [&](auto coefficient, Scalar scale) {
         Scalar& change = solution.mesh_change.*coefficient;
-        change = std::max(change, std::abs(other.*coefficient - solution.*coefficient) / scale);
+        change = (std::max)(change, std::abs(other.*coefficient - solution.*coefficient) / scale);
         if (!(change <= Scalar(largest_mesh_change))) solution.status = Status::not_converged;
     };
     using Coefficients = CreepCoefficients<Scalar>;
