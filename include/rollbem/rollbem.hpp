@@ -9,6 +9,7 @@
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
 #include "adhesion/critical_alpha.hpp"
+#include "adhesion/dissipation.hpp"
 #include "adhesion/frequency.hpp"
 #include "adhesion/patch_frequency.hpp"
 #include "adhesion/patch_stability.hpp"
