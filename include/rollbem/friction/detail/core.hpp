@@ -189,6 +189,7 @@ private:
     static bool turns(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements) {
         return directions == 2 && friction.turned && elements.half_element_ahead;
     }
+    bool wants_tangents(const Progress& progress) const { return progress.tangent_exists && friction_.with_tangents; }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
 
     static bool are_coefficients(const ArrayX<Scalar>& values) {
@@ -215,7 +216,7 @@ private:
         scratch.slip.setZero();
         scratch.work.setZero();
         scratch.start = from.traction / shear_modulus_;
-        if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
+        if constexpr (directions == 2) scratch.solver.turn_slip(behind_, friction_.with_tangents);
     }
 
     // Whether the matrices of a stage have to be filled.
@@ -641,7 +642,7 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     Progress progress;
     solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
-    if (progress.tangent_exists) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
+    if (wants_tangents(progress)) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
     add_totals(step);
     return step;
 }
@@ -691,7 +692,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
                     progress);
         carried = motion.is_linear() ? gamma * imposed : imposed;
         if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-        if (progress.tangent_exists) {
+        if (wants_tangents(progress)) {
             carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
         }
         find_displacements(system, axes_of(scratch.stage), scratch.start, scratch.change);
@@ -703,7 +704,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
                 axes_of(scratch.stage), scratch, progress);
     Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
     if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-    if (progress.tangent_exists) {
+    if (wants_tangents(progress)) {
         add_tangents(bounds, &system, {part, 1}, imposed, carried, imposed * spin_of(motion.end()), asked, load,
                      scratch, step);
     }
