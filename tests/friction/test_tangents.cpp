@@ -45,7 +45,7 @@ Body line() {
     const ArrayX<double> pressure = 1e9 * mean_hertz_pressure(mesh);
     const ElementSystem<double, 2> system{rolling_system(mesh, chebyshev, PlaneKernel<double>::longitudinal(contact)),
                                           rolling_system(mesh, chebyshev, PlaneKernel<double>::lateral(contact))};
-    return {system,     pressure, mu * 1e9 * a_0 * 3.14 / 2, 2 * (1 - nu) * mu * 1e9 / G, a_0, 10 * a_0,
+    return {system,       pressure, mu * 1e9 * a_0 * 3.14 / 2, 2 * (1 - nu) * mu * 1e9 / G, a_0, 10 * a_0,
             std::nullopt, contact};
 }
 
@@ -55,9 +55,12 @@ Body patch(double a_over_b) {
     const PatchContact<double> contact(
         {.half_length = a_0, .half_width = a_0 / a_over_b, .shear_modulus = G, .poisson_ratio = nu});
     const double N = 8e4 / a_over_b, c = contact.c();
-    return {shapes.system(a_over_b), hertz_pressures(contact, patch_mesh(contact, 8, 6), N),
-            mu * N,                  mu * N / (4 * G * c * c),
-            c,                       a_0 / a_over_b,
+    return {shapes.system(a_over_b),
+            hertz_pressures(contact, patch_mesh(contact, 8, 6), N),
+            mu * N,
+            mu * N / (4 * G * c * c),
+            c,
+            a_0 / a_over_b,
             contact};
 }
 
@@ -70,9 +73,9 @@ struct Error {
 template <class Law>
 Error error_of(const Body& body, const Friction<Law>& friction, std::optional<Integrator> integrator, Draw& draw) {
     using Model = FrictionModel<Law, 2>;
-    const Model model = body.is_patch()
-                            ? Model(*body.patch, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2))
-                            : Model(*body.line, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2));
+    const Model model =
+        body.is_patch() ? Model(*body.patch, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2))
+                        : Model(*body.line, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2));
     const auto drawn = [&] {
         const double level = draw.decades(-1, 0.6), x = draw.normal(), y = draw.normal(), z = draw.normal();
         const double unit = body.creepage * level / std::sqrt(x * x + y * y + z * z);
@@ -142,6 +145,7 @@ Error error_of(const Body& body, const Friction<Law>& friction, std::optional<In
 }
 
 TEST_CASE("Tangents in both directions are derivatives", "[friction]") {
+    // 1000 scenes of each model take minutes
     const char* const wanted = std::getenv("ROLLBEM_TANGENT_SCENES");
     const int count = wanted != nullptr ? std::atoi(wanted) : 60;
     const std::optional<Integrator> ways[] = {std::nullopt, Integrator::implicit_euler, Integrator::sdirk2};
@@ -156,19 +160,22 @@ TEST_CASE("Tangents in both directions are derivatives", "[friction]") {
                     const Body body = is_patch ? patch(draw.decades(-0.3, 0.3)) : line();
                     const ExponentialFall<double> law{mu, 0.2, V * body.creepage};
                     const FrictionMemory<double> memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
-                    const Error error = falls > 0
-                                            ? error_of<ExponentialFall<double>>(body, {law, body.pressure, memory}, way, draw)
-                                            : error_of<ConstantFriction<double>>(body, {{mu}, body.pressure}, way, draw);
+                    const Error error =
+                        falls > 0 ? error_of<ExponentialFall<double>>(body, {law, body.pressure, memory}, way, draw)
+                                  : error_of<ConstantFriction<double>>(body, {{mu}, body.pressure}, way, draw);
                     errors.push_back(error.largest);
                     kinks += error.kink ? 1 : 0;
                     beyond += error.largest <= 1e-6 ? 0 : 1;
                 }
                 std::sort(errors.begin(), errors.end());
                 const auto at = [&](double share) { return errors[static_cast<std::size_t>(share * (count - 1))]; };
-                const std::string name = std::string(is_patch ? "patch" : "line") + ", " + (way ? rollbem::name(*way) : "steady");
+                const std::string name =
+                    std::string(is_patch ? "patch" : "line") + ", " + (way ? rollbem::name(*way) : "steady");
                 CAPTURE(name, falls, at(0.5), at(0.95), at(1), kinks, beyond);
-                if (wanted != nullptr) std::printf("%s falls %g: %.1e %.1e %.1e kinks %d beyond %d\n", name.c_str(), falls, at(0.5), at(0.95), at(1), kinks, beyond);
-                CHECK(at(0.95) < 1e-6);
+                if (wanted != nullptr)
+                    WARN(name << " " << falls << ": " << at(0.5) << " " << at(0.95) << " " << at(1) << ", " << kinks
+                              << " kinks, " << beyond << " above 1e-6");
+                CHECK(at(0.95) < 1e-6);  // what lies above has a kink nearby, if only of a first stage
             }
         }
     }

@@ -69,7 +69,7 @@ public:
         if constexpr (directions == 1) {
             return solver.solve(bound, start.zones);
         } else {
-            return solver.solve(bound, start.traction, start.zones);
+            return solver.solve(bound, start);
         }
     }
     /// dp in the stage solved last caused by a change dc and by a change of the bounds, `share` times bound_change.

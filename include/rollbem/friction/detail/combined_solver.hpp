@@ -73,6 +73,9 @@ public:
           best_(n, 2),
           against_slip_(Vectors::Zero(n, 2)),
           begin_(n, 2),
+          plain_traction_(n, 2),
+          plain_constant_(n, 2),
+          plain_response_(n, 2),
           begin_zones_(static_cast<std::size_t>(n), Zone::stick),
           turned_change_(n, 2),
           plain_change_(Vectors::Zero(n, 2)),
@@ -104,6 +107,8 @@ public:
     void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const { equations_.multiply(p, s); }
     /// c, to be filled before each solve.
     ElementVectors<Scalar>& constant() { return constant_; }
+    /// c of the solution whose slip is not turned, to be filled if that starts from tractions of its own.
+    ElementVectors<Scalar>& plain_constant() { return plain_constant_; }
 
     const ElementVectors<Scalar>& traction() const { return traction_; }
     /// s, exactly zero where elements stick. Where they slip it is against the traction, or, if slip is turned, R s is;
@@ -113,7 +118,7 @@ public:
     Index stick_count() const { return stick_count_; }
 
     /// Solves for bounds >= 0, all finite, starting from tractions and zones that hold for other c and bounds.
-    Outcome solve(const Vector& bound, const ElementVectors<Scalar>& traction, const Zones& zones) noexcept;
+    Outcome solve(const Vector& bound, const SolutionStart<2, Scalar>& start) noexcept;
 
     /// dp due to a change dc, and to `share` times that of the bounds unless null, while no element changes between stick and slip. Slipping
     /// elements follow their bounds along their traction. If angles_follow(), angles of turned slip change with the
@@ -122,11 +127,13 @@ public:
     void respond(const Vectors& change, Vectors& traction_change, const Vector* bound_change = nullptr,
                  Scalar share = 1) {
         turned_change_ = change;
+        if (keeps_plain()) {
+            exchange_plain();
+            answer(plain_part_, plain_part_.direction, plain_change_, bound_change, share, plain_response_);
+            exchange_plain();
+        }
         if (turn_.follows()) {
-            exchange_plain();
-            answer(plain_part_, plain_part_.direction, plain_change_, bound_change, share, traction_change);
-            exchange_plain();
-            multiply(traction_change, trial_slip_);
+            multiply(plain_response_, trial_slip_);
             trial_slip_ += plain_change_;
             turn_.follow(trial_slip_, angle_change_);
             turned_change_.col(0) -= angle_change_.cwiseProduct(slip_.col(1));
@@ -135,8 +142,11 @@ public:
         answer(part_, against_slip_, turned_change_, bound_change, share, traction_change);
     }
     bool angles_follow() const { return turn_.follows(); }
+    bool keeps_plain() const { return is_apart_ || turn_.follows(); }
     /// The tractions for slip that is not turned, of which the angles of turned slip are those.
-    const Vectors& plain_traction() const { return turn_.turns() ? begin_ : traction_; }
+    const Vectors& plain_traction() const { return is_apart_ ? plain_traction_ : traction_; }
+    /// Their change in the last respond(), if keeps_plain().
+    const Vectors& plain_response() const { return plain_response_; }
     /// dc of the equations for slip that is not turned, to be filled before respond().
     Vectors& plain_change() { return plain_change_; }
 
@@ -146,7 +156,7 @@ public:
         coupling.leftCols(count).setZero();
         if (turn_.follows()) {
             exchange_plain();
-            const CombinedEquations<Scalar>& turned = turn_.turns() ? kept_ : equations_;
+            const CombinedEquations<Scalar>& turned = is_apart_ ? kept_ : equations_;
             for (Index k = 0; k < count; ++k) {
                 const Index i = turned.slipping(k);
                 if (plain_part_.slide[i] == 0) continue;
@@ -191,19 +201,21 @@ private:
         reach_is_known_ = true;
     }
 
+    // Whether there is another solution to find, with slip turned.
+    bool find_turn() { return turn_.find(slip_, part_.stick, part_.slide) || has_own_plain_; }
+
     // Keeps what the tangents of the present solution need, whose slip is not turned.
     void keep_plain() {
         plain_part_ = part_;
         for (Index i = 0; i < size(); ++i) {
             if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), plain_part_);
         }
-        if (!turn_.turns()) return;
         equations_.aim(plain_part_, SlipTurn<Scalar>(0));
         equations_.exchange_factors(kept_);
     }
     // The factors for slip that is not turned, or again those for slip that is.
     void exchange_plain() {
-        if (turn_.turns()) equations_.exchange_factors(kept_);
+        if (is_apart_) equations_.exchange_factors(kept_);
     }
 
     // dp by the present factors, those of `part`, at constant angles; `against`: see against_slip().
@@ -368,10 +380,10 @@ private:
             note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
             const bool is_close = residual < nearly * bound.sum();
-            if (is_close && !turn_.turns() && turn_.find(slip_, part_.stick, part_.slide)) return true;
+            if (is_close && !is_apart_ && find_turn()) return true;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
             const bool contracts = coupled() && residual < Scalar(1e-3) * before;
-            keeps_factors = (contracts || (is_close && turn_.turns())) && equations_.slips_as(part_);
+            keeps_factors = (contracts || (is_close && is_apart_)) && equations_.slips_as(part_);
             has_tangent_ = keeps_factors && is_close;
             before = residual;
         }
@@ -464,6 +476,7 @@ private:
     Vector reach_;                                 // rho
     Vectors traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
     Vectors against_slip_;
+    Vectors plain_traction_, plain_constant_, plain_response_;
     Vectors begin_;  // where the search with turned slip begins
     Zones begin_zones_;
     Vectors turned_change_, plain_change_;
@@ -478,30 +491,43 @@ private:
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
     bool with_tangents_ = true;
+    bool is_apart_ = false;       // the solution is not that for slip as it is
+    bool has_own_plain_ = false;  // which has another c
 };
 
 template <class Scalar>
 typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vector& bound,
-                                                                       const ElementVectors<Scalar>& traction,
-                                                                       const Zones& zones) noexcept {
-    imposed_ = 0;
-    for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+                                                                       const SolutionStart<2, Scalar>& start) noexcept {
+    const auto impose = [&] {
+        imposed_ = 0;
+        for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+    };
+    has_own_plain_ = start.plain_traction != nullptr;
+    is_apart_ = false;
+    if (has_own_plain_) constant_.swap(plain_constant_);
+    impose();
     find_reach();
     turn_.stop();
     Outcome outcome;
-    bool settled = search(bound, traction, zones, false, outcome);
-    if (settled && (turn_.turns() || turn_.find(slip_, part_.stick, part_.slide))) {
-        begin_ = traction_;
+    bool settled = search(bound, has_own_plain_ ? *start.plain_traction : start.traction, start.zones, false, outcome);
+    if (has_own_plain_) constant_.swap(plain_constant_);
+    if (settled && (turn_.turns() || find_turn())) {
+        plain_traction_ = begin_ = traction_;
         for (Index i = 0; i < size(); ++i) begin_zones_[static_cast<std::size_t>(i)] = zone(i);
         if (with_tangents_) keep_plain();
-        settled = search(bound, begin_, begin_zones_, true, outcome);
-        for (int k = 0; k < most_halvings && !settled; ++k) {
+        is_apart_ = true;
+        if (has_own_plain_) {
+            begin_ += start.traction - *start.plain_traction;
+            impose();
+        }
+        settled = search(bound, begin_, begin_zones_, !has_own_plain_, outcome);
+        for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
             turn_.halve();
             settled = search(bound, begin_, begin_zones_, false, outcome);
         }
     }
     outcome.residual = publish(bound);
-    if (turn_.follows() && !turn_.turns()) plain_part_ = part_;
+    if (!is_apart_) plain_part_ = part_;
     if (has_tangent_) equations_.aim(part_, turn_);
     outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
     const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();

@@ -124,17 +124,24 @@ public:
     using Start = SolutionStart<2, Scalar>;
     static constexpr int directions = 2;
 
-    explicit CombinedSlip(Index n) : SlippingElements<Scalar>(n), traction_(Vectors::Zero(n, 2)), slip_change_(n, 2) {}
+    explicit CombinedSlip(Index n)
+        : SlippingElements<Scalar>(n),
+          traction_(Vectors::Zero(n, 2)),
+          plain_traction_(Vectors::Zero(n, 2)),
+          slip_change_(n, 2) {}
 
     static Vectors zero(Index n) { return Vectors::Zero(n, 2); }
 
     void begin(const Start& start) {
         traction_ = start.traction;
+        has_plain_ = start.plain_traction != nullptr;
+        if (has_plain_) plain_traction_ = *start.plain_traction;
         this->zones_ = start.zones;
     }
     Outcome solve(const Vector& bound, Solver& solver) {
-        const Outcome outcome = solver.solve(bound, traction_, this->zones_);
+        const Outcome outcome = solver.solve(bound, {traction_, this->zones_, has_plain_ ? &plain_traction_ : nullptr});
         traction_ = solver.traction();
+        if (has_plain_) plain_traction_ = solver.plain_traction();
         this->zones_ = solver.zones();
         is_regular_ = outcome.tangent_exists;
         ++solution_;
@@ -175,8 +182,8 @@ public:
     }
 
 private:
-    Vectors traction_, slip_change_;
-    bool is_regular_ = false;
+    Vectors traction_, plain_traction_, slip_change_;
+    bool has_plain_ = false, is_regular_ = false;
     unsigned long solution_ = 0;
 };
 

@@ -34,13 +34,13 @@ public:
     /// `parameter`: see TangentBy. `carried`: scratch.carried of an earlier stage shifts the equations.
     StageTangent(Bounds& bounds, Scratch& scratch, std::size_t parameter, bool carried)
         : bounds_(bounds), scratch_(scratch), parameter_(parameter) {
-        add([&](const Vectors&, Vectors& right) {
-            if (carried) {
-                right = scratch.carried[parameter];
-            } else {
-                right.setZero();
-            }
-        });
+        scratch.right.setZero();
+        if (carried) scratch.right = scratch.carried[parameter];
+        if constexpr (directions == 2) {
+            Vectors& plain = scratch.solver.plain_change();
+            plain.setZero();
+            if (carried) plain = scratch.plain_carried[parameter];
+        }
     }
 
     /// By a creepage, with d(imposed motion)/d creepage = `imposed`.
@@ -100,27 +100,36 @@ public:
     /// For the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, with
     /// the direct effect of the half-length by `progress` if that is the parameter.
     void carry(const System& system, Scalar ratio, Scalar progress) {
-        auto& carried = scratch_.carried[parameter_];
-        find_displacements(system, axes(), scratch_.response, carried);
+        carry(system, ratio, progress, scratch_.solver.traction(), scratch_.response, scratch_.carried[parameter_]);
+        if constexpr (directions == 2) {
+            if (scratch_.solver.keeps_plain()) {
+                carry(system, ratio, progress, scratch_.solver.plain_traction(), scratch_.solver.plain_response(),
+                      scratch_.plain_carried[parameter_]);
+            }
+        }
+        bounds_.carry_response(parameter_);
+    }
+
+private:
+    using Shape = ShapeInfluence<Scalar>;
+
+    void carry(const System& system, Scalar ratio, Scalar progress, const Vectors& traction, const Vectors& response,
+               Vectors& carried) {
+        find_displacements(system, axes(), response, carried);
         const bool by_length = parameter_ == TangentBy<directions>::half_length;
         bool is_patch = false;
         if constexpr (directions == 2) {
             is_patch = system.shapes() != nullptr;
             if (is_patch && (by_length || parameter_ == TangentBy<directions>::half_width)) {
                 shape(system).add_displacement_rates(by_length ? Shape::Axis::half_length : Shape::Axis::half_width,
-                                                     progress, scratch_.solver.traction(), carried);
+                                                     progress, traction, carried);
             }
         }
         if (by_length && !is_patch) {
-            add_displacement_rates(system, scratch_.stage.half_length, progress, scratch_.solver.traction(),
-                                   scratch_.change, carried);
+            add_displacement_rates(system, scratch_.stage.half_length, progress, traction, scratch_.change, carried);
         }
         carried *= -ratio;
-        bounds_.carry_response(parameter_);
     }
-
-private:
-    using Shape = ShapeInfluence<Scalar>;
 
     SemiAxes<Scalar> axes() const { return {scratch_.stage.half_length, scratch_.stage.half_width}; }
     Shape shape(const System& system) const { return Shape(*system.shapes(), system.a_over_b(), scratch_.stage); }
@@ -140,7 +149,7 @@ private:
     void add(const Add& call) {
         call(scratch_.solver.traction(), scratch_.right);
         if constexpr (directions == 2) {
-            if (scratch_.solver.angles_follow()) call(scratch_.solver.plain_traction(), scratch_.solver.plain_change());
+            if (scratch_.solver.keeps_plain()) call(scratch_.solver.plain_traction(), scratch_.solver.plain_change());
         }
     }
 
