@@ -445,7 +445,7 @@ TEST_CASE("The combined solver does not allocate, whichever of its attempts succ
         for (double& entry : bound) entry = std::abs(draw.normal());
         const long before = allocations;
         if (problem % 4 > 1) solver.turn_slip(behind);
-        const auto outcome = solver.solve(bound, start, zones);
+        const auto outcome = solver.solve(bound, {start, zones});
         solver.turn_slip({});
         const long after = allocations;
         CAPTURE(problem, outcome.rounds);

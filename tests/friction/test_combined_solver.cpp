@@ -44,7 +44,7 @@ struct Problem {
         solver.constant() = constant;
     }
     Solver::Outcome solve_from_rest(Solver& solver) const {
-        return solver.solve(bound, ElementVectors<double>::Zero(size(), 2), all_stick(size()));
+        return solver.solve(bound, {ElementVectors<double>::Zero(size(), 2), all_stick(size())});
     }
     ElementVectors<double> slip(const ElementVectors<double>& p) const {
         ElementVectors<double> s(size(), 2);
@@ -140,7 +140,7 @@ TEST_CASE("Newton's method solves definite problems, and reports the residual of
         ++tangents;
         const auto zones = solver.zones();
         solver.constant() += e * change;
-        REQUIRE(solver.solve(problem.bound, before, zones).status == StepStatus::ok);
+        REQUIRE(solver.solve(problem.bound, {before, zones}).status == StepStatus::ok);
         if (solver.zones() == zones) CHECK((solver.traction() - before - e * response).cwiseAbs().maxCoeff() < 1e-9);
     }
     CAPTURE(unsolved, several, tangents);
@@ -224,7 +224,7 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
     std::vector<Zone> zones{Zone::slip, Zone::stick};
     ElementVectors<double> start(2, 2);
     start << -0.8, -0.6, 0, 0;
-    const auto outcome = solver.solve(problem.bound, start, zones);
+    const auto outcome = solver.solve(problem.bound, {start, zones});
     CHECK(outcome.status == StepStatus::ok);
     CHECK(outcome.tangent_exists);
     CHECK(problem.violation(solver.traction()) < 1e-13);
@@ -440,7 +440,7 @@ Solver::Outcome roll(const Patch& patch, Solver& solver, double creepage, double
     }
     solver.constant().col(0) = creepage - spin * patch.system.elements().y;
     solver.constant().col(1) = lateral + spin * patch.system.elements().x;
-    return solver.solve(patch.bound, ElementVectors<double>::Zero(patch.size(), 2), all_stick(patch.size()));
+    return solver.solve(patch.bound, {ElementVectors<double>::Zero(patch.size(), 2), all_stick(patch.size())});
 }
 
 TEST_CASE("Directions that are coupled by zeros give what uncoupled ones give", "[friction]") {
