@@ -29,8 +29,8 @@ namespace rollbem::detail {
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
 /// two. A step is halved while the residual of the map would grow. That can get stuck; then CombinedPath leads to a
-/// point near a solution, from which Newton's method finishes. If that fails, too, as it does for one of 3000 matrices
-/// drawn at random, the best point is returned together with its violation.
+/// point near a solution, from which Newton's method finishes. If that fails, too, the best point is returned together
+/// with its violation.
 ///
 /// If the rows behind are known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i in
 /// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not found,
@@ -166,7 +166,7 @@ private:
         } else {
             start_from(bound, traction, zones);
         }
-        if (settle(bound, outcome) || follow_path(bound, outcome)) return true;
+        if (settle(bound, true, outcome) || follow_path(bound, outcome)) return true;
         return_to_best(bound);
         return false;
     }
@@ -175,10 +175,12 @@ private:
         const typename CombinedPath<Scalar>::Problem problem{equations_, constant_, bound, reach_, turn_};
         path_.begin(problem, imposed_);
         while (path_.advance(problem)) {
-            traction_ = path_.traction();
-            find_turned_slip(traction_, slip_);
-            for (Index i = 0; i < size(); ++i) place(i, bound[i]);
-            if (settle(bound, outcome)) return true;
+            for (const bool careful : {true, false}) {
+                traction_ = path_.traction();
+                find_turned_slip(traction_, slip_);
+                for (Index i = 0; i < size(); ++i) place(i, bound[i]);
+                if (settle(bound, careful, outcome)) return true;
+            }
         }
         return false;
     }
@@ -249,8 +251,8 @@ private:
         best_ = p;
     }
 
-    // Newton steps. False if they do not converge.
-    bool settle(const Vector& bound, Outcome& outcome) {
+    // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
+    bool settle(const Vector& bound, bool careful, Outcome& outcome) {
         Scalar before = std::numeric_limits<Scalar>::max();
         bool keeps_factors = false;  // of the step before
         has_tangent_ = false;
@@ -265,7 +267,7 @@ private:
             Scalar residual = natural_residual(bound, reach_, trial_, trial_slip_);
             const bool done = settled(bound, Scalar(1));
             const bool stalls = !(residual < before);
-            if (!done && stalls && !settled(bound, Scalar(1000))) residual = shorten(bound, before);
+            if (!done && stalls && careful && !settled(bound, Scalar(1000))) residual = shorten(bound, before);
             if (!is_finite(residual)) return false;
             traction_ = trial_;
             slip_ = trial_slip_;
