@@ -97,9 +97,9 @@ public:
             ++points_;
             at_ = trial_;
             forward_ = change_;
-            if (corrections <= 2) length_ = std::min(2 * length_, longest);
+            if (corrections <= 2) length_ = (std::min)(2 * length_, longest);
             if (1 - at_[last] > rest_ && points_ < stop) continue;
-            rest_ = std::min(rest_, (1 - at_[last]) / 2);
+            rest_ = (std::min)(rest_, (1 - at_[last]) / 2);
             trial_[last] = 1;
             find_tractions(problem);
             return true;
