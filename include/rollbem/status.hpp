@@ -23,8 +23,8 @@ enum class Status {
 enum class StepStatus {
     ok,
     /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
-    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding and,
-    /// with both creepages, if Newton's method does not converge: seen where b varies by a sixth while rolling 0.03 a.
+    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and with
+    /// friction that depends on slip without a memory.
     no_solution,
     not_finite,    ///< the motion or the result is NaN or infinite
     invalid_step,  ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)

@@ -17,7 +17,7 @@
 #include "../state.hpp"
 #include "combined_equations.hpp"
 #include "combined_partition.hpp"
-#include "combined_split.hpp"
+#include "combined_path.hpp"
 #include "slip_turn.hpp"
 
 namespace rollbem::detail {
@@ -28,13 +28,13 @@ namespace rollbem::detail {
 /// Newton's method on the natural map p_i = P(p_i - rho_i s_i), P the projection onto the circle of the bound
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
-/// two. A step is halved while the residual of the map would grow. As M may be any matrix, that can get stuck. Further
-/// attempts take full steps, and start from full sliding or from the result of CombinedSplit. If all fail, the best
-/// point is returned together with its violation. Each attempt takes at most `longest` steps.
+/// two. A step is halved while the residual of the map would grow. That can get stuck; then CombinedPath leads to a
+/// point near a solution, from which Newton's method finishes. If that fails, too, the best point is returned together
+/// with its violation.
 ///
 /// If the rows behind are known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i in
-/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that has no
-/// solution (2 of 1e5 random patches stepped in time, few wide elements under large spin), all angles are halved.
+/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not found,
+/// all angles are halved.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier
 /// solutions. All memory is allocated by the constructor.
@@ -48,7 +48,7 @@ public:
     using Zones = std::vector<Zone>;
 
     struct Outcome {
-        int rounds = 0;  ///< Newton steps, of all attempts
+        int rounds = 0;  ///< Newton steps, those along CombinedPath not counted
         /// Largest violation of a bound, or traction below it where an element slips (relative to the largest bound),
         /// or wrong slip: of a sticking element, across the traction or along it (relative to the largest |c|).
         Scalar residual = 0;
@@ -81,7 +81,7 @@ public:
           plain_change_(Vectors::Zero(n, 2)),
           angle_change_(n),
           turn_(n),
-          split_(n) {}
+          path_(n) {}
 
     /// Turns slip from now on; the row behind each in its strip, -1 for a trailing element. With an empty list slip is
     /// not turned, as after construction. Without `tangents` respond() must not be called.
@@ -179,9 +179,7 @@ public:
     CombinedEquations<Scalar>& equations() { return equations_; }
 
 private:
-    enum class Start { given, sliding, split };
-
-    static constexpr int longest = 60;  // steps of an attempt; rolling takes at most 16
+    static constexpr int longest = 60;  // Newton steps; rolling takes at most 16
     static constexpr int most_halvings = 3;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
@@ -247,26 +245,33 @@ private:
 
     Zone zone(Index i) const { return part_.stick[i] != 0 ? Zone::stick : Zone::slip; }
 
-    // All attempts for the present turn of the slip; `solves_unturned`: the present point is the solution for slip as it
-    // is. False if none succeeds; then the best point remains.
+    // For the present turn of the slip; `solves_unturned`: the present point is the solution for slip as it is. False if
+    // there is no success; then the best point remains.
     bool search(const Vector& bound, const Vectors& traction, const Zones& zones, bool solves_unturned,
                 Outcome& outcome) {
         least_ = (std::numeric_limits<Scalar>::max)();
         slip_is_known_ = false;
-        for (const Start start : {Start::given, Start::sliding, Start::split}) {
-            if (start == Start::split) find_split(bound);
+        if (solves_unturned) {
+            start_turned();
+        } else {
+            start_from(bound, traction, zones);
+        }
+        if (settle(bound, true, outcome) || follow_path(bound, outcome)) return true;
+        return_to_best(bound);
+        return false;
+    }
+
+    bool follow_path(const Vector& bound, Outcome& outcome) {
+        const typename CombinedPath<Scalar>::Problem problem{equations_, constant_, bound, reach_, turn_};
+        path_.begin(problem, imposed_);
+        while (path_.advance(problem)) {
             for (const bool careful : {true, false}) {
-                if (start == Start::given && careful && solves_unturned) {
-                    start_turned();
-                } else if (start == Start::given) {
-                    start_from(bound, traction, zones);
-                }
-                if (start == Start::sliding) start_sliding(bound);
-                if (start == Start::split) start_from(bound, split_.traction(), split_.zones());
+                traction_ = path_.traction();
+                find_turned_slip(traction_, slip_);
+                for (Index i = 0; i < size(); ++i) place(i, bound[i]);
                 if (settle(bound, careful, outcome)) return true;
             }
         }
-        return_to_best(bound);
         return false;
     }
 
@@ -327,27 +332,6 @@ private:
     void slide_on(Index i, Scalar norm, CombinedPartition<Scalar>& part) const {
         const Scalar x = traction_(i, 0), y = traction_(i, 1), against = -(x * slip_(i, 0) + y * slip_(i, 1));
         part.let_slide(i, x, y, norm, (std::max)(against, Scalar(0)) / (norm * norm));
-    }
-
-    void start_sliding(const Vector& bound) {
-        slip_ = constant_;
-        turn_.apply(slip_);
-        for (Index i = 0; i < size(); ++i) {
-            const Scalar x = -slip_(i, 0), y = -slip_(i, 1), norm = std::hypot(x, y);
-            if (bound[i] == 0 || norm == 0) {
-                let_go(i);
-                if (bound[i] > 0) part_.let_stick(i);
-            } else {
-                part_.let_slide(i, x, y, norm, norm / bound[i]);
-            }
-        }
-        traction_ = bound.asDiagonal() * part_.direction;
-    }
-
-    void find_split(const Vector& bound) {
-        split_.find(matrix(0), matrix(1), constant_, bound, 4 * rounding());
-        find_turned_slip(split_.traction(), trial_slip_);
-        note(split_.traction(), natural_residual(bound, reach_, split_.traction(), trial_slip_));
     }
 
     // The best point so far.
@@ -482,12 +466,12 @@ private:
     Vectors turned_change_, plain_change_;
     Vector angle_change_;
     SlipTurn<Scalar> turn_;
-    CombinedSplit<Scalar> split_;  // where the last attempts start
-    bool has_tangent_ = false;     // the factors are those of the solution
-    bool slip_is_known_ = false;   // trial_slip_ is that of traction_, not turned
-    Scalar imposed_ = 0;           // max |c|
-    Scalar slip_scale_ = 0;        // rounding of the slip
-    Scalar least_ = 0;             // residual of the natural map at best_
+    CombinedPath<Scalar> path_;
+    bool has_tangent_ = false;    // the factors are those of the solution
+    bool slip_is_known_ = false;  // trial_slip_ is that of traction_, not turned
+    Scalar imposed_ = 0;          // max |c|
+    Scalar slip_scale_ = 0;       // rounding of the slip
+    Scalar least_ = 0;            // residual of the natural map at best_
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
     bool with_tangents_ = true;
