@@ -15,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/patch_frequency.hpp>
@@ -43,9 +44,21 @@ using Kernel = rollbem::HalfSpace<double>;
 
 Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
 
-/// A coefficient, left out where it cannot be trusted.
-double trusted(rollbem::Status status, double value) {
-    return status == rollbem::Status::ok ? value : std::numeric_limits<double>::quiet_NaN();
+/// Coefficients, those left out which cannot be trusted: of a long patch those that other meshes do not confirm.
+template <class Value>
+std::vector<Value> trusted(rollbem::Status status, const rollbem::CreepCoefficients<double>& change,
+                           const rollbem::CreepCoefficients<Value>& given) {
+    const bool known = status == rollbem::Status::ok || status == rollbem::Status::not_converged;
+    const auto value = [&](auto coefficient) {
+        return known && change.*(coefficient.first) <= rollbem::largest_mesh_change
+                   ? given.*(coefficient.second)
+                   : Value(std::numeric_limits<double>::quiet_NaN());
+    };
+    using Change = rollbem::CreepCoefficients<double>;
+    using Given = rollbem::CreepCoefficients<Value>;
+    return {value(std::pair{&Change::c11, &Given::c11}), value(std::pair{&Change::c22, &Given::c22}),
+            value(std::pair{&Change::c23, &Given::c23}), value(std::pair{&Change::c32, &Given::c32}),
+            value(std::pair{&Change::c33, &Given::c33})};
 }
 
 /// Kalker's 3 x 3 coefficients of forces over G a^2, moments over G a^3 and spin times a.
@@ -56,6 +69,10 @@ Matrix to_kalker(const Patch& patch, Matrix coefficients) {
     coefficients.col(2) *= length;
     coefficients.row(2) *= length;
     return coefficients;
+}
+
+double if_ok(rollbem::Status status, double value) {
+    return status == rollbem::Status::ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Of a patch that is not its own mirror image.
@@ -85,9 +102,7 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
         solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11; }) - *assembly_us);
     }
     study::Row row = patch::cells(patch);
-    for (const double value : {steady.c11, steady.c22, steady.c23, steady.c32, steady.c33}) {
-        row.emplace_back(trusted(steady.status, value));
-    }
+    for (const double value : trusted<double>(steady.status, steady.mesh_change, steady)) row.emplace_back(value);
     row.insert(row.end(), {steady.residual, assembly_us, solve_us});
 
     // 4. All eigenvalues of G' p = nu G p.
@@ -103,7 +118,7 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
     }
     row.insert(row.end(), {status, nodes_name(patch)});
     const Eigen::MatrixXd c = to_kalker(patch, steady.coefficients);
-    for (const auto& [i, j] : unmirrored) row.emplace_back(trusted(steady.status, c(i, j)));
+    for (const auto& [i, j] : unmirrored) row.emplace_back(if_ok(steady.status, c(i, j)));
     return row;
 }
 
@@ -121,19 +136,22 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
     // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
     const rollbem::PatchFrequencySweep<double> sweep(patch.contact,
                                                      rollbem::patch_parts(patch.mesh, patch.scheme, kernel_of(patch)));
+    const rollbem::PatchSteadySolution<double> steady =
+        rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel_of(patch));
     for (std::size_t i = range.first; i < range.last; ++i) {
         const rollbem::PatchSweepPoint<double> point = sweep(omegas[i]);
+        const rollbem::Status status = point.status == rollbem::Status::ok ? steady.status : point.status;
         study::Row row = patch::cells(patch);
         row.emplace_back(omegas[i]);
-        for (const std::complex<double>& c : {point.c11, point.c22, point.c23, point.c32, point.c33}) {
-            row.emplace_back(trusted(point.status, c.real()));
-            row.emplace_back(trusted(point.status, c.imag()));
+        for (const std::complex<double>& c : trusted<std::complex<double>>(status, steady.mesh_change, point)) {
+            row.emplace_back(c.real());
+            row.emplace_back(c.imag());
         }
-        row.insert(row.end(), {name(point.status), nodes_name(patch)});
+        row.insert(row.end(), {name(status), nodes_name(patch)});
         const Eigen::MatrixXcd c = to_kalker(patch, point.coefficients);
         for (const auto& [k, j] : unmirrored) {
-            row.emplace_back(trusted(point.status, c(k, j).real()));
-            row.emplace_back(trusted(point.status, c(k, j).imag()));
+            row.emplace_back(if_ok(status, c(k, j).real()));
+            row.emplace_back(if_ok(status, c(k, j).imag()));
         }
         emit(std::move(row));
     }

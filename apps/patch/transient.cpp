@@ -53,6 +53,9 @@ public:
           pressures_(load ? rollbem::hertz_pressures(covered_, mesh_, mu_N()) : pressure.on(patch)) {
         const rollbem::HalfSpace<double> kernel(patch.contact.poisson_ratio());
         const auto make = [&](rollbem::ElementSystem<double, 2> system, const rollbem::StabilityVerdict& verdict) {
+            if (!verdict.stable()) {
+                throw std::invalid_argument("modes must decay, whatever rounding does; take another --n or --strips");
+            }
             model_.emplace(covered_, std::move(system), verdict, rollbem::Friction<>{1, pressures_}, integrator);
         };
         try {

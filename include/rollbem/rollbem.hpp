@@ -8,6 +8,7 @@
 #include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
+#include "adhesion/dissipation.hpp"
 #include "adhesion/frequency.hpp"
 #include "adhesion/patch_frequency.hpp"
 #include "adhesion/patch_stability.hpp"

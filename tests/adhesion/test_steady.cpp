@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/adhesion/dissipation.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
@@ -342,6 +343,23 @@ TEST_CASE("At most a twentieth of the traction may assist the creepage", "[stead
         CHECK(status(0.46) == Status::ok);                // 0.0486
         CHECK(status(0.49) == Status::assists_creepage);  // 0.0516
     }
+}
+
+TEST_CASE("Dissipation is proved on uniform meshes exactly for the schemes that converge", "[steady]") {
+    const PlaneKernel<double> kernel(1000, 0.75, 0.25);
+    const auto proved = [&](const Mesh<double>& mesh, const Collocation& scheme) {
+        return is_dissipative(assemble_G_prime(mesh, scheme, kernel), mesh.widths());
+    };
+    for (const Eigen::Index n : {10, 40}) {
+        for (const double alpha : {-0.05, 0.0, 0.05, 0.25, 0.63, 0.95, 1.05, 1.25}) {
+            CAPTURE(n, alpha);
+            CHECK(proved(uniform_mesh(n), {alpha, alpha}) == (alpha > 0 && alpha < 1));
+        }
+    }
+    for (const Eigen::Index n : {2, 10, 40, 160}) CHECK(proved(cosine_mesh(n), {0.5, 0.5}));
+    // on graded meshes a scheme may converge without
+    CHECK_FALSE(proved(cosine_mesh(40), {0.8, 0.8}));
+    CHECK(solve_steady(cosine_mesh(40), Collocation{0.8, 0.8}, kernel).status == Status::ok);
 }
 
 TEST_CASE("Lateral creepage gives c22 in the units of the contact", "[steady]") {

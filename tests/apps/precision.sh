@@ -52,7 +52,7 @@ bad '--n = 4 has no effect with --recommend' "$precision" --recommend 1e-4 --n 4
 "$precision" --recommend 1e-4 >lines || fail '--recommend'
 grep -q '^precision_study --quantity c11 --schemes richardson-nodes --n 10$' lines &&
     grep -q '^friction_study --kernel plane --method nodes --nodes chebyshev --n 115$' lines || fail "--recommend: $(cat lines)"
-bad '--a-over-b = 20 must lie in [0.1, 10]' "$precision" --recommend 1e-4 --a-over-b 20
+bad '--a-over-b = 30 must lie in [0.1, 25]' "$precision" --recommend 1e-4 --a-over-b 30
 "$precision" --recommend 0.02 --a-over-b 0.2 >lines || fail '--recommend, patch'
 grep -q '^patch_study --a-over-b 0.2 --n 12 --strips 17 --strip-grading uniform ' lines || fail "--recommend 0.02: $(cat lines)"
 # every line meets its tolerance: in each row, or, of a patch, against the finest mesh of these

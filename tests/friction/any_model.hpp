@@ -196,8 +196,9 @@ private:
         if constexpr (directions == 2) {
             return state;
         } else {
-            return {state.traction.col(own_), state.zones,  state.normal_pressure,      state.half_length,
-                    state.half_width,         state.system, state.friction_coefficient, state.solver};
+            return {state.traction.col(own_),   state.zones,      state.normal_pressure,
+                    state.half_length,          state.half_width, state.system,
+                    state.friction_coefficient, state.solver,     {}};
         }
     }
     void raise(const InnerState& inner, State& state) const {
@@ -211,7 +212,8 @@ private:
                      inner.half_width,
                      inner.system,
                      inner.friction_coefficient,
-                     inner.solver};
+                     inner.solver,
+                     {}};
             state.traction.col(own_) = inner.traction;
         }
     }

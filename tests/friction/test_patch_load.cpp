@@ -221,9 +221,7 @@ TEST_CASE("patch_load: tangents of friction by creepages, load and semi-axes") {
     for (const bool single : {true, false}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             CAPTURE(single, name(integrator));
-            // slip is not turned: tangents are at constant angles
-            const Model model(scene.contact, single ? scene.breathing() : shapes().system(1), unchecked,
-                              {.law = {mu}, .normal_pressure = scene.pressure(), .turned = false}, integrator);
+            const Model model = scene.model(single ? scene.breathing() : shapes().system(1), integrator);
             auto workspace = model.workspace();
             auto from = model.at_rest(), to = from;
             NormalLoad<double> load{1.1 * from.normal_pressure, 1.04 * a_0, 0.7 * from.normal_pressure, 1.04 * a_0};

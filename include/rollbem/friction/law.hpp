@@ -86,9 +86,9 @@ struct Friction {
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
     FrictionMemory<Scalar> memory{};
-    /// Whether results include tangents if mu depends on slip; if it is constant, they always do. Tangents left out are
-    /// NaN, which saves time: each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3,
-    /// unless the slip velocities are those of the stage before.
+    /// Whether results include tangents. Tangents left out are NaN, which saves time with two directions and if mu depends
+    /// on slip: then each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3, unless the
+    /// slip velocities are those of the stage before.
     bool with_tangents = true;
     /// With two directions, and if the equations of the system hold half an element ahead of the elements' centres
     /// (Elements::half_element_ahead), whether slip is turned to the direction that it has at the centres, where the

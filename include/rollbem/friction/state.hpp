@@ -55,15 +55,20 @@ struct FrictionState {
     /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
     SolverRecord<Scalar> solver;
+    /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step depend:
+    /// like traction where slip is turned, or empty, as if they were the same.
+    ElementVectors<Scalar, directions> plain_traction;
 };
 
 namespace detail {
 
 /// Where a solution is sought: at tractions in G and the zones that go with them. One direction needs the zones alone.
+/// `plain_traction`: for slip that is not turned, if its equations are others (CombinedSolver::plain_constant).
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;
     const std::vector<Zone>& zones;
+    const ElementVectors<Scalar, directions>* plain_traction = nullptr;
 };
 
 /// The first type with one direction, the second with two.

@@ -128,18 +128,14 @@ public:
     void respond(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                  Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
                  Vector& friction_change) {
-        factorise(law, memory, passage, solver, friction);
-        const bool constant_only = change.before == nullptr && change.bound == nullptr;
+        factorise(law, memory, passage, solver, friction, true);
+        const bool constant_only = Slip::directions == 1 && change.before == nullptr && change.bound == nullptr;
         if (constant_only && answered_ && same_bits(change.constant, asked_)) {
             traction_change = answer_;
             friction_change = friction_answer_;
             return;
         }
-        if (change.bound == nullptr) {
-            solver.respond(change.constant, traction_change);
-        } else {
-            solver.respond(change.constant, *change.bound, traction_change);
-        }
+        Slip::respond(solver, change.constant, change.bound, traction_change);
         slip_.change_size(solver, change.constant, traction_change, response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
@@ -152,7 +148,7 @@ public:
         spread(friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
         if (change.bound != nullptr) tried_ += *change.bound;
-        solver.respond(change.constant, tried_, traction_change);
+        Slip::respond(solver, change.constant, &tried_, traction_change);
         if (!constant_only) return;
         answered_ = true;
         asked_ = change.constant;
@@ -248,7 +244,7 @@ private:
     template <class Law>
     void linearise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
-        factorise(law, memory, passage, solver, mu);
+        factorise(law, memory, passage, solver, mu, false);
         step_ = residual_;
         spread(step_);
     }
@@ -266,11 +262,12 @@ private:
     }
 
     // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
-    // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero.
+    // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero. Tangents
+    // need the `exact` derivatives; Newton's method does without those of the angles of turned slip.
     template <class Law>
     void factorise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                   Solver& solver, const Vector& mu) {
-        slip_.linearise(solver);
+                   Solver& solver, const Vector& mu, bool exact) {
+        slip_.linearise(solver, exact);
         const bool steady = passage.before == nullptr;
         // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
         // far above any slip

@@ -51,6 +51,8 @@ public:
         return matrix_;
     }
 
+    void exchange_matrix(StickEquations& other) { matrix_.swap(other.matrix_); }
+
     /// Factorises for the elements with stick = 1. False if M(S, S) is singular to working precision.
     bool factorise(const Vector& stick) {
         Index count = 0;
