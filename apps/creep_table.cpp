@@ -19,9 +19,10 @@
 #include <vector>
 
 #include <rollbem/compiled/creep_force_table.hpp>
+#include <rollbem/compiled/patch.hpp>
 #include <rollbem/detail/parallel_for.hpp>
+#include <rollbem/vehicle/make_creep_force_table.hpp>
 
-#include "creep/source.hpp"
 #include "support/csv.hpp"
 #include "support/files.hpp"
 #include "support/options.hpp"
@@ -60,7 +61,7 @@ Job make_job(const study::Options& options) {
     rollbem::detail::parallel_for(coefficients.size(), study::job_count(options), [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i),
                                                             static_cast<Eigen::Index>(shapes), ends[0], ends[1]);
-        creep::Source source(a_over_b, nu, n);
+        rollbem::CreepForceSource source(a_over_b, nu, n);
         const rollbem::PatchSteadySolution<double> steady = source.coefficients();
         coefficients[i] = steady;
         elements[i] = {static_cast<double>(source.mesh().elements_per_strip()),
@@ -88,25 +89,9 @@ const std::vector<std::string>& columns() {
     return names;
 }
 
-/// Nodes of one ellipse with the same xi; the rows are those of the grid, in its order.
-struct Slab {
-    Eigen::Index shape, first, last;
-};
-
-std::vector<Slab> slabs_of(const CreepForceGrid& grid) {
-    std::vector<Slab> slabs;
-    for (Eigen::Index shape = 0; shape < grid.shapes(); ++shape) {
-        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-            if (node == 0 || grid.place(node).x != grid.place(node - 1).x) slabs.push_back({shape, node, node});
-            ++slabs.back().last;
-        }
-    }
-    return slabs;
-}
-
-void emit_slab(const Job& job, const Slab& slab, study::RowRange range, const study::Emit& emit) {
+void emit_slab(const Job& job, const rollbem::CreepForceSlab& slab, study::RowRange range, const study::Emit& emit) {
     const CreepForceGrid& grid = job.grid;
-    creep::Source source(grid.a_over_b(slab.shape), grid.poisson_ratio(), job.n);
+    rollbem::CreepForceSource source(grid.a_over_b(slab.shape), grid.poisson_ratio(), job.n);
     const Eigen::Index first = slab.first + static_cast<Eigen::Index>(range.first),
                        last = slab.first + static_cast<Eigen::Index>(range.last);
     // along a line of growing spin each solution starts from the one before, also where rows begin in the middle
@@ -114,7 +99,7 @@ void emit_slab(const Job& job, const Slab& slab, study::RowRange range, const st
     while (!grid.begins_line(begin)) --begin;
     for (Eigen::Index node = begin; node < last; ++node) {
         const Creepage<double> v = grid.creepage(slab.shape, node);
-        const creep::Source::Solution solution = source.solve(v, grid.begins_line(node));
+        const rollbem::CreepForceSource::Solution solution = source.solve(v, grid.begins_line(node));
         if (node < first) continue;
         const auto& step = solution.step;
         study::Row row{source.contact().a_over_b(),
@@ -217,7 +202,7 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
         std::uniform_real_distribution<double> uniform;
         const double low = job.grid.smallest_a_over_b(), high = job.grid.largest_a_over_b();
         const double a_over_b = low * std::pow(high / low, uniform(random));
-        creep::Source source(a_over_b, job.grid.poisson_ratio(), job.n);
+        rollbem::CreepForceSource source(a_over_b, job.grid.poisson_ratio(), job.n);
         const auto c = source.coefficients();
         const auto& contact = source.contact();
         const std::size_t scenes = std::min(together, count - ellipse * together);
@@ -227,7 +212,7 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
             const Eigen::Array3d direction =
                 level * Eigen::Array3d(radius * std::cos(angle), radius * std::sin(angle), height);
             const Creepage<double> v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
-            const creep::Source::Solution solved = source.solve(v, true);
+            const rollbem::CreepForceSource::Solution solved = source.solve(v, true);
             const double load = contact.half_width();  // G a b
             const auto found = table.look_up(contact, 1, load, {v.longitudinal, v.lateral, v.spin / contact.c()});
             if (solved.step.status != rollbem::StepStatus::ok || found.status != rollbem::StepStatus::ok) {
@@ -352,11 +337,12 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
             finish(given, job, *binary, made, scenes);
             return study::exit_ok;
         }
-        const std::vector<Slab> slabs = slabs_of(job.grid);
+        const std::vector<rollbem::CreepForceSlab> slabs = slabs_of(job.grid);
         std::optional<CreepForceTable> made;
         study::Table table;
         table.columns = columns();
-        for (const Slab& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
+        for (const rollbem::CreepForceSlab& slab : slabs)
+            table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
         table.label = [&](std::size_t task) {
             return "a/b = " + study::Cell(job.grid.a_over_b(slabs[task].shape)).text(3);
         };

@@ -148,7 +148,7 @@ private:
 struct CreepForceRange {
     double poisson_ratio = 0.28;
     double smallest_a_over_b = 0.1, largest_a_over_b = 10;
-    Eigen::Index shapes = 20;  ///< ellipses
+    Eigen::Index shapes = 13;  ///< ellipses
     int levels = 19;           ///< nodes between no creepage and full sliding
     Eigen::Index n = 17;       ///< patches of some n^2 elements
 };
