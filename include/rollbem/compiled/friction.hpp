@@ -26,6 +26,8 @@ extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
 extern template class detail::FrictionCore<ExponentialFall<double>, 1, double>;
 extern template class detail::FrictionCore<ExponentialFall<double>, 2, double>;
+extern template decltype(detail::find_exact_border<double, AnyKernel<double>>)
+    detail::find_exact_border<double, AnyKernel<double>>;
 extern template decltype(detail::find_exact_border<double, PlaneKernel<double>>)
     detail::find_exact_border<double, PlaneKernel<double>>;
 extern template decltype(detail::find_exact_border<double, StripKernel<double>>)
