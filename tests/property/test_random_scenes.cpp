@@ -48,8 +48,7 @@ struct Scene {
 
 using Kernel = AnyKernel<double>;
 Kernel kernel_of(const Scene& scene) {
-    if (scene.plane) return PlaneKernel<double>(scene.aspect, scene.c1(), scene.c2());
-    return StripKernel<double>(scene.aspect, scene.c1(), scene.c2());
+    return {scene.plane ? LineModel::plane : LineModel::strip, scene.aspect, scene.c1(), scene.c2()};
 }
 
 // as assemble(), also where G is not finite
@@ -228,14 +227,13 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
         // Poisson's ratio only scales G' of the plane kernel
         const double tolerance = (1000 * eps + scene.rounding) / solution.rcond;
         if (scene.plane) {
-            const double other = steady_of(scene, PlaneKernel<double>(1, 1, scenes.uniform(0, 1))).c11;
+            const double other = steady_of(scene, {LineModel::plane, 1, 1, scenes.uniform(0, 1)}).c11;
             const double scaled = solution.c11 / scene.carter() * (std::acos(-1.0) / 2);
             if (!(std::abs(scaled / other - 1) <= tolerance)) CHECK(scaled == Approx(other).epsilon(tolerance));
         }
         // A wider strip is less stiff. For nu above 1/3 the term of order (a/b)^2 has the other sign.
         if (!scene.plane && scene.modest && 2 * scene.c2() < scene.c1()) {
-            const StripKernel<double> wide(2 * scene.aspect, scene.c1(), scene.c2());
-            const double wider = steady_of(scene, wide).c11;
+            const double wider = steady_of(scene, {LineModel::strip, 2 * scene.aspect, scene.c1(), scene.c2()}).c11;
             if (!(wider <= solution.c11 * (1 + tolerance))) CHECK(wider <= solution.c11);
         }
     });

@@ -4,9 +4,11 @@
 
 #include <limits>
 #include <optional>
-#include <variant>
+
+#include <Eigen/Core>
 
 #include "../detail/finite.hpp"
+#include "detail/parameters.hpp"
 #include "line_kernel.hpp"
 
 namespace rollbem {
@@ -17,71 +19,47 @@ enum class LineModel {
     plane,  ///< PlaneKernel
 };
 
-/// A StripKernel or a PlaneKernel, with all that both offer.
+/// A StripKernel or a PlaneKernel.
 template <class Scalar_ = double>
 class AnyKernel {
 public:
     using Scalar = Scalar_;
     using Array = ArrayX<Scalar>;
 
-    AnyKernel(const StripKernel<Scalar>& kernel) : kernel_(kernel) {}  // NOLINT: implicit
-    AnyKernel(const PlaneKernel<Scalar>& kernel) : kernel_(kernel) {}  // NOLINT: implicit
+    /// half_width, c1 and c2 as in both kernels.
+    AnyKernel(LineModel model, Scalar half_width, Scalar c1, Scalar c2)
+        : is_plane_(model == LineModel::plane || !detail::is_finite(half_width)),
+          plane_(half_width, c1, c2),
+          strip_(half_width, c1, c2) {}
 
-    /// Those of a contact. Throw std::invalid_argument as the kernels do.
     static AnyKernel longitudinal(LineModel model, const Contact<Scalar>& contact) {
-        if (is_strip(model, contact)) return StripKernel<Scalar>::longitudinal(contact);
-        return PlaneKernel<Scalar>::longitudinal(contact);
+        return detail::longitudinal_kernel<AnyKernel>(contact, model);
     }
     static AnyKernel lateral(LineModel model, const Contact<Scalar>& contact) {
-        if (is_strip(model, contact)) return StripKernel<Scalar>::lateral(contact);
-        return PlaneKernel<Scalar>::lateral(contact);
+        return detail::lateral_kernel<AnyKernel>(contact, model);
     }
 
-    LineModel model() const {
-        return std::holds_alternative<PlaneKernel<Scalar>>(kernel_) ? LineModel::plane : LineModel::strip;
-    }
-    Scalar half_width() const {  ///< b in units of a
-        return visit([](const auto& k) { return k.half_width(); });
-    }
+    LineModel model() const { return is_plane_ ? LineModel::plane : LineModel::strip; }
+    Scalar half_width() const { return plane_.half_width(); }  ///< b in units of a
     /// Lambda of the plane; infinite for the strip, all of whose modes decay.
-    Scalar lambda() const {
-        const auto* plane = std::get_if<PlaneKernel<Scalar>>(&kernel_);
-        return plane != nullptr ? plane->lambda() : std::numeric_limits<Scalar>::infinity();
-    }
+    Scalar lambda() const { return is_plane_ ? plane_.lambda() : std::numeric_limits<Scalar>::infinity(); }
 
-    Array g(const Array& x) const {
-        return visit([&](const auto& k) { return k.g(x); });
-    }
-    Array H(const Array& x) const {
-        return visit([&](const auto& k) { return k.H(x); });
-    }
-    Array H_integral(const Array& x) const {
-        return visit([&](const auto& k) { return k.H_integral(x); });
-    }
+    Array g(const Array& x) const { return is_plane_ ? plane_.g(x) : strip_.g(x); }
+    Array H(const Array& x) const { return is_plane_ ? plane_.H(x) : strip_.H(x); }
+    Array H_integral(const Array& x) const { return is_plane_ ? plane_.H_integral(x) : strip_.H_integral(x); }
     std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
-        return visit([&](const auto& k) { return k.log_split(reach); });
+        return is_plane_ ? plane_.log_split(reach) : strip_.log_split(reach);
     }
-    SmoothSplit<Scalar> smooth_split() const {
-        return visit([](const auto& k) { return k.smooth_split(); });
-    }
-    Array smooth_part(const Array& x) const {
-        return visit([&](const auto& k) { return k.smooth_part(x); });
-    }
-    Scalar smooth_slope(Scalar x) const {
-        return visit([&](const auto& k) { return k.smooth_slope(x); });
-    }
-    /// Of the strip: the plane always has a log_split, which the assembly prefers.
-    typename StripKernel<Scalar>::Coefficients taylor(const Array& x, Eigen::Index order) const {
-        return std::get<StripKernel<Scalar>>(kernel_).taylor(x, order);
-    }
+    SmoothSplit<Scalar> smooth_split() const { return is_plane_ ? plane_.smooth_split() : strip_.smooth_split(); }
+    Array smooth_part(const Array& x) const { return is_plane_ ? plane_.smooth_part(x) : strip_.smooth_part(x); }
+    Scalar smooth_slope(Scalar x) const { return is_plane_ ? plane_.smooth_slope(x) : strip_.smooth_slope(x); }
+    /// For the strip alone: the plane always has a log_split, which the assembly prefers.
+    auto taylor(const Array& x, Eigen::Index order) const { return strip_.taylor(x, order); }
 
 private:
-    static bool is_strip(LineModel model, const Contact<Scalar>& contact) {
-        return model == LineModel::strip && detail::is_finite(contact.aspect());
-    }
-    auto visit(const auto& function) const { return std::visit(function, kernel_); }
-
-    std::variant<StripKernel<Scalar>, PlaneKernel<Scalar>> kernel_;
+    bool is_plane_;
+    PlaneKernel<Scalar> plane_;
+    StripKernel<Scalar> strip_;
 };
 
 }  // namespace rollbem
