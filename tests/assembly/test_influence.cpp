@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal 
                                             Galerkin{alpha, alpha, fd}, Galerkin{alpha, alpha, analytic, 1, 3}}) {
                     for (const bool slope : {true, false}) {
                         const MatrixX<Scalar> fast = build(mesh, scheme, kernel, slope);
-                        CAPTURE(n, kernel_name, alpha, scheme.index(), slope);
+                        CAPTURE(n, kernel_name, alpha, scheme.get_if<Galerkin>() != nullptr, slope);
                         CHECK(fast.allFinite());
                         // no edges to keep clear of beyond the contact, so the last rows may differ
                         const bool at_outer_edge = std::abs(alpha) == 1.5;
