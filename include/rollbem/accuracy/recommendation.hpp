@@ -124,7 +124,7 @@ inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double asp
         return at < errors.size() ? errors[at] : beyond;
     };
     const double count = static_cast<double>(m);
-    const double strip = 0.6 * std::exp(-count * std::asinh(std::max(aspect, std::sqrt(aspect))));
+    const double strip = 0.6 * std::exp(-count * std::asinh((std::max)(aspect, std::sqrt(aspect))));
     const double narrow = aspect < 10 ? 3 : 1;
     switch (purpose) {
         case Purpose::steady: break;
@@ -148,10 +148,10 @@ RecommendedElements recommended_elements(double tolerance, AnyPurpose purpose) {
         require(false, "recommended_elements", "tolerance", tolerance, rule.c_str());
     }
     result.n =
-        std::max(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
+        (std::max)(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
     if (result.order > 0) result.n += result.n % 2;
-    result.n = std::min(result.n, largest);  // in case pow rounds up
-    result.error_bound = std::min(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
+    result.n = (std::min)(result.n, largest);  // in case pow rounds up
+    result.error_bound = (std::min)(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
     return result;
 }
 
@@ -186,7 +186,7 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
     constexpr Eigen::Index largest = 400;
     detail::require(!detail::is_nan(aspect) && aspect >= 0.01, "recommended_scheme", "aspect", aspect,
                     "be at least 0.01: narrower strips were not measured");
-    const double smallest = std::max(1e-11, detail::states_error(purpose, largest, aspect));
+    const double smallest = (std::max)(1e-11, detail::states_error(purpose, largest, aspect));
     if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
         const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): smaller ones were not measured";
         detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
@@ -196,7 +196,7 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
     while (detail::states_error(purpose, m, aspect) > tolerance) ++m;
     // rounding dominates once the other errors are gone
     const double rounding = static_cast<double>(10 * m) * std::numeric_limits<double>::epsilon();
-    result.error_bound = std::min(tolerance, detail::states_error(purpose, m, aspect) + rounding);
+    result.error_bound = (std::min)(tolerance, detail::states_error(purpose, m, aspect) + rounding);
     return result;
 }
 

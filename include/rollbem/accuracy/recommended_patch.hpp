@@ -37,7 +37,7 @@ inline Eigen::Index recommended_strips(Eigen::Index n, double a_over_b) {
     detail::require(n >= 1, "recommended_strips", "n", n, "be at least 1");
     detail::require(!detail::is_nan(a_over_b) && a_over_b >= 0.1 && a_over_b <= 10, "recommended_strips", "a_over_b",
                     a_over_b, "lie in [0.1, 10]: other ratios were not measured");
-    const double half = static_cast<double>(n) / 4 * std::max(1.0, std::pow(a_over_b, -2.0 / 3));
+    const double half = static_cast<double>(n) / 4 * (std::max)(1.0, std::pow(a_over_b, -2.0 / 3));
     return 2 * static_cast<Eigen::Index>(half) + 1;
 }
 
@@ -64,7 +64,7 @@ inline RecommendedPatch recommended_patch(double tolerance, double a_over_b,
     constexpr Eigen::Index least_n = 6, largest_n = 32;
     RecommendedPatch result{.n = least_n, .strips = recommended_strips(least_n, a_over_b)};
     detail::require(!detail::is_nan(spin) && spin >= 0, "recommended_patch", "spin", spin, "not be negative");
-    const double factor = std::max(1.6, spin < 1.25 ? 4 * spin : 5) * std::sqrt(std::min(1.0, a_over_b));
+    const double factor = (std::max)(1.6, spin < 1.25 ? 4 * spin : 5) * std::sqrt((std::min)(1.0, a_over_b));
     const auto bound = [&](Eigen::Index n) { return factor / static_cast<double>(n * n); };
     if (!detail::is_finite(tolerance) || !(tolerance >= bound(largest_n) && tolerance < 1)) {
         const std::string rule =

@@ -87,7 +87,7 @@ requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> st
         if (stride > 1) {
             const bool quiet = !next.unstable && next.regular &&
                                std::abs(next.flattest_cosine - here.flattest_cosine) <=
-                                   std::min(-here.flattest_cosine, -next.flattest_cosine) / 4;
+                                   (std::min)(-here.flattest_cosine, -next.flattest_cosine) / 4;
             if (!quiet) {
                 fine_until = k + stride;
                 continue;

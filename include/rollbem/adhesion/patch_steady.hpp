@@ -58,8 +58,8 @@ template <class Scalar>
 void add_part(const Response<Scalar>& part, Eigen::Index first, PatchSteadySolution<Scalar>& solution) {
     const Eigen::Index count = part.coefficients.cols();
     solution.coefficients.block(first, first, count, count) = part.coefficients;
-    solution.residual = std::max(solution.residual, part.residual);
-    solution.rcond = std::min(solution.rcond, part.rcond);
+    solution.residual = (std::max)(solution.residual, part.residual);
+    solution.rcond = (std::min)(solution.rcond, part.rcond);
     if (solution.status == Status::ok) solution.status = part.status;
 }
 

@@ -66,7 +66,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     MatrixX<Scalar> square(A.cols(), A.cols());
     square.noalias() = A.transpose() * A;
     const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
-    return std::sqrt(std::max(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
+    return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
 }
 
 /// |G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).
@@ -211,11 +211,11 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
     result.spectral_abscissa = -infinity;
     Scalar largest = 0, smallest = infinity;
     for (const std::complex<Scalar>& nu : result.eigenvalues()) {
-        result.spectral_radius = std::max(result.spectral_radius, std::abs(nu));
-        largest = std::max(largest, std::abs(nu.real()));
-        smallest = std::min(smallest, std::abs(nu.real()));
+        result.spectral_radius = (std::max)(result.spectral_radius, std::abs(nu));
+        largest = (std::max)(largest, std::abs(nu.real()));
+        smallest = (std::min)(smallest, std::abs(nu.real()));
         if (!detail::is_finite(nu.real())) continue;
-        result.spectral_abscissa = std::max(result.spectral_abscissa, nu.real());
+        result.spectral_abscissa = (std::max)(result.spectral_abscissa, nu.real());
         if (nu.real() > 0) ++result.unstable_count;
     }
     result.stiffness_ratio = largest / smallest;

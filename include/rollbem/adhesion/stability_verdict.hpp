@@ -33,7 +33,7 @@ struct StabilityVerdict {
                 .unstable_count = one.unstable_count + other.unstable_count,
                 .settled_unstable_count = one.settled_unstable_count + other.settled_unstable_count,
                 .uncertain_count = one.uncertain_count + other.uncertain_count,
-                .spectral_abscissa = std::max(one.spectral_abscissa, other.spectral_abscissa),
+                .spectral_abscissa = (std::max)(one.spectral_abscissa, other.spectral_abscissa),
                 .status = one.status == Status::ok ? other.status : one.status};
     }
 };

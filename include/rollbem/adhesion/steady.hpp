@@ -79,8 +79,8 @@ SteadySolution<Scalar> judge_steady(FactorisedSteady<Scalar> factorised, const A
     SteadySolution<Scalar> solution = std::move(factorised.solution);
     Scalar largest_residual = 0, largest_traction = 0;
     for (Eigen::Index l = 0; l < n; ++l) {
-        largest_residual = std::max(largest_residual, std::abs(product[l] - 1));
-        largest_traction = std::max(largest_traction, std::abs(solution.traction[l]));
+        largest_residual = (std::max)(largest_residual, std::abs(product[l] - 1));
+        largest_traction = (std::max)(largest_traction, std::abs(solution.traction[l]));
     }
     solution.residual = all_finite(product) ? largest_residual / (factorised.norm * largest_traction + 1)
                                             : std::numeric_limits<Scalar>::infinity();

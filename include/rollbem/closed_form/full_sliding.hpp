@@ -31,7 +31,8 @@ ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar la
     const Scalar pole_x = -sign * lateral / a, pole_y = sign * longitudinal / b, far = std::hypot(pole_x, pole_y);
     ForceRatios<Scalar> sum;
     if (far == 0 && rate == 0) return sum;
-    const int count = 48 + static_cast<int>(6 * std::clamp(std::max(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));
+    const int count =
+        48 + static_cast<int>(6 * std::clamp((std::max)(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));
     // a chord in the direction e at the distance `offset` from the middle; `lever`: its middle seen from the pole
     const auto add = [&](Scalar e_x, Scalar e_y, Scalar offset, Scalar force, Scalar moment) {
         const Scalar length = std::hypot(a * e_x, b * e_y);

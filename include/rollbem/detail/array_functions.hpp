@@ -75,7 +75,7 @@ template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> finite_log(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
     Eigen::Array<Scalar, Eigen::Dynamic, 1> result(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-        result[i] = std::max(std::abs(x[i]), std::numeric_limits<Scalar>::min());
+        result[i] = (std::max)(std::abs(x[i]), (std::numeric_limits<Scalar>::min)());
     }
     log_in_place(result);
     return result;

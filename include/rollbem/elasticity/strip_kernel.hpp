@@ -107,10 +107,10 @@ private:
 
     // asinh(b/|x|) = ln(1 + (b + b^2/(r + |x|)) / |x|)
     Array asinh_of_inverse(const Array& x, const Array& r) const {
-        const Scalar least = std::numeric_limits<Scalar>::min() * 8 * (1 + b_);  // b/size stays finite
+        const Scalar least = (std::numeric_limits<Scalar>::min)() * 8 * (1 + b_);  // b/size stays finite
         Array u(x.size());
         for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const Scalar size = std::max(std::abs(x[i]), least);
+            const Scalar size = (std::max)(std::abs(x[i]), least);
             u[i] = (b_ + b_ * b_ / (r[i] + size)) / size;
         }
         return detail::log1p_array(u);
@@ -165,7 +165,7 @@ typename StripKernel<Scalar_>::Coefficients StripKernel<Scalar_>::taylor(const A
     Coefficients result(size, order + 1);
     std::copy_n(value.data(), size, result.data());
     for (Eigen::Index first = 0; first < size; first += Series::size) {
-        const Eigen::Index count = std::min(Series::size, size - first);
+        const Eigen::Index count = (std::min)(Series::size, size - first);
         Series series(x.data() + first, r.data() + first, count);
         for (Eigen::Index k = 0; k < order; ++k) {
             Scalar coefficient[Series::size];

@@ -58,7 +58,7 @@ struct LinearFall {
     Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
 
     Scalar operator()(Scalar velocity) const noexcept {
-        return mu_k + (mu_0 - mu_k) * std::max(Scalar(0), 1 - velocity / (2 * half_velocity));
+        return mu_k + (mu_0 - mu_k) * (std::max)(Scalar(0), 1 - velocity / (2 * half_velocity));
     }
 };
 
@@ -72,7 +72,7 @@ struct FrictionMemory {
 
     /// Weight of the old mu after a time [s] at a velocity [m/s], by implicit Euler.
     Scalar kept(Scalar velocity, Scalar duration) const noexcept {
-        return distance > 0 ? distance / (distance + duration * std::max(velocity, least_velocity)) : Scalar(0);
+        return distance > 0 ? distance / (distance + duration * (std::max)(velocity, least_velocity)) : Scalar(0);
     }
 };
 

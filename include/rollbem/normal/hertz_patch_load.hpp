@@ -121,8 +121,8 @@ private:
     StepStatus cover(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
         // without load, a contact far smaller than any element: it begins in the middle
         const Scalar beginning = std::numeric_limits<Scalar>::epsilon();
-        const Scalar a = std::max(ellipse.half_length, beginning * axes_.half_length),
-                     b = std::max(ellipse.half_width, beginning * axes_.half_width);
+        const Scalar a = (std::max)(ellipse.half_length, beginning * axes_.half_length),
+                     b = (std::max)(ellipse.half_width, beginning * axes_.half_width);
         const Scalar share =
             detail::set_ellipse_pressures(a, b, load, elements_, result.normal_pressure, result.pressure_rate);
         if (share >= detail::least_share<Scalar>) return StepStatus::ok;

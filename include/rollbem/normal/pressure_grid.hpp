@@ -69,7 +69,7 @@ private:
         Eigen::Index k = std::max<Eigen::Index>(std::upper_bound(begin, begin + size, low) - begin - 1, 0);
         Weights found{k, {0}};
         for (; k + 1 < size && knots[k] < high; ++k) {
-            const Scalar from = std::max(low, knots[k]), to = std::max(std::min(high, knots[k + 1]), from);
+            const Scalar from = (std::max)(low, knots[k]), to = (std::max)((std::min)(high, knots[k + 1]), from);
             const Scalar part = ((from + to) / 2 - knots[k]) / (knots[k + 1] - knots[k]);
             found.values.back() += (to - from) * (1 - part);
             found.values.push_back((to - from) * part);

@@ -294,7 +294,7 @@ MatrixX<Scalar> displacement_matrix(Eigen::Index order, Scalar poisson_ratio, Sc
 template <std::floating_point Scalar>
 struct MonomialOptions {
     /// Condition above which the status is ill_conditioned; 1e12 in double.
-    Scalar largest_condition = std::min(Scalar(1e12), Scalar(2e-4) / std::numeric_limits<Scalar>::epsilon());
+    Scalar largest_condition = (std::min)(Scalar(1e12), Scalar(2e-4) / std::numeric_limits<Scalar>::epsilon());
     /// Relative difference of c11 between order and order + 10 above which the status is not_converged.
     Scalar tolerance = std::cbrt(std::numeric_limits<Scalar>::epsilon()) / 100;
 };

@@ -390,7 +390,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double position = (std::log(contact.a_over_b()) - first) / (last - first);
     result.a_over_b_on_table = position >= -1e-12 && position <= 1 + 1e-12;
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
-    const auto cell = std::min(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
+    const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
     const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
     Eigen::Array4d linear = Eigen::Array4d::Zero();
     for (Eigen::Index k = 0; k < 4; ++k) {

@@ -25,7 +25,7 @@ template <class Scalar, class Traction>
 Scalar assisting_share(const Traction& traction, const ArrayX<Scalar>& widths) {
     Scalar assisting = 0, all = 0;
     for (Eigen::Index i = 0; i < traction.size(); ++i) {
-        assisting += widths[i] * std::max(traction[i], Scalar(0));
+        assisting += widths[i] * (std::max)(traction[i], Scalar(0));
         all += widths[i] * std::abs(traction[i]);
     }
     return assisting > 0 ? assisting / all : Scalar(0);

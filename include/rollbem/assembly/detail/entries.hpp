@@ -82,7 +82,7 @@ struct Entries {
     Scalar reach() const {
         Array from(count);
         for (Eigen::Index l = 0; l < count; ++l) {
-            from[l] = std::max(rows.from_leading[l], rows.from_trailing[l]) + std::abs(rows.offset[l]) +
+            from[l] = (std::max)(rows.from_leading[l], rows.from_trailing[l]) + std::abs(rows.offset[l]) +
                       Scalar(averages) * rows.half[l];
         }
         return from.maxCoeff() + columns.half.maxCoeff();
@@ -94,7 +94,7 @@ private:
         const Eigen::Index full = (size + chunk - 1) / chunk * chunk;
         const auto pad = [&](const Array& values) {
             Array result(full);
-            for (Eigen::Index l = 0; l < full; ++l) result[l] = values[std::min(l, size - 1)];
+            for (Eigen::Index l = 0; l < full; ++l) result[l] = values[(std::min)(l, size - 1)];
             return result;
         };
         return {pad(points.from_trailing), pad(points.from_leading), pad(points.offset), pad(points.half),

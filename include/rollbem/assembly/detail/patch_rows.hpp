@@ -52,8 +52,8 @@ StripRows<Scalar> strip_rows(const Mesh<Scalar>& along, const Scheme& scheme, Qu
         const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * along.widths()[i];
         const auto back = place(-half);
         const bool shared = slope && i > 0 &&
-                            std::min(std::abs(back.from_trailing - rows.places.back().from_trailing),
-                                     std::abs(back.from_leading - rows.places.back().from_leading)) <= rounding;
+                            (std::min)(std::abs(back.from_trailing - rows.places.back().from_trailing),
+                                       std::abs(back.from_leading - rows.places.back().from_leading)) <= rounding;
         if (!shared) rows.places.push_back(back);
         rows.behind.push_back(rows.places.size() - 1);
         if (slope) rows.places.push_back(place(half));
@@ -133,7 +133,7 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
                     *entry++ = kernel.corner(x, y0) - kernel.corner(x, y1);
                 }
             }
-            const Scalar beside = j == k ? Scalar(0) : std::min(std::abs(y0), std::abs(y1));
+            const Scalar beside = j == k ? Scalar(0) : (std::min)(std::abs(y0), std::abs(y1));
             for (Eigen::Index c = 0; c < n; ++c) {
                 const rollbem::Influence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
                 const rollbem::Influence<Scalar>* const leading = trailing + height;

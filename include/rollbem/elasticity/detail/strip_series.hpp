@@ -20,7 +20,7 @@ public:
     /// Expands about `count` <= size points x with r = sqrt(x^2 + b^2).
     StripSeries(const Scalar* x, const Scalar* r, Eigen::Index count) {
         for (Eigen::Index j = 0; j < size; ++j) {
-            const Eigen::Index i = std::min(j, count - 1);
+            const Eigen::Index i = (std::min)(j, count - 1);
             square_[j] = x[i] * x[i];
             kappa_[j] = square_[j] / (r[i] * r[i]);
             y_[j] = y_over_x_[j] = 1 / r[i];

@@ -168,14 +168,14 @@ public:
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
             const Scalar before = start(origin(i)) + sdirk2_ratio<Scalar> * rise(between(i));
-            scratch_.before[i] = std::max(before, Scalar(0));
+            scratch_.before[i] = (std::max)(before, Scalar(0));
         }
     }
 
     typename Slip::Outcome solve(Solver& solver, const Vector& pressure, const typename Slip::Start& from) noexcept {
         typename FallingSet<Slip>::Outcome outcome =
             scratch_.set.solve(law_, memory_, passage(pressure), from, solver, scratch_.friction);
-        outcome.solution.residual = std::max(outcome.solution.residual, outcome.change);
+        outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         outcome.solution.tangent_exists = outcome.solution.tangent_exists && with_tangents_;
         is_easy_ = outcome.solutions <= 4 && (is_easy_ || !second_);

@@ -149,7 +149,7 @@ private:
         if (reach_is_known_) return;
         for (Index i = 0; i < size(); ++i) {
             const Scalar largest =
-                std::max(matrix(0).row(i).cwiseAbs().maxCoeff(), matrix(1).row(i).cwiseAbs().maxCoeff());
+                (std::max)(matrix(0).row(i).cwiseAbs().maxCoeff(), matrix(1).row(i).cwiseAbs().maxCoeff());
             reach_[i] = largest > 0 ? 1 / largest : Scalar(1);
         }
         reach_is_known_ = true;
@@ -161,7 +161,7 @@ private:
     // is. False if none succeeds; then the best point remains.
     bool search(const Vector& bound, const Vectors& traction, const Zones& zones, bool solves_unturned,
                 Outcome& outcome) {
-        least_ = std::numeric_limits<Scalar>::max();
+        least_ = (std::numeric_limits<Scalar>::max)();
         slip_is_known_ = false;
         for (const Start start : {Start::given, Start::sliding, Start::split}) {
             if (start == Start::split) find_split(bound);
@@ -236,7 +236,7 @@ private:
     // Slip along the present traction, of size `norm`.
     void slide_on(Index i, Scalar norm) {
         const Scalar x = traction_(i, 0), y = traction_(i, 1), against = -(x * slip_(i, 0) + y * slip_(i, 1));
-        part_.let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
+        part_.let_slide(i, x, y, norm, (std::max)(against, Scalar(0)) / (norm * norm));
     }
 
     void start_sliding(const Vector& bound) {
@@ -269,7 +269,7 @@ private:
 
     // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
-        Scalar before = std::numeric_limits<Scalar>::max();
+        Scalar before = (std::numeric_limits<Scalar>::max)();
         bool keeps_factors = false;  // of the step before
         has_tangent_ = false;
         for (int step = 0; step < longest; ++step) {
@@ -336,7 +336,7 @@ private:
     }
 
     void return_to_best(const Vector& bound) {
-        if (least_ < std::numeric_limits<Scalar>::max()) traction_ = best_;
+        if (least_ < (std::numeric_limits<Scalar>::max)()) traction_ = best_;
         find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
             place(i, bound[i]);
@@ -357,17 +357,17 @@ private:
             zones_[static_cast<std::size_t>(i)] = zone(i);
             const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
             const Scalar norm = std::hypot(x, y);
-            excess = std::max(excess, norm - bound[i]);
+            excess = (std::max)(excess, norm - bound[i]);
             if (part_.stick[i] != 0) {
                 ++stick_count_;
-                slip = std::max(slip, std::hypot(u, v));
+                slip = (std::max)(slip, std::hypot(u, v));
                 slip_.row(i).setZero();
             } else if (part_.slide[i] != 0) {
-                excess = std::max(excess, bound[i] - norm);
+                excess = (std::max)(excess, bound[i] - norm);
                 const Scalar size = norm > 0 ? norm : Scalar(1), along = (x * u + y * v) / size;
-                slip = std::max({slip, std::abs(x * v - y * u) / size, along});
-                part_.let_slide(i, x, y, size, std::max(-along, Scalar(0)) / bound[i]);
-                slip_.row(i) = std::min(along, Scalar(0)) * part_.direction.row(i);
+                slip = (std::max)({slip, std::abs(x * v - y * u) / size, along});
+                part_.let_slide(i, x, y, size, (std::max)(-along, Scalar(0)) / bound[i]);
+                slip_.row(i) = (std::min)(along, Scalar(0)) * part_.direction.row(i);
                 turn_.take_back(i, slip_, i);
                 against_slip_.row(i) = part_.direction.row(i);
                 turn_.take_back(i, against_slip_, i);
@@ -376,7 +376,7 @@ private:
         }
         if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
         const Scalar largest = bound.maxCoeff();
-        return std::max(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
+        return (std::max)(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
     }
 
     CombinedEquations<Scalar> equations_;
@@ -403,7 +403,7 @@ typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vec
                                                                        const ElementVectors<Scalar>& traction,
                                                                        const Zones& zones) noexcept {
     imposed_ = 0;
-    for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+    for (Index i = 0; i < size(); ++i) imposed_ = (std::max)(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
     find_reach();
     turn_.stop();
     Outcome outcome;

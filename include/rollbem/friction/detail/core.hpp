@@ -302,7 +302,7 @@ private:
             }
         }
         const auto outcome = bounds.solve(solver, scratch.bound, {scratch.start, zones});
-        progress.residual = std::max(progress.residual, outcome.residual);
+        progress.residual = (std::max)(progress.residual, outcome.residual);
         progress.rounds += outcome.rounds;
         if constexpr (directions == 1) progress.pivots += outcome.pivots;
         progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;

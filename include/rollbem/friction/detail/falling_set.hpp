@@ -94,7 +94,7 @@ public:
         start_ = friction;
         slip_.begin(start);
         const Scalar rounding = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon();
-        const Scalar largest = std::max(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
+        const Scalar largest = (std::max)(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
         Scalar settled = 0;  // what rounding explains; a law that rises may lead far above where it starts
         const auto find = [&](const Vector& mu) {
             tried_ = mu.cwiseProduct(passage.pressure);
@@ -104,7 +104,7 @@ public:
             ++outcome.solutions;
             evaluate(law, memory, passage, solver, mu);
             outcome.change = largest_difference();
-            settled = rounding * std::max(largest, mu.maxCoeff());
+            settled = rounding * (std::max)(largest, mu.maxCoeff());
         };
         find(friction);
         Scalar scale = residual_.norm();
@@ -236,11 +236,11 @@ private:
             flat = !leaps && std::abs(size - before) < before / 100 ? flat + 1 : leaps ? 1 : 0;
             falling = size < before ? falling + 1 : 0;
             before = size;
-            peak = std::max(peak, size);
+            peak = (std::max)(peak, size);
             const bool passed = peak > 50 * scale && falling >= 25 && size < peak / 5;
             if (size <= settled || passed) break;
         }
-        return std::max(scale, peak / 50);
+        return (std::max)(scale, peak / 50);
     }
 
     // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
@@ -275,7 +275,7 @@ private:
         // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
         // far above any slip
         const Scalar fastest = rounded(velocity_.maxCoeff());
-        const Scalar unit = std::min(memory.least_velocity, fastest) + fastest / 1000;
+        const Scalar unit = (std::min)(memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
         Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
         for (Index i = size() - 1; i >= 0; --i) {
@@ -287,8 +287,8 @@ private:
             const Scalar v = rounded(velocity_[i]), duration = passage.duration[i];
             if (steady) kept_[i] = memory.kept(v, duration);
             if (!slips) continue;
-            const Scalar nearby = share * (v + unit) + std::numeric_limits<Scalar>::min();
-            const Scalar low = std::max(v - nearby, Scalar(0)), high = v + nearby;
+            const Scalar nearby = share * (v + unit) + (std::numeric_limits<Scalar>::min)();
+            const Scalar low = (std::max)(v - nearby, Scalar(0)), high = v + nearby;
             slope_[i] = (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
                         (high - low);
         }
@@ -339,7 +339,7 @@ private:
         }
     }
 
-    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    static constexpr unsigned long never = (std::numeric_limits<unsigned long>::max)();
 
     Slip slip_;
     Vector start_, residual_, tried_, step_;

@@ -42,7 +42,7 @@ protected:
     MatrixX<Scalar> by_traction_;
     std::vector<Index> slipping_;
     Index count_ = 0;
-    unsigned long revision_ = std::numeric_limits<unsigned long>::max();
+    unsigned long revision_ = (std::numeric_limits<unsigned long>::max)();
 };
 
 template <class Scalar>
@@ -73,7 +73,7 @@ public:
 
     /// |s| of an element.
     static Scalar size(const Solver& solver, Index i) {
-        return std::max(Scalar(0), solver.signs()[i] * solver.slip()[i]);
+        return (std::max)(Scalar(0), solver.signs()[i] * solver.slip()[i]);
     }
     /// 0 for a sticking element, else a sign.
     static const Vector& sense(const Solver& solver) { return solver.signs(); }

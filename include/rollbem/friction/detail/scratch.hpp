@@ -100,7 +100,7 @@ struct FrictionScratch {
 
     // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
     // then belongs to a unit dc of the first stage.
-    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    static constexpr unsigned long never = (std::numeric_limits<unsigned long>::max)();
     unsigned long tangent_revision = never, carried_revision = never;
     Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
 };

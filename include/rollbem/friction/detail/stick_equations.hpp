@@ -147,8 +147,8 @@ private:
             Scalar pivot = matrix_(own, own), scale = std::abs(pivot), multiplier = 0;
             for (Index j = 0; j < k; ++j) {
                 pivot -= row_[j] * solution_[j];
-                scale = std::max(scale, std::abs(right_[j]));
-                multiplier = std::max(multiplier, std::abs(row_[j]));
+                scale = (std::max)(scale, std::abs(right_[j]));
+                multiplier = (std::max)(multiplier, std::abs(row_[j]));
             }
             const bool sound = std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier;
             if (!sound || !is_finite(pivot)) return false;

@@ -73,7 +73,7 @@ template <class Scalar>
 Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
     if (!is_finite(b)) return m + 1;
     const Scalar extra = -std::log(std::numeric_limits<Scalar>::epsilon()) / std::asinh(b) + 10;
-    return std::max(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
+    return (std::max)(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
 }
 
 /// Entry (j, k), 0 <= j, k <= m: the coefficient of T_j(x) in the integral of e(x - y) T_k(y)/sqrt(1 - y^2), where e is
