@@ -10,6 +10,7 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/critical_alpha.hpp>
+#include <rollbem/discretisation/any_scheme.hpp>
 
 #include "support/timing.hpp"
 
@@ -24,26 +25,20 @@ Kernel strip() { return Kernel::longitudinal(rollbem::Contact<double>::dimension
 
 Mesh mesh_of(const Case& c) { return rollbem::make_mesh({c.mesh, c.n, c.grading}); }
 
-/// function(scheme) with the scheme's own type.
-template <class Function>
-auto with_scheme(const Case& c, const Function& function) {
-    if (c.method == Method::collocation) {
-        return function(rollbem::Collocation{c.alpha_L, c.alpha_T, c.derivative, c.lambda});
-    }
+rollbem::AnyScheme scheme_of(const Case& c) {
+    if (c.method == Method::collocation) return rollbem::Collocation{c.alpha_L, c.alpha_T, c.derivative, c.lambda};
     const int quadrature = c.method == Method::galerkin_7 ? 7 : rollbem::exact_quadrature;
-    return function(rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature});
+    return rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature};
 }
 
 rollbem::ElementSystem<double> system_of(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::rolling_system(mesh_of(c), scheme, strip()); });
+    return rollbem::rolling_system(mesh_of(c), scheme_of(c), strip());
 }
 
-Eigen::MatrixXd G_prime(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble_G_prime(mesh_of(c), scheme, strip()); });
-}
+Eigen::MatrixXd G_prime(const Case& c) { return rollbem::assemble_G_prime(mesh_of(c), scheme_of(c), strip()); }
 
 rollbem::SteadySolution<double> steady(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::solve_steady(mesh_of(c), scheme, strip()); });
+    return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip());
 }
 
 double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {

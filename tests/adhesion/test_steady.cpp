@@ -28,13 +28,11 @@ constexpr auto fd = Derivative::finite_difference;
 constexpr auto analytic = Derivative::analytic;
 
 // c11 over its exact value, minus 1, for a wide strip
-template <class Scheme>
-double error(const Mesh<double>& mesh, const Scheme& scheme, double nu = 0.25) {
+double error(const Mesh<double>& mesh, const AnyScheme& scheme, double nu = 0.25) {
     return solve_steady(mesh, scheme, StripKernel<double>(1000, 1 - nu, nu)).c11 / steady_c11(nu) - 1;
 }
 
-template <class Scheme>
-double plane_error(const Mesh<double>& mesh, const Scheme& scheme) {
+double plane_error(const Mesh<double>& mesh, const AnyScheme& scheme) {
     return solve_steady(mesh, scheme, PlaneKernel<double>(1000, 0.75, 0.25)).c11 / steady_c11(0.25) - 1;
 }
 

@@ -269,8 +269,7 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
                                         .body_1 = {2e11, 0.3},
                                         .body_2 = {2e11, 0.3}});
     const double a = ellipse.half_length();
-    const PatchContact<double> contact(
-        {.half_length = a, .half_width = a, .shear_modulus = 8e10, .poisson_ratio = 0.3});
+    const PatchContact<double> contact = ellipse.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 5, 5);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(0.3);

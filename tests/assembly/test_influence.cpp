@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <rollbem/compiled/assembly.hpp>
@@ -23,12 +22,10 @@ constexpr auto fd = Derivative::finite_difference;
 constexpr auto analytic = Derivative::analytic;
 
 template <class Scalar>
-MatrixX<Scalar> build(const Mesh<Scalar>& mesh, const brute_force::Scheme& scheme, const brute_force::Kernel& kernel,
+MatrixX<Scalar> build(const Mesh<Scalar>& mesh, const AnyScheme& scheme, const brute_force::Kernel& kernel,
                       bool slope) {
-    return brute_force::with_library_kernel<Scalar>(kernel, [&](const auto& k) {
-        return std::visit([&](const auto& s) { return slope ? assemble_G_prime(mesh, s, k) : assemble_G(mesh, s, k); },
-                          scheme);
-    });
+    return brute_force::with_library_kernel<Scalar>(
+        kernel, [&](const auto& k) { return slope ? assemble_G_prime(mesh, scheme, k) : assemble_G(mesh, scheme, k); });
 }
 
 // The largest difference of two matrices over the largest entry of the second.
@@ -134,12 +131,12 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal 
         const Mesh<Scalar> mesh = uniform_mesh<Scalar>(n), general = as_general(mesh);
         for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
             for (const double alpha : {-1.5, -0.5, 0.0, 0.25, 0.5, 0.63, 1.0, 1.5, 2.0}) {
-                for (const brute_force::Scheme& scheme : std::vector<brute_force::Scheme>{
-                         Collocation{alpha, alpha, fd, 0.5}, Collocation{alpha, alpha, analytic},
-                         Galerkin{alpha, alpha, fd}, Galerkin{alpha, alpha, analytic, 1, 3}}) {
+                for (const AnyScheme& scheme :
+                     std::vector<AnyScheme>{Collocation{alpha, alpha, fd, 0.5}, Collocation{alpha, alpha, analytic},
+                                            Galerkin{alpha, alpha, fd}, Galerkin{alpha, alpha, analytic, 1, 3}}) {
                     for (const bool slope : {true, false}) {
                         const MatrixX<Scalar> fast = build(mesh, scheme, kernel, slope);
-                        CAPTURE(n, kernel_name, alpha, scheme.index(), slope);
+                        CAPTURE(n, kernel_name, alpha, scheme.get_if<Galerkin>() != nullptr, slope);
                         CHECK(fast.allFinite());
                         // no edges to keep clear of beyond the contact, so the last rows may differ
                         const bool at_outer_edge = std::abs(alpha) == 1.5;
@@ -268,12 +265,8 @@ TEST_CASE("A kernel needs only g, H and H_integral, and H is evaluated once per 
         for (const auto& [name, mesh] : brute_force::every_mesh<double>(n)) {
             for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                 const MinimalKernel minimal;
-                const auto of = [&, &mesh = mesh](const auto& kernel, bool slope) {
-                    return std::visit(
-                        [&](const auto& s) {
-                            return slope ? assemble_G_prime(mesh, s, kernel) : assemble_G(mesh, s, kernel);
-                        },
-                        scheme);
+                const auto of = [&, &mesh = mesh, &scheme = scheme](const auto& kernel, bool slope) {
+                    return slope ? assemble_G_prime(mesh, scheme, kernel) : assemble_G(mesh, scheme, kernel);
                 };
                 CAPTURE(n, name, scheme_name);
                 CHECK(distance(of(minimal, true), of(minimal.plane, true)) < 1e-9);
@@ -316,8 +309,7 @@ TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the remaining 
 
 TEST_CASE("Extreme grading loses no more digits than the ratio of element sizes explains", "[influence]") {
     const auto check = [](const Mesh<double>& mesh, const Mesh<Real>& exact, double limit) {
-        for (const brute_force::Scheme& scheme :
-             std::vector<brute_force::Scheme>{Collocation{0, 0.625}, Collocation{0, 0.625, analytic}}) {
+        for (const AnyScheme& scheme : std::vector<AnyScheme>{Collocation{0, 0.625}, Collocation{0, 0.625, analytic}}) {
             for (const brute_force::Kernel& kernel :
                  {brute_force::Kernel{true, 1024, 0.75L, 0.25L}, brute_force::Kernel{false, 1, 0.75L, 0.25L}}) {
                 for (const bool slope : {true, false}) {

@@ -1,4 +1,4 @@
-// rollbem/elasticity/line_kernel.hpp
+// rollbem/elasticity/line_kernel.hpp and any_kernel.hpp
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +10,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 
 #include "support/brute_force.hpp"
@@ -252,6 +254,34 @@ TEST_CASE("The contact sets the coefficients of both directions", "[kernel]") {
     CHECK((PlaneKernel<double>::lateral(contact).g(x) == PlaneKernel<double>(5, 1, -0.3).g(x)).all());
     CHECK((StripKernel<double>::longitudinal(contact).g(x) == StripKernel<double>(5, 0.7, 0.3).g(x)).all());
     CHECK((StripKernel<double>::lateral(contact).g(x) == StripKernel<double>(5, 1, -0.3).g(x)).all());
+}
+
+TEST_CASE("AnyKernel is the kernel of its model", "[kernel]") {
+    const Mesh<double> mesh = cosine_mesh(9);
+    const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(5, -0.1, 2);
+    const auto check = [&](const AnyKernel<double>& any, const auto& kernel) {
+        CHECK((any.smooth_part(x) == kernel.smooth_part(x)).all());
+        CHECK(any.smooth_slope(0.3) == kernel.smooth_slope(0.3));
+        const auto of_any = rolling_system(mesh, Collocation{}, any),
+                   same = rolling_system(mesh, Collocation{}, kernel);
+        CHECK(of_any.G() == same.G());
+        CHECK(of_any.G_prime() == same.G_prime());
+        CHECK(of_any.aspect() == same.aspect());
+        CHECK(of_any.log_strength() == same.log_strength());
+    };
+    const auto any = [](double b, LineModel model) {
+        return AnyKernel<double>::longitudinal(model, Contact<double>::dimensionless(b, 0.3));
+    };
+    for (const double b : {0.1, 4.0, 1000.0}) {  // without a logarithm, and with one
+        check(any(b, LineModel::strip), StripKernel<double>(b, 0.7, 0.3));
+        if (b > 1) check(any(b, LineModel::plane), PlaneKernel<double>(b, 0.7, 0.3));
+    }
+    const Contact<double> contact = Contact<double>::dimensionless(5, 0.3);
+    check(AnyKernel<double>::lateral(LineModel::strip, contact), StripKernel<double>::lateral(contact));
+    CHECK_THROWS_WITH(rolling_system(mesh, Collocation{}, any(0.1, LineModel::plane)),
+                      Catch::Matchers::ContainsSubstring("Lambda"));
+    CHECK(any(1e300, LineModel::strip).model() == LineModel::strip);
+    CHECK(any(std::numeric_limits<double>::infinity(), LineModel::strip).model() == LineModel::plane);
 }
 
 TEST_CASE("The slope of a kernel splits into a singular and a smooth part", "[kernel]") {

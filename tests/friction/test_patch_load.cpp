@@ -408,10 +408,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
 
 TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one") {
     const HertzEllipse<double> largest = ellipse(1.5 * N_0);
-    const PatchContact<double> contact({.half_length = largest.half_length(),
-                                        .half_width = largest.half_width(),
-                                        .shear_modulus = G,
-                                        .poisson_ratio = nu});
+    const PatchContact<double> contact = largest.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 7, 8);
     const ArrayX<double> areas = patch_elements(mesh, chebyshev).areas;  // in a^2
     using Hertz = HertzPatchLoad<double>;
@@ -491,10 +488,7 @@ TEST_CASE("patch_load: a fixed mesh resolves no ellipse shorter than three eleme
 
 TEST_CASE("patch_load: friction on a fixed mesh under a load that varies") {
     const HertzEllipse<double> largest = ellipse(1.5 * N_0);
-    const PatchContact<double> contact({.half_length = largest.half_length(),
-                                        .half_width = largest.half_width(),
-                                        .shear_modulus = G,
-                                        .poisson_ratio = nu});
+    const PatchContact<double> contact = largest.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
     const auto hertz = HertzPatchLoad<double>::fixed(largest, contact, mesh);
     const auto system = rolling_system(mesh, chebyshev, kernel);

@@ -8,14 +8,13 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <variant>
 
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
+#include "../discretisation/any_scheme.hpp"
 #include "../discretisation/mesh.hpp"
-#include "../discretisation/scheme.hpp"
 #include "../spectral/chebyshev.hpp"
 #include "richardson.hpp"
 
@@ -50,20 +49,10 @@ struct RecommendedStates {
     }
 };
 
-/// The scheme of RecommendedElements, itself a scheme: one of two kinds.
-struct RecommendedRows {
-    std::variant<NodeDifference, Collocation> kind;
-
-    template <class Scalar>
-    SchemeRows<Scalar> rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
-        return std::visit([&](const auto& scheme) { return scheme.rows(quantity, mesh); }, kind);
-    }
-};
-
 /// Elements on a cosine mesh: differences between centres in steady rolling and in frequency, between Chebyshev nodes
 /// with friction, and in a time loop collocation at alpha_L = alpha_T = 0.5. All were stable at every n tried.
 struct RecommendedElements {
-    RecommendedRows scheme;
+    AnyScheme scheme;
     Topology topology = Topology::cosine;
     Eigen::Index n = 0;      ///< elements; if results are extrapolated, those of the finer mesh, an even number
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
@@ -92,7 +81,7 @@ namespace detail {
 
 /// A measured bound of relative errors of elements on cosine meshes: below factor n^-exponent for n >= least_n.
 struct MeasuredError {
-    RecommendedRows scheme;
+    AnyScheme scheme;
     double order;  ///< of Richardson's extrapolation; 0: none
     double factor, exponent;
     Eigen::Index least_n;
@@ -103,14 +92,14 @@ struct MeasuredError {
 /// order at b/a = 10, and Chebyshev nodes take a third more elements.
 inline MeasuredError measured_error(Purpose::Adhesion purpose) {
     switch (purpose) {
-        case Purpose::steady: return {{NodeDifference{}}, 2, 0.8, 4, 6};    // 1e-4 -> 10, 1e-6 -> 30, 1e-8 -> 96
-        case Purpose::frequency: return {{NodeDifference{}}, 2, 33, 3, 4};  // 1e-2 -> 16, 1e-4 -> 70
+        case Purpose::steady: return {NodeDifference{}, 2, 0.8, 4, 6};    // 1e-4 -> 10, 1e-6 -> 30, 1e-8 -> 96
+        case Purpose::frequency: return {NodeDifference{}, 2, 33, 3, 4};  // 1e-2 -> 16, 1e-4 -> 70
         case Purpose::time_loop: break;
     }
-    return {{Collocation{}}, 0, 0.18, 2, 4};  // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
+    return {Collocation{}, 0, 0.18, 2, 4};  // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
 }
 inline MeasuredError measured_error(Purpose::Friction) {
-    return {{NodeDifference{Nodes::chebyshev}}, 0, 1.3, 2, 4};  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
+    return {NodeDifference{Nodes::chebyshev}, 0, 1.3, 2, 4};  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
 }
 
 /// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts.

@@ -13,6 +13,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../types.hpp"
 #include "hertz.hpp"
 
@@ -203,6 +204,14 @@ public:
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 
+    /// The contact that rolls along a, with the combined constants of HertzLine::contact. Throws std::invalid_argument
+    /// if the ellipse is turned from the rolling direction.
+    PatchContact<Scalar> contact() const {
+        detail::require(std::abs(turn_) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), "HertzEllipse", "turn",
+                        turn_, "be 0: a PatchContact rolls along one of its axes");
+        return PatchContact<Scalar>({a_, b_, bodies_.shear_modulus, bodies_.poisson_ratio});
+    }
+
     /// The same bodies under another load [N]: a, b and p0 vary as its cube root, the approach as its square. Throws
     /// std::invalid_argument unless the load is positive and finite.
     HertzEllipse under(Scalar load) const {
@@ -236,10 +245,12 @@ private:
     }
 
     Scalar load_, a_ = 0, b_ = 0, approach_ = 0, turn_ = 0;
+    detail::CombinedBodies<Scalar> bodies_;
 };
 
 template <class Scalar_>
-HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parameters.load) {
+HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters)
+    : load_(parameters.load), bodies_(parameters.body_1, parameters.body_2) {
     detail::require_positive("HertzEllipse", "load", load_);
     detail::require_finite("HertzEllipse", "angle", parameters.angle);
     Scalar compliance = 0;
