@@ -85,7 +85,7 @@ protected:
     /// Lets the contact breathe if the kernel is a logarithm and a constant.
     template <class Kernel>
     void set_logarithm(const Kernel& kernel) {
-        if constexpr (SmoothSplitKernel<Kernel>) {
+        if constexpr (LineKernel<Kernel>) {
             const auto split = kernel.smooth_split();
             if (detail::is_finite(split.distance)) return;
             log_strength_ = static_cast<Scalar>(split.strength);
@@ -162,7 +162,7 @@ public:
         return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
     }
 
-    template <class S, RollingScheme<S> Scheme, LineKernel Kernel>
+    template <class S, RollingScheme<S> Scheme, ElementKernel Kernel>
     friend ElementSystem<S> rolling_system(const Mesh<S>& mesh, const Scheme& scheme, const Kernel& kernel);
 
 private:
@@ -260,7 +260,7 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 
 /// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
     detail::require_one_system(scheme, mesh);

@@ -92,7 +92,7 @@ struct StickBorderSolution {
     };
     std::optional<Elements> elements;  ///< empty if the solution is exact
 
-    template <class S, SlopeSplitKernel Kernel, PressureLaw<S> Pressure>
+    template <class S, LineKernel Kernel, PressureLaw<S> Pressure>
     friend StickBorderSolution<S> solve_stick_border(const Contact<S>& contact, const Kernel& kernel,
                                                      std::type_identity_t<S> friction_coefficient,
                                                      const Pressure& pressure, std::type_identity_t<S> creepage,
@@ -152,7 +152,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument unless fallback_elements >= 1, the
 /// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
-template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage,
@@ -197,7 +197,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
 }
 
 /// The same with 40 elements, should they be needed.
-template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage) {
