@@ -165,7 +165,7 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal 
 }
 
 TEST_CASE("Unequal alphas give the same matrices on a uniform mesh as on a general one", "[influence]") {
-    for (const Eigen::Index n : {40, 140}) {
+    for (const Eigen::Index n : {40, 60, 200}) {
         const Mesh<double> mesh = uniform_mesh(n), general = as_general(mesh);
         for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
             for (const auto& [name, scheme] : brute_force::every_scheme()) {
@@ -272,7 +272,8 @@ struct MinimalKernel {
 };
 static_assert(LineKernel<MinimalKernel> && LineKernel<PlaneKernel<double>> && LineKernel<StripKernel<long double>>);
 
-TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide strip evaluates a few times", "[influence]") {
+TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide strip evaluates a few times",
+          "[influence]") {
     for (const double b : {0.1, 1.0, 20.0}) {
         for (const Eigen::Index n : {3, 10, 60}) {
             for (const auto& [name, mesh] : brute_force::every_mesh<double>(n)) {
@@ -313,7 +314,8 @@ TEST_CASE("The smooth part is the same by interpolation and by quadrature", "[in
                     MatrixX<double> part(2, 2);
                     detail::influence_rows<double>(mesh, rows, rows.first_equation, kernel, quantity, part);
                     CAPTURE(b, name, scheme_name, quantity);
-                    CHECK((part - whole.topLeftCorner(2, 2)).cwiseAbs().maxCoeff() < 1e-14 * whole.cwiseAbs().maxCoeff());
+                    CHECK((part - whole.topLeftCorner(2, 2)).cwiseAbs().maxCoeff() <
+                          1e-14 * whole.cwiseAbs().maxCoeff());
                 }
             }
         }

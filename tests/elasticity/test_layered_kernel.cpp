@@ -128,8 +128,8 @@ TEST_CASE("A layer adds its geometric share to every entry, however the rest is 
                         }
                     };
                     check(PlaneKernel<double>(16.0, 0.75, 0.25), "plane");  // a logarithm
-                    check(Strip(1024.0, 0.75, 0.25), "strip 1024");          // and a smooth part by interpolation
-                    check(Strip(0.25, 0.75, 0.25), "strip 0.25");            // by quadrature
+                    check(Strip(1024.0, 0.75, 0.25), "strip 1024");         // and a smooth part by interpolation
+                    check(Strip(0.25, 0.75, 0.25), "strip 0.25");           // by quadrature
                 },
                 scheme);
         }

@@ -82,7 +82,8 @@ TEMPLATE_TEST_CASE("Kernels are accurate to round-off and have the right parity"
                 CAPTURE(name, static_cast<double>(at));
                 const Real smooth = static_cast<Real>(library.smooth_part(x));
                 const Real size = std::abs(static_cast<Real>(split.constant)) + strength * (1 + std::abs(log));
-                CHECK(std::abs(static_cast<Real>(split.constant) - strength * log + smooth - exact.g(at)) < 4 * eps * size);
+                CHECK(std::abs(static_cast<Real>(split.constant) - strength * log + smooth - exact.g(at)) <
+                      4 * eps * size);
                 const Real slope = static_cast<Real>(library.smooth_slope(x));
                 CHECK(std::abs((slope - strength / at - exact.slope(at)) * at) < 4 * eps * strength);
                 CHECK(library.smooth_part(-x) == library.smooth_part(x));

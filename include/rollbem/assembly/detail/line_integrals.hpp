@@ -27,6 +27,8 @@ public:
                 kernel_.compliance,
                 "be 0 where the derivative is analytic: the layer's displacement jumps at the edges of elements; take "
                 "Derivative::finite_difference, or Galerkin in closed form");
+        require(kernel_.split.distance > 0, "assembly", "distance of the kernel's smooth part", kernel_.split.distance,
+                "be positive");
     }
 
     LineIntegrals(const LineIntegrals&) = delete;  // its parts keep references to it

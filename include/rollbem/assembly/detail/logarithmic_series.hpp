@@ -59,8 +59,8 @@ public:
                     d[i] = entries_.rows.offset[l + i] + sign * (from[l + i] - origin);
                 const Scalar* delta = entries_.rows.half.data() + l;
                 const Chunk value = twice          ? twice_averaged(rule, d, h, delta)
-                              : single_ratio ? log_series<true>(d, h, delta)
-                                             : log_series<false>(d, h, delta);
+                                    : single_ratio ? log_series<true>(d, h, delta)
+                                                   : log_series<false>(d, h, delta);
                 Scalar* out = result.data() + m * result.rows() + l;
                 if (l + chunk <= entries_.count) {
                     for (Eigen::Index i = 0; i < chunk; ++i) out[i] = value[i];

@@ -30,12 +30,12 @@ public:
 
     void add(MatrixX<Scalar>& result) const {
         if (!is_finite(b_)) return;
-        // equal intervals of rows and columns may change places
-        const int of_rows = entries_.equal_widths ? 0 : entries_.averages;
+        // a single element as long as the intervals of the rows: all means may be taken over it
+        const int of_rows = entries_.equal_widths && result.cols() == 1 ? 0 : entries_.averages;
         const Points rows(entries_.rows.from_trailing + entries_.rows.offset, entries_.rows.half, of_rows),
             columns(entries_.columns.from_trailing, entries_.columns.half, 1 + entries_.averages - of_rows);
         const Scalar row_terms = terms(rows.reach), column_terms = terms(columns.reach);
-        if (row_terms * column_terms <= 2 * static_cast<Scalar>(result.size())) {  // it pays
+        if (row_terms * column_terms <= 2 * static_cast<Scalar>(result.size())) {  // above, quadrature is faster
             interpolate(rows, static_cast<Eigen::Index>(row_terms), columns, static_cast<Eigen::Index>(column_terms),
                         result);
         } else {
