@@ -35,7 +35,9 @@ public:
         const Points rows(entries_.rows.from_trailing + entries_.rows.offset, entries_.rows.half, of_rows),
             columns(entries_.columns.from_trailing, entries_.columns.half, 1 + entries_.averages - of_rows);
         const Scalar row_terms = terms(rows.reach), column_terms = terms(columns.reach);
-        if (row_terms * column_terms <= 2 * static_cast<Scalar>(result.size())) {  // above, quadrature is faster
+        const Scalar size = static_cast<Scalar>(result.size()), width = static_cast<Scalar>(result.cols());
+        const Scalar products = row_terms * column_terms * (row_terms + column_terms + width) + row_terms * size;
+        if (products <= 200 * size) {  // an integral takes as long as some 200 products
             interpolate(rows, static_cast<Eigen::Index>(row_terms), columns, static_cast<Eigen::Index>(column_terms),
                         result);
         } else {
@@ -44,6 +46,9 @@ public:
     }
 
 private:
+    using Chunk = typename Entries<Scalar>::Chunk;
+    static constexpr Eigen::Index chunk = Entries<Scalar>::chunk;
+
     // Points, the halves of the intervals about them over which a mean is taken `averages` times, and the interval that
     // these cover: reach to both sides of the middle.
     struct Points {
@@ -89,7 +94,8 @@ private:
         const Eigen::Index size = points.places.size();
         Eigen::Index sample_count = 1;
         for (int a = 0; a < points.averages; ++a) sample_count *= order;
-        MatrixX<Scalar> result = MatrixX<Scalar>::Zero(size, count), work(size, 3);
+        MatrixX<Scalar> result(size, count), work(size, 3);
+        std::fill_n(result.data(), result.size(), Scalar(0));
         Scalar *const t = work.data(), *const value = t + size, *const before = value + size;
         for (Eigen::Index sample = 0; sample < sample_count; ++sample) {
             Scalar shift = 0, weight = 1;
@@ -128,15 +134,52 @@ private:
             }
         }
         kernel_.evaluate(entries_.slope(), samples);
-        const Eigen::Map<const MatrixX<Scalar>> values(samples.data(), row_terms, column_terms);
-        MatrixX<Scalar> coefficients = along * (values * across.transpose());
-        coefficients *= Scalar(4) / static_cast<Scalar>(row_terms * column_terms);
-        coefficients.row(0) /= 2;
-        coefficients.col(0) /= 2;
-        MatrixX<Scalar> integrals = means(columns, column_terms);
-        for (Eigen::Index m = 0; m < integrals.rows(); ++m) integrals.row(m) *= 2 * columns.half[m];
-        const MatrixX<Scalar> right = coefficients * integrals.transpose();
-        result.noalias() += means(rows, row_terms).topRows(result.rows()) * right;
+        const Scalar scale = Scalar(4) / static_cast<Scalar>(row_terms * column_terms);
+        MatrixX<Scalar> values(row_terms, column_terms);
+        for (Eigen::Index i = 0; i < samples.size(); ++i) values.data()[i] = scale * samples[i];
+        MatrixX<Scalar> half = product(values, transposed(across)), coefficients = product(along, half);
+        for (Eigen::Index k = 0; k < column_terms; ++k) coefficients(0, k) /= 2;
+        for (Eigen::Index j = 0; j < row_terms; ++j) coefficients(j, 0) /= 2;
+        MatrixX<Scalar> integrals = transposed(means(columns, column_terms));
+        for (Eigen::Index m = 0; m < integrals.cols(); ++m) {
+            for (Eigen::Index k = 0; k < column_terms; ++k) integrals(k, m) *= 2 * columns.half[m];
+        }
+        add_product(means(rows, row_terms), product(coefficients, integrals), result);
+    }
+
+    // Adds a b to the result, which may have fewer rows. Far less to compile than Eigen's product, and as fast for few
+    // terms.
+    static void add_product(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b, MatrixX<Scalar>& result) {
+        const Eigen::Index height = a.rows(), terms = a.cols(), rows = result.rows();
+        for (Eigen::Index m = 0; m < result.cols(); ++m) {
+            const Scalar* const factor = b.data() + m * terms;
+            Scalar* const out = result.data() + m * rows;
+            Eigen::Index l = 0;
+            for (; l + chunk <= rows; l += chunk) {
+                Eigen::Map<Chunk> target(out + l);
+                Chunk sum = target;
+                for (Eigen::Index k = 0; k < terms; ++k) {
+                    sum += factor[k] * Eigen::Map<const Chunk>(a.data() + k * height + l);
+                }
+                target = sum;
+            }
+            for (Eigen::Index k = 0; k < terms; ++k) {
+                for (Eigen::Index i = l; i < rows; ++i) out[i] += factor[k] * a.data()[k * height + i];
+            }
+        }
+    }
+    static MatrixX<Scalar> product(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b) {
+        MatrixX<Scalar> result(a.rows(), b.cols());
+        std::fill_n(result.data(), result.size(), Scalar(0));
+        add_product(a, b, result);
+        return result;
+    }
+    static MatrixX<Scalar> transposed(const MatrixX<Scalar>& a) {
+        MatrixX<Scalar> result(a.cols(), a.rows());
+        for (Eigen::Index j = 0; j < a.cols(); ++j) {
+            for (Eigen::Index i = 0; i < a.rows(); ++i) result(j, i) = a(i, j);
+        }
+        return result;
     }
 
     void integrate(MatrixX<Scalar>& result) const {
