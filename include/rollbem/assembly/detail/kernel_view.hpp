@@ -21,7 +21,7 @@ struct KernelView {
     template <DeltaKernel Kernel>
     KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor)
         : KernelView(kernel.elastic()) {
-        compliance = kernel.compliance();
+        compliance += kernel.compliance();
     }
 
     /// Replaces each x by the smooth part there, or by its slope.
