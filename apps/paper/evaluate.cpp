@@ -1,7 +1,9 @@
 // The library calls behind the figures and claims of the paper.
 #include "evaluate.hpp"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -9,8 +11,8 @@
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/reference/critical_alpha.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
+#include <rollbem/reference/critical_alpha.hpp>
 
 #include "support/timing.hpp"
 
@@ -59,12 +61,13 @@ std::string name(Method method) {
 std::string name(Derivative derivative) { return derivative == Derivative::analytic ? "analytic" : "fd"; }
 
 ElementField element_field(double x_over_width) {
-    const double width = 2.0 / 40;
-    const auto at = [&](double offset) {
-        return Eigen::ArrayXd(Eigen::ArrayXd::Constant(1, width * (x_over_width + offset)));
+    const double width = 2.0 / 40, ahead = width * (x_over_width + 0.5), behind = width * (x_over_width - 0.5);
+    const double c1 = 1 - poisson_ratio, c2 = poisson_ratio, b = aspect, scale = 2 / std::numbers::pi;
+    const auto g = [&](double x) { return scale * (c1 * std::asinh(b / std::abs(x)) + c2 * b / std::hypot(x, b)); };
+    const auto integral = [&](double x) {
+        return x == 0 ? 0 : scale * (c1 * x * std::asinh(b / std::abs(x)) + (c1 + c2) * b * std::asinh(x / b));
     };
-    const Eigen::ArrayXd ahead = at(0.5), behind = at(-0.5);
-    return {(strip().H(ahead) - strip().H(behind))[0], (strip().g(ahead) - strip().g(behind))[0]};
+    return {integral(ahead) - integral(behind), g(ahead) - g(behind)};
 }
 
 // Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all

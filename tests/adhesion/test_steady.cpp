@@ -8,8 +8,8 @@
 
 #include <Eigen/LU>
 
-#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/adhesion/dissipation.hpp>
+#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
@@ -499,9 +499,9 @@ struct CountingKernel {
     StripKernel<double> kernel;
     Eigen::Index* count;
 
-    ArrayX<double> g(const ArrayX<double>& x) const { return *count += x.size(), kernel.g(x); }
-    ArrayX<double> H(const ArrayX<double>& x) const { return *count += x.size(), kernel.H(x); }
-    ArrayX<double> H_integral(const ArrayX<double>& x) const { return *count += x.size(), kernel.H_integral(x); }
+    SmoothSplit<double> smooth_split() const { return kernel.smooth_split(); }
+    double smooth_part(double x) const { return ++*count, kernel.smooth_part(x); }
+    double smooth_slope(double x) const { return ++*count, kernel.smooth_slope(x); }
 };
 
 TEST_CASE("A steady solution evaluates its kernel for one assembly of G' and nothing else", "[steady]") {

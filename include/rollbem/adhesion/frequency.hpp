@@ -75,7 +75,7 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
 
 /// The same for a discretisation by elements. Throws std::invalid_argument also if the scheme does not fit the mesh, G
 /// is not finite or a plane kernel has Lambda <= 0.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                         std::type_identity_t<Scalar> z) {
     return solve_harmonic(rolling_system(mesh, scheme, kernel), z);

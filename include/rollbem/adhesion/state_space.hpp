@@ -74,7 +74,7 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
 /// For a kernel and a number of states: 8 states are exact to rounding if nothing changes within a contact length.
 /// Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >= 0.001 and, for a
 /// plane kernel, Lambda > 0.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
     return state_space(rolling_system(method, kernel));
 }

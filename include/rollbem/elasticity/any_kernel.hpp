@@ -3,9 +3,6 @@
 #pragma once
 
 #include <limits>
-#include <optional>
-
-#include <Eigen/Core>
 
 #include "../detail/finite.hpp"
 #include "detail/parameters.hpp"
@@ -24,7 +21,6 @@ template <class Scalar_ = double>
 class AnyKernel {
 public:
     using Scalar = Scalar_;
-    using Array = ArrayX<Scalar>;
 
     /// half_width, c1 and c2 as in both kernels.
     AnyKernel(LineModel model, Scalar half_width, Scalar c1, Scalar c2)
@@ -44,17 +40,9 @@ public:
     /// Lambda of the plane; infinite for the strip, all of whose modes decay.
     Scalar lambda() const { return is_plane_ ? plane_.lambda() : std::numeric_limits<Scalar>::infinity(); }
 
-    Array g(const Array& x) const { return is_plane_ ? plane_.g(x) : strip_.g(x); }
-    Array H(const Array& x) const { return is_plane_ ? plane_.H(x) : strip_.H(x); }
-    Array H_integral(const Array& x) const { return is_plane_ ? plane_.H_integral(x) : strip_.H_integral(x); }
-    std::optional<LogSplit<Scalar>> log_split(Scalar reach) const {
-        return is_plane_ ? plane_.log_split(reach) : strip_.log_split(reach);
-    }
     SmoothSplit<Scalar> smooth_split() const { return is_plane_ ? plane_.smooth_split() : strip_.smooth_split(); }
-    Array smooth_part(const Array& x) const { return is_plane_ ? plane_.smooth_part(x) : strip_.smooth_part(x); }
+    Scalar smooth_part(Scalar x) const { return is_plane_ ? plane_.smooth_part(x) : strip_.smooth_part(x); }
     Scalar smooth_slope(Scalar x) const { return is_plane_ ? plane_.smooth_slope(x) : strip_.smooth_slope(x); }
-    /// For the strip alone: the plane always has a log_split, which the assembly prefers.
-    auto taylor(const Array& x, Eigen::Index order) const { return strip_.taylor(x, order); }
 
 private:
     bool is_plane_;

@@ -146,7 +146,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument unless fallback_elements >= 1, the
 /// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
-template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage,
@@ -191,7 +191,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
 }
 
 /// The same with 40 elements, should they be needed.
-template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage) {
