@@ -460,8 +460,8 @@ private:
     Vector reach_;                                 // rho
     Vectors traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
     Vectors against_slip_;
-    Vectors plain_traction_, plain_constant_, plain_response_;
     Vectors begin_;  // where the search with turned slip begins
+    Vectors plain_traction_, plain_constant_, plain_response_;
     Zones begin_zones_;
     Vectors turned_change_, plain_change_;
     Vector angle_change_;
