@@ -75,6 +75,7 @@ public:
     void archive(Archive& archive) override {
         for (State* state : {&now_, &from_}) {
             archive.keep(state->traction);
+            archive.keep(state->plain_traction);
             archive.keep(state->zones);
             archive.keep(state->normal_pressure);
             archive.keep(state->half_length);

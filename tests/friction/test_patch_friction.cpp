@@ -354,7 +354,8 @@ TEST_CASE("patch_friction: small creepages adhere as Kalker's coefficients say")
 }
 
 TEST_CASE("patch_friction: a step of creepage from rest") {
-    // -F_x, -F_y over mu N, -M_z over mu N a at q/a = 0.5, 1, 2, 4, by implicit Euler, dq = 0.05 a, of another program
+    // -F_x, -F_y over mu N, -M_z over mu N a at q/a = 0.5, 1, 2, 4, by implicit Euler, dq = 0.05 a, of another program,
+    // which turns slip by the angles of steps that each start from turned slip
     struct Series {
         Creepage<double> creepage;
         double ratios[4][3];
@@ -373,6 +374,7 @@ TEST_CASE("patch_friction: a step of creepage from rest") {
         int row = 0;
         double imposed = 0, heat = 0;
         for (int k = 1; k <= 80; ++k) {
+            now.plain_traction.resize(0, 2);
             const auto step = model.advance(now, dq, series.creepage, next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             std::swap(now, next);

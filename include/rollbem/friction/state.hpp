@@ -109,9 +109,7 @@ struct FrictionStep {
 
     Force force_per_width = detail::nothing<Force>();  ///< F_bar on body 1 [N/m]
     Force force = detail::nothing<Force>();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2]. Where slip
-    /// is turned (see Friction), at constant angles, which leaves out how they follow the creepage: 2 % of the largest
-    /// derivative on 40 elements.
+    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2].
     Tangent tangent_per_width = detail::nothing<Tangent>();
     Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
     /// Derivatives by the load at the end of a step, at constant half-length and half-width, and by these; if they

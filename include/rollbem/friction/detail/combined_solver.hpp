@@ -205,10 +205,21 @@ private:
     // Keeps what the tangents of the present solution need, whose slip is not turned.
     void keep_plain() {
         plain_part_ = part_;
+        bool stale = false;  // the last step was long, although the solution is found
         for (Index i = 0; i < size(); ++i) {
-            if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), plain_part_);
+            if (part_.slide[i] == 0) continue;
+            slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), plain_part_);
+            const Scalar k = plain_part_.stiffness[i];
+            stale = stale || (plain_part_.direction.row(i) - part_.direction.row(i)).norm() > Scalar(1e-3) ||
+                    std::abs(k - part_.stiffness[i]) > Scalar(1e-3) * (k + 1 / reach_[i]);
         }
-        equations_.aim(plain_part_, SlipTurn<Scalar>(0));
+        const SlipTurn<Scalar> none(0);
+        plain_is_regular_ = true;
+        if (stale) {
+            plain_is_regular_ = equations_.factorise(plain_part_, none);
+        } else {
+            equations_.aim(plain_part_, none);
+        }
         equations_.exchange_factors(kept_);
     }
     // The factors for slip that is not turned, or again those for slip that is.
@@ -474,7 +485,7 @@ private:
     Scalar least_ = 0;            // residual of the natural map at best_
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
-    bool with_tangents_ = true;
+    bool with_tangents_ = true, plain_is_regular_ = true;
     bool is_apart_ = false;       // the solution is not that for slip as it is
     bool has_own_plain_ = false;  // which has another c
 };
@@ -515,6 +526,7 @@ typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vec
     if (!is_apart_) plain_part_ = part_;
     if (has_tangent_) equations_.aim(part_, turn_);
     outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
+    if (is_apart_ && with_tangents_) outcome.tangent_exists = outcome.tangent_exists && plain_is_regular_;
     const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
     outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
     return outcome;
