@@ -49,10 +49,10 @@ template <class Value>
 std::vector<Value> trusted(rollbem::Status status, const rollbem::CreepCoefficients<double>& change,
                            const rollbem::CreepCoefficients<Value>& given) {
     const bool known = status == rollbem::Status::ok || status == rollbem::Status::not_converged;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto value = [&](auto coefficient) {
-        return known && change.*(coefficient.first) <= rollbem::largest_mesh_change
-                   ? given.*(coefficient.second)
-                   : Value(std::numeric_limits<double>::quiet_NaN());
+        return known && change.*(coefficient.first) <= rollbem::largest_mesh_change ? given.*(coefficient.second)
+                                                                                    : nan * Value(1);
     };
     using Change = rollbem::CreepCoefficients<double>;
     using Given = rollbem::CreepCoefficients<Value>;

@@ -355,9 +355,6 @@ TEST_CASE("Dissipation is proved on uniform meshes exactly for the schemes that 
         }
     }
     for (const Eigen::Index n : {2, 10, 40, 160}) CHECK(proved(cosine_mesh(n), {0.5, 0.5}));
-    // on graded meshes a scheme may converge without
-    CHECK_FALSE(proved(cosine_mesh(40), {0.8, 0.8}));
-    CHECK(solve_steady(cosine_mesh(40), Collocation{0.8, 0.8}, kernel).status == Status::ok);
 }
 
 TEST_CASE("Lateral creepage gives c22 in the units of the contact", "[steady]") {
