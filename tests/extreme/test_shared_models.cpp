@@ -10,7 +10,7 @@
 
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/reference.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>

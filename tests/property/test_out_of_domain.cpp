@@ -11,7 +11,7 @@
 #include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/reference.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>

@@ -80,13 +80,8 @@ inline RecommendedPatch recommended_patch(double tolerance, double a_over_b,
     while (bound(result.n) > tolerance) result.n += 2;
     result.strips = recommended_strips(result.n, a_over_b);
     result.error_bound = bound(result.n);
-<<<<<<< HEAD
-    result.moment_bound =
-        (std::max)(1.5, spin > 0 ? std::sqrt(a_over_b) : 0) / static_cast<double>(result.n * result.n);
-=======
     const double moment_factor = 1.5 * (spin > 0 ? std::sqrt((std::max)(1.0, a_over_b)) : 1);
     result.moment_bound = moment_factor / static_cast<double>(result.n * result.n);
->>>>>>> proof
     return result;
 }
 
