@@ -136,15 +136,12 @@ bool certainly_unstable(const Case& c) { return rollbem::judge_stability<double>
 
 std::optional<double> critical_alpha_T(const Case& c) {
     const rollbem::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};
-    const Mesh mesh = mesh_of(c);
-    return with_scheme(c, [&](auto scheme) {
-        const auto scheme_of = [&scheme](double alpha_T) {
-            auto moved = scheme;
-            moved.alpha_T = alpha_T;
-            return moved;
-        };
-        return rollbem::critical_alpha_T(mesh, scheme_of, strip(), options);
-    });
+    const auto scheme_at = [&](double alpha_T) {
+        Case moved = c;
+        moved.alpha_T = alpha_T;
+        return scheme_of(moved);
+    };
+    return rollbem::critical_alpha_T(mesh_of(c), scheme_at, strip(), options);
 }
 
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
