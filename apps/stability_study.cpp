@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/critical_alpha.hpp>
+#include <rollbem/studies/critical_alpha.hpp>
 
 #include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"

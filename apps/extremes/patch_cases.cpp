@@ -92,12 +92,13 @@ void add_ellipses(Cases& cases) {
             const std::string name =
                 (a_over_b > 50 ? "needle a/b = " : "patch a/b = ") + shown(a_over_b) + ", nu = " + shown(nu);
             // c33 tends to 0 and comes out negative on so few elements
-            const std::string says = a_over_b > 50 && nu == 0.5 ? "status assists_creepage" : "";
+            const std::string says = a_over_b > 50 && nu == 0.5 ? "status assists_creepage" : "",
+                              of_c22 = a_over_b > 50 && nu == steel ? "status not_converged" : says;
             cases.told(name, "c11 against a/b -> inf", says, [=, bound = bound, a_over_b = a_over_b] {
                 const Solution solution = ellipse(a_over_b, nu, 24, 12);
                 return compare_confirmed(solution, &Solution::c11, slender(a_over_b, nu).first, bound);
             });
-            cases.told(name, "c22 against a/b -> inf", says, [=, bound = bound, a_over_b = a_over_b] {
+            cases.told(name, "c22 against a/b -> inf", of_c22, [=, bound = bound, a_over_b = a_over_b] {
                 const Solution solution = ellipse(a_over_b, nu, 24, 12);
                 return compare_confirmed(solution, &Solution::c22, slender(a_over_b, nu).second, bound);
             });

@@ -12,7 +12,7 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/reference/critical_alpha.hpp>
+#include <rollbem/studies/critical_alpha.hpp>
 
 #include "support/timing.hpp"
 

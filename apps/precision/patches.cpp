@@ -12,7 +12,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/kalker_table.hpp>
+#include <rollbem/studies/kalker_table.hpp>
 
 #include "support/csv.hpp"
 #include "support/errors.hpp"

@@ -12,7 +12,7 @@
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/kalker_table.hpp>
+#include <rollbem/studies/kalker_table.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"

@@ -1,4 +1,4 @@
-// rollbem/reference/stick_border.hpp
+// rollbem/studies/stick_border.hpp
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,8 +1,8 @@
-// The exact border of stick compiled for double. Replaces reference/stick_border.hpp; link rollbem::compiled.
+// The exact border of stick compiled for double. Replaces studies/stick_border.hpp; link rollbem::compiled.
 #pragma once
 
 #include "../elasticity/any_kernel.hpp"
-#include "../reference/stick_border.hpp"
+#include "../studies/stick_border.hpp"
 #include "friction.hpp"
 
 namespace rollbem {

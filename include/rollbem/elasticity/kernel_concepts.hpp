@@ -2,6 +2,8 @@
 // its logarithm and a smooth part; and what elements take in addition, a kernel with a delta function.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <concepts>
 #include <type_traits>
 
