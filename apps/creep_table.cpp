@@ -19,9 +19,10 @@
 #include <vector>
 
 #include <rollbem/compiled/creep_force_table.hpp>
+#include <rollbem/compiled/patch.hpp>
 #include <rollbem/detail/parallel_for.hpp>
+#include <rollbem/vehicle/make_creep_force_table.hpp>
 
-#include "creep/source.hpp"
 #include "support/csv.hpp"
 #include "support/files.hpp"
 #include "support/options.hpp"
@@ -60,10 +61,17 @@ Job make_job(const study::Options& options) {
     rollbem::detail::parallel_for(coefficients.size(), study::job_count(options), [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i),
                                                             static_cast<Eigen::Index>(shapes), ends[0], ends[1]);
-        const creep::Source source(a_over_b, nu, n);
-        coefficients[i] = source.coefficients();
+        rollbem::CreepForceSource source(a_over_b, nu, n);
+        const rollbem::PatchSteadySolution<double> steady = source.coefficients();
+        coefficients[i] = steady;
         elements[i] = {static_cast<double>(source.mesh().elements_per_strip()),
                        static_cast<double>(source.mesh().strip_count())};
+        // with a spin so large that both meshes count
+        const rollbem::StepStatus sliding = source.solve({0, 0, 10}, true).step.status;
+        if (steady.status == rollbem::Status::ok && sliding == rollbem::StepStatus::ok) return;
+        throw study::BadInput(options.said("a-over-b") + ": a/b = " + study::Cell(a_over_b).text(6) +
+                              " with --n = " + std::to_string(n) + " must have the status ok, not " +
+                              (sliding == rollbem::StepStatus::ok ? name(steady.status) : name(sliding)));
     });
     try {
         return {CreepForceGrid(nu, ends[0], ends[1], levels, std::move(coefficients)), n, std::move(elements)};
@@ -81,25 +89,9 @@ const std::vector<std::string>& columns() {
     return names;
 }
 
-/// Nodes of one ellipse with the same xi; the rows are those of the grid, in its order.
-struct Slab {
-    Eigen::Index shape, first, last;
-};
-
-std::vector<Slab> slabs_of(const CreepForceGrid& grid) {
-    std::vector<Slab> slabs;
-    for (Eigen::Index shape = 0; shape < grid.shapes(); ++shape) {
-        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-            if (node == 0 || grid.place(node).x != grid.place(node - 1).x) slabs.push_back({shape, node, node});
-            ++slabs.back().last;
-        }
-    }
-    return slabs;
-}
-
-void emit_slab(const Job& job, const Slab& slab, study::RowRange range, const study::Emit& emit) {
+void emit_slab(const Job& job, const rollbem::CreepForceSlab& slab, study::RowRange range, const study::Emit& emit) {
     const CreepForceGrid& grid = job.grid;
-    creep::Source source(grid.a_over_b(slab.shape), grid.poisson_ratio(), job.n);
+    rollbem::CreepForceSource source(grid.a_over_b(slab.shape), grid.poisson_ratio(), job.n);
     const Eigen::Index first = slab.first + static_cast<Eigen::Index>(range.first),
                        last = slab.first + static_cast<Eigen::Index>(range.last);
     // along a line of growing spin each solution starts from the one before, also where rows begin in the middle
@@ -107,7 +99,7 @@ void emit_slab(const Job& job, const Slab& slab, study::RowRange range, const st
     while (!grid.begins_line(begin)) --begin;
     for (Eigen::Index node = begin; node < last; ++node) {
         const Creepage<double> v = grid.creepage(slab.shape, node);
-        const creep::Source::Solution solution = source.solve(v, grid.begins_line(node));
+        const rollbem::CreepForceSource::Solution solution = source.solve(v, grid.begins_line(node));
         if (node < first) continue;
         const auto& step = solution.step;
         study::Row row{source.contact().a_over_b(),
@@ -182,10 +174,9 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
 
 // --- the table -----------------------------------------------------------------------------------------------------
 
-void write_binary(const study::Options& options, const CreepForceTable& table) {
+void write_binary(study::OutputFile& file, const CreepForceTable& table) {
     std::ostringstream bytes;
     table.write(bytes);
-    study::OutputFile file(options.text("output") + ".bin", "--output");
     file.write(bytes.str());
     file.commit();
 }
@@ -211,7 +202,7 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
         std::uniform_real_distribution<double> uniform;
         const double low = job.grid.smallest_a_over_b(), high = job.grid.largest_a_over_b();
         const double a_over_b = low * std::pow(high / low, uniform(random));
-        creep::Source source(a_over_b, job.grid.poisson_ratio(), job.n);
+        rollbem::CreepForceSource source(a_over_b, job.grid.poisson_ratio(), job.n);
         const auto c = source.coefficients();
         const auto& contact = source.contact();
         const std::size_t scenes = std::min(together, count - ellipse * together);
@@ -221,7 +212,7 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
             const Eigen::Array3d direction =
                 level * Eigen::Array3d(radius * std::cos(angle), radius * std::sin(angle), height);
             const Creepage<double> v{direction[0] / c.c11, direction[1] / c.c22, direction[2] / c.c23};
-            const creep::Source::Solution solved = source.solve(v, true);
+            const rollbem::CreepForceSource::Solution solved = source.solve(v, true);
             const double load = contact.half_width();  // G a b
             const auto found = table.look_up(contact, 1, load, {v.longitudinal, v.lateral, v.spin / contact.c()});
             if (solved.step.status != rollbem::StepStatus::ok || found.status != rollbem::StepStatus::ok) {
@@ -249,27 +240,26 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
     output.commit();
 }
 
-/// The table of rows, which `from` names in messages.
-CreepForceTable table_of(const Job& job, const std::vector<std::string>& rows, const std::string& from) {
-    return {job.grid, read_forces(job, rows, [&](std::size_t i) {
-                return from + (i < rows.size() ? ": line " + std::to_string(i + 2) : "");
-            })};
-}
-
 /// 4. The file of the table, and its check in `scenes` scenes.
-void finish(const study::Options& options, const Job& job, const CreepForceTable& table, std::size_t scenes) {
-    write_binary(options, table);
+void finish(const study::Options& options, const Job& job, study::OutputFile& file, const CreepForceTable& table,
+            std::size_t scenes) {
+    write_binary(file, table);
     if (scenes > 0) check(options, job, table, scenes);
 }
 
-/// The lines of --rows below its header.
-std::vector<std::string> read_rows(const study::Options& options) {
+/// The lines of --rows below its header, and where they stand.
+struct Rows {
+    std::vector<std::string> lines, places;
+};
+
+Rows read_rows(const study::Options& options) {
     const std::string header = study::join(columns(), ",");
-    std::vector<std::string> rows;
+    Rows rows;
     study::Lines file(options, "rows");
     while (file.next()) {
-        if (file.number() > 1) {
-            rows.push_back(file.text());
+        if (!file.is_first()) {
+            rows.lines.push_back(file.text());
+            rows.places.push_back(file.where());
         } else if (file.text() != header) {
             throw study::BadInput(file.where() + " must be " + header);
         }
@@ -329,25 +319,30 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
         const bool to_file = given.given("output") && given.text("output") != "-";
         if (scenes > 0 && !to_file) given.ignored("check", "without --output FILE");
         if (given.given("rows")) given.ignored("shard", "with --rows");
+        std::optional<study::OutputFile> binary;
+        if (whole && to_file) binary.emplace(given.text("output") + ".bin", "--output");
         const Job job = make_job(given);
 
         // 3. Its rows: read, or computed.
         if (given.given("rows")) {
-            const std::vector<std::string> rows = read_rows(given);
+            const Rows rows = read_rows(given);
             if (!to_file) throw study::BadInput("--rows = " + given.text("rows") + " must go with --output FILE");
-            const CreepForceTable made = table_of(job, rows, given.said("rows"));
+            const CreepForceTable made(job.grid, read_forces(job, rows.lines, [&](std::size_t i) {
+                                           return i < rows.places.size() ? rows.places[i] : given.said("rows");
+                                       }));
             study::TableFile file(given, "output");
             file.rows().write(study::join(columns(), ",") + "\n");
-            for (const std::string& line : rows) file.rows().write(line + "\n");
+            for (const std::string& line : rows.lines) file.rows().write(line + "\n");
             file.commit();
-            finish(given, job, made, scenes);
+            finish(given, job, *binary, made, scenes);
             return study::exit_ok;
         }
-        const std::vector<Slab> slabs = slabs_of(job.grid);
+        const std::vector<rollbem::CreepForceSlab> slabs = slabs_of(job.grid);
         std::optional<CreepForceTable> made;
         study::Table table;
         table.columns = columns();
-        for (const Slab& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
+        for (const rollbem::CreepForceSlab& slab : slabs)
+            table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
         table.label = [&](std::size_t task) {
             return "a/b = " + study::Cell(job.grid.a_over_b(slabs[task].shape)).text(3);
         };
@@ -357,9 +352,11 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
         table.resumable = to_file;
         if (whole && to_file) {
             table.accept = [&](const std::vector<std::string>& rows) {
-                made.emplace(table_of(job, rows, given.said("output")));
+                made.emplace(job.grid, read_forces(job, rows, [&](std::size_t i) {
+                                 return given.said("output") + ": line " + std::to_string(i + 2);
+                             }));
             };
-            table.written = [&] { finish(given, job, *made, scenes); };
+            table.written = [&] { finish(given, job, *binary, *made, scenes); };
         }
         study::write_table(given, table);
         return study::exit_ok;

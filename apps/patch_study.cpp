@@ -15,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/adhesion/patch_frequency.hpp>
@@ -43,10 +44,39 @@ using Kernel = rollbem::HalfSpace<double>;
 
 Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
 
-/// A coefficient, left out where it cannot be trusted.
-double trusted(rollbem::Status status, double value) {
+/// Coefficients, those left out which cannot be trusted: of a long patch those that other meshes do not confirm.
+template <class Value>
+std::vector<Value> trusted(rollbem::Status status, const rollbem::CreepCoefficients<double>& change,
+                           const rollbem::CreepCoefficients<Value>& given) {
+    const bool known = status == rollbem::Status::ok || status == rollbem::Status::not_converged;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto value = [&](auto coefficient) {
+        return known && change.*(coefficient.first) <= rollbem::largest_mesh_change ? given.*(coefficient.second)
+                                                                                    : nan * Value(1);
+    };
+    using Change = rollbem::CreepCoefficients<double>;
+    using Given = rollbem::CreepCoefficients<Value>;
+    return {value(std::pair{&Change::c11, &Given::c11}), value(std::pair{&Change::c22, &Given::c22}),
+            value(std::pair{&Change::c23, &Given::c23}), value(std::pair{&Change::c32, &Given::c32}),
+            value(std::pair{&Change::c33, &Given::c33})};
+}
+
+/// Kalker's 3 x 3 coefficients of forces over G a^2, moments over G a^3 and spin times a.
+template <class Matrix>
+Matrix to_kalker(const Patch& patch, Matrix coefficients) {
+    const double force = patch.contact.a_over_b(), length = std::sqrt(force);
+    coefficients *= force;
+    coefficients.col(2) *= length;
+    coefficients.row(2) *= length;
+    return coefficients;
+}
+
+double if_ok(rollbem::Status status, double value) {
     return status == rollbem::Status::ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
+
+/// Of a patch that is not its own mirror image.
+const std::vector<std::pair<Eigen::Index, Eigen::Index>> unmirrored{{0, 1}, {0, 2}, {1, 0}, {2, 0}};
 
 // --- steady rolling ------------------------------------------------------------------------------------------------
 
@@ -56,7 +86,7 @@ std::vector<std::string> steady_columns(const study::Options& options) {
     if (options.flag("stability")) {
         names = joined(names, {"unstable_count", "uncertain_count", "spectral_abscissa"});
     }
-    return joined(names, {"status", "nodes"});
+    return joined(names, {"status", "nodes", "c12", "c13", "c21", "c31"});
 }
 
 study::Row steady_row(const study::Options& options, const Patch& patch) {
@@ -72,9 +102,7 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
         solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11; }) - *assembly_us);
     }
     study::Row row = patch::cells(patch);
-    for (const double value : {steady.c11, steady.c22, steady.c23, steady.c32, steady.c33}) {
-        row.emplace_back(trusted(steady.status, value));
-    }
+    for (const double value : trusted<double>(steady.status, steady.mesh_change, steady)) row.emplace_back(value);
     row.insert(row.end(), {steady.residual, assembly_us, solve_us});
 
     // 4. All eigenvalues of G' p = nu G p.
@@ -89,6 +117,8 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
         }
     }
     row.insert(row.end(), {status, nodes_name(patch)});
+    const Eigen::MatrixXd c = to_kalker(patch, steady.coefficients);
+    for (const auto& [i, j] : unmirrored) row.emplace_back(if_ok(steady.status, c(i, j)));
     return row;
 }
 
@@ -96,8 +126,9 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
 
 const std::vector<std::string>& response_columns() {
     static const std::vector<std::string> names =
-        joined(patch::columns(), {"omega", "c11_re", "c11_im", "c22_re", "c22_im", "c23_re", "c23_im", "c32_re",
-                                  "c32_im", "c33_re", "c33_im", "status", "nodes"});
+        joined(patch::columns(), {"omega",  "c11_re", "c11_im", "c22_re", "c22_im", "c23_re", "c23_im",
+                                  "c32_re", "c32_im", "c33_re", "c33_im", "status", "nodes",  "c12_re",
+                                  "c12_im", "c13_re", "c13_im", "c21_re", "c21_im", "c31_re", "c31_im"});
     return names;
 }
 
@@ -105,15 +136,23 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
     // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
     const rollbem::PatchFrequencySweep<double> sweep(patch.contact,
                                                      rollbem::patch_parts(patch.mesh, patch.scheme, kernel_of(patch)));
+    const rollbem::PatchSteadySolution<double> steady =
+        rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel_of(patch));
     for (std::size_t i = range.first; i < range.last; ++i) {
         const rollbem::PatchSweepPoint<double> point = sweep(omegas[i]);
+        const rollbem::Status status = point.status == rollbem::Status::ok ? steady.status : point.status;
         study::Row row = patch::cells(patch);
         row.emplace_back(omegas[i]);
-        for (const std::complex<double>& c : {point.c11, point.c22, point.c23, point.c32, point.c33}) {
-            row.emplace_back(trusted(point.status, c.real()));
-            row.emplace_back(trusted(point.status, c.imag()));
+        for (const std::complex<double>& c : trusted<std::complex<double>>(status, steady.mesh_change, point)) {
+            row.emplace_back(c.real());
+            row.emplace_back(c.imag());
         }
-        row.insert(row.end(), {name(point.status), nodes_name(patch)});
+        row.insert(row.end(), {name(status), nodes_name(patch)});
+        const Eigen::MatrixXcd c = to_kalker(patch, point.coefficients);
+        for (const auto& [k, j] : unmirrored) {
+            row.emplace_back(if_ok(status, c(k, j).real()));
+            row.emplace_back(if_ok(status, c(k, j).imag()));
+        }
         emit(std::move(row));
     }
 }
@@ -144,7 +183,7 @@ std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& 
         options, space,
         "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi "
         "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
-        "response = \"(c11 0 0; 0 c22 c23; 0 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
+        "response = \"(c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
         "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
         "the matrix of coefficients");
 }

@@ -72,7 +72,7 @@ void add_options(study::Options& options) {
                     ", creep coefficients of a contact patch and its forces with friction",
                 "all");
     options.add("a-over-b", "RATIO",
-                "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000; with --recommend 0.1 to 10", "1");
+                "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000; with --recommend 0.1 to 25", "1");
     options.add(
         "strips", "LIST",
         "quantities of patches: strips along the rolling direction; default: --n, see below for uniform-strips");
@@ -271,7 +271,7 @@ void print_recommendations(const study::Options& options) {
     for (const auto& [name, value] : options.given_values()) {
         if (name != "recommend" && name != "a-over-b") options.ignored(name, "with --recommend");
     }
-    const double a_over_b = options.number("a-over-b", study::between(0.1, 10));
+    const double a_over_b = options.number("a-over-b", study::between(0.1, 25));
     const auto print = [&](const char* purpose, const auto& line) {
         std::cout << "# " << purpose << "\n";
         try {
@@ -296,11 +296,10 @@ void print_recommendations(const study::Options& options) {
     print("the same by elements", [&] {
         return "precision_study --quantity c11_z5 --schemes richardson-nodes --n " + elements(Purpose::frequency);
     });
-    print("force in time, from q/a = 1 on after a step",
-          [&] { return "transient_study --step 1 --kernel plane " + states(Purpose::time_loop); });
-    print("the same by elements", [&] {
-        return "transient_study --step 1 --kernel plane --mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop);
-    });
+    const std::string after_step = "transient_study --step 1 --dq 1 --integrator exponential --kernel plane ";
+    print("force in time, from q/a = 1 on after a step", [&] { return after_step + states(Purpose::time_loop); });
+    print("the same by elements",
+          [&] { return after_step + "--mesh cosine --alpha 0.5 --n " + elements(Purpose::time_loop); });
     print("friction, creepage ratios from 0.05", [&] {
         return "friction_study --kernel plane --method nodes --nodes chebyshev --n " + elements(Purpose::friction);
     });

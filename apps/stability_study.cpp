@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/critical_alpha.hpp>
+#include <rollbem/studies/critical_alpha.hpp>
 
 #include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"
@@ -103,18 +103,15 @@ const std::vector<std::string> critical_columns = study::joined(
     {"method", "derivative", "mesh", "n", "alpha_L", "critical_alpha_T", "lambda", "status"}, study::setting_columns());
 
 std::optional<double> critical_alpha_T(const study::Scene& scene) {
-    return scene.visit([](const auto& mesh, const auto& scheme, const auto& kernel) -> std::optional<double> {
-        if constexpr (!requires { scheme.alpha_T; }) {
-            return std::nullopt;  // refused in main: it has no alpha_T
-        } else {
-            const auto scheme_of = [&scheme](double alpha_T) {
-                auto changed = scheme;
-                changed.alpha_T = alpha_T;
-                return changed;
-            };
-            return rollbem::critical_alpha_T(mesh, scheme_of, kernel);
-        }
-    });
+    const auto scheme_of = [&](double alpha_T) {
+        const auto changed = [alpha_T](auto scheme) -> rollbem::AnyScheme {
+            scheme.alpha_T = alpha_T;
+            return scheme;
+        };
+        const auto* galerkin = scene.scheme.get_if<rollbem::Galerkin>();
+        return galerkin != nullptr ? changed(*galerkin) : changed(*scene.scheme.get_if<rollbem::Collocation>());
+    };
+    return rollbem::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
 }
 
 study::Table critical_table(const std::vector<study::Scene>& scenes) {
@@ -234,9 +231,7 @@ study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
     table.columns = spectrum_columns;
     table.label = [&](std::size_t task) { return scenes[task].label(); };
     for (const study::Scene& scene : scenes) {
-        const Eigen::Index count = scene.visit(
-            [](const auto& mesh, const auto& scheme, const auto&) { return rollbem::unknown_count(scheme, mesh); },
-            [](const auto& method, const auto&) { return method.states; });
+        const Eigen::Index count = scene.chebyshev ? scene.n() : rollbem::unknown_count(scene.scheme, *scene.mesh);
         table.rows_of_task.push_back(static_cast<std::size_t>(count));
     }
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {

@@ -35,36 +35,34 @@ struct Steady {
     study::Cell residual{}, assembly_us{}, solve_us{}, error_estimate{};
 };
 
-Steady by_elements(const auto& mesh, const auto& scheme, const auto& kernel, bool timed) {
+Steady by_elements(const study::Scene& scene, bool timed) {
     // 3. Assemble G' and solve G' p = xi for unit creepage.
-    const Eigen::MatrixXd G_prime = rollbem::assemble_G_prime(mesh, scheme, kernel);
-    const Eigen::ArrayXd widths = rollbem::unknown_widths(mesh, scheme);
+    const auto assemble = [&] { return rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel); };
+    const Eigen::MatrixXd G_prime = assemble();
+    const Eigen::ArrayXd widths = rollbem::unknown_widths(*scene.mesh, scene.scheme);
     const rollbem::SteadySolution<double> solution = rollbem::solve_steady<double>(G_prime, widths);
     Steady result{.c11 = solution.c11, .status = solution.status, .residual = solution.residual};
 
     // 4. Time both steps, unless other jobs would spoil it.
     if (timed) {
-        result.assembly_us = study::median_time_us(
-            [&] { return Eigen::MatrixXd(rollbem::assemble_G_prime(mesh, scheme, kernel))(0, 0); });
+        result.assembly_us = study::median_time_us([&] { return assemble()(0, 0); });
         result.solve_us = study::median_time_us([&] { return rollbem::solve_steady<double>(G_prime, widths).c11; });
     }
     return result;
 }
 
 /// The same by Chebyshev states, which are assembled and solved in one call.
-Steady by_states(const rollbem::Chebyshev& method, const auto& kernel, bool timed) {
-    const rollbem::ChebyshevSteadySolution<double> solution = solve_steady(method, kernel);
+Steady by_states(const study::Scene& scene, bool timed) {
+    const auto solve = [&] { return solve_steady(*scene.chebyshev, scene.kernel); };
+    const rollbem::ChebyshevSteadySolution<double> solution = solve();
     Steady result{.c11 = solution.c11, .status = solution.status, .error_estimate = solution.error_estimate};
-    if (timed) result.solve_us = study::median_time_us([&] { return solve_steady(method, kernel).c11; });
+    if (timed) result.solve_us = study::median_time_us([&] { return solve().c11; });
     return result;
 }
 
 study::Row steady_row(const study::Options& options, const study::Scene& scene) {
     const bool timed = study::has_times(options);
-    const Steady result =
-        scene.visit([&](const auto& mesh, const auto& scheme,
-                        const auto& kernel) { return by_elements(mesh, scheme, kernel, timed); },
-                    [&](const auto& method, const auto& kernel) { return by_states(method, kernel, timed); });
+    const Steady result = (scene.chebyshev ? by_states : by_elements)(scene, timed);
 
     // 5. Compare with the closed form. A c11 that cannot be trusted is left out.
     const std::string status = study::steady_status(scene, result.status, result.c11);

@@ -10,7 +10,6 @@
 #include <numbers>
 #include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
@@ -31,10 +30,7 @@ const std::vector<std::string> columns = study::joined(
 void emit_elements(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
     // 3. Solve for unit creepage. If the result cannot be trusted, the cells stay empty; with Knothe and
     //    Gross-Thebing's boundary conditions the leading element has no traction.
-    const auto solve = [](const auto& mesh, const auto& scheme, const auto& kernel) {
-        return rollbem::solve_steady(mesh, scheme, kernel);
-    };
-    const rollbem::SteadySolution<double> solution = scene.visit(solve);
+    const rollbem::SteadySolution<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
     Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
     traction.head(solution.traction.size()) = solution.traction;
     const std::string status = study::steady_status(scene, solution.status, solution.c11);
@@ -60,8 +56,7 @@ rollbem::EdgeDistances<double> chebyshev_point(Eigen::Index n, Eigen::Index row)
 
 void emit_states(const study::Scene& scene, study::RowRange points, const study::Emit& emit) {
     // 3., 4. The same by Chebyshev states, at points, so that there is no mean.
-    const auto solution =
-        std::visit([&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel); }, scene.kernel);
+    const auto solution = solve_steady(*scene.chebyshev, scene.kernel);
     for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {
         const rollbem::EdgeDistances<double> point = chebyshev_point(scene.n(), i);
         const bool trusted = solution.status == rollbem::Status::ok;

@@ -309,6 +309,7 @@ OMEGA --dq > 1: fewer than six steps in a period of --sine.
 
         // 7. --plot.
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, table.columns, rows); };
+        table.resumable = !given.given("plot");
         study::write_table(given, table);
         return study::exit_ok;
     });

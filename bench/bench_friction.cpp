@@ -11,7 +11,7 @@
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/reference/stick_border.hpp>
+#include <rollbem/studies/stick_border.hpp>
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/reference.hpp>
+#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 

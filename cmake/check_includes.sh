@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
-# depend on meshes nor the reference on the assembly, only reference/ needs GSL, the time stepper includes no eigenvalue
+# depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper includes no eigenvalue
 # headers, only compiled/ needs a compiled library, nothing prints, and all reach the check of the language.
 set -eu
 cd "$1"
@@ -53,7 +53,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail root closed_form scene discretisation normal elasticity assembly spectral adhesion friction accuracy vehicle reference compiled umbrella", order, " ")
+    count = split("detail root closed_form scene system discretisation normal elasticity assembly spectral rolling adhesion friction accuracy vehicle studies reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
@@ -91,9 +91,10 @@ END {
             else if (target ~ /^(iostream|print)$/) complain(file " could print: it includes <" target ">")
             else if (target ~ /\// && target !~ /^(Eigen|gsl)\//) complain(file " needs more than Eigen: " target)
         }
+        if (from == "system" || from == "rolling") forbid(file, "^rollbem/(discretisation|elasticity|assembly)/", "a system knows how it was made")
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
-        if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference)/", "the umbrella needs GSL")
+        if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
         if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
         if (file ~ /\/transient\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }

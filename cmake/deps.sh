@@ -76,7 +76,7 @@ if have apt-get; then
     need_command gnuplot-nox gnuplot
     need_packages installed libeigen3-dev libgsl-dev catch2 libbenchmark-dev libcli11-dev
     if [ $ci = yes ]; then
-        need_packages installed clang-format-14 clang-14
+        need_packages installed clang-format-14 clang-14 clang-16
     fi
     [ $simbody = no ] || need_packages installed libsimbody-dev
     [ $docs = no ] || need_command doxygen doxygen

@@ -1,6 +1,7 @@
 # Installs the headers, the CMake package with its components `reference` and `compiled`, and a pkg-config file. All are
 # relocatable, and independent of the architecture except for the library of `compiled`, which is a package of its own
-# in the folder for libraries; the main package finds it there.
+# in the folder for libraries; the main package finds it there. Neither it nor any program need have been built: what has
+# not is left out.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -19,15 +20,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollbemConfigVersion.cma
     COMPATIBILITY SameMinorVersion
     ARCH_INDEPENDENT)
 if(ROLLBEM_BUILD_COMPILED)
-    set(compiled_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/rollbem_compiled")
-    install(TARGETS rollbem_compiled EXPORT rollbem_compiled_targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-    install(EXPORT rollbem_compiled_targets
-        FILE rollbem_compiledConfig.cmake
-        NAMESPACE rollbem::
-        DESTINATION "${compiled_package_dir}")
-    write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollbem_compiledConfigVersion.cmake"
-        COMPATIBILITY ExactVersion)
-    install(FILES "${PROJECT_BINARY_DIR}/rollbem_compiledConfigVersion.cmake" DESTINATION "${compiled_package_dir}")
+    add_subdirectory(cmake/compiled_package)
 endif()
 install(FILES
     "${PROJECT_BINARY_DIR}/rollbemConfig.cmake"

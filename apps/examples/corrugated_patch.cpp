@@ -28,10 +28,7 @@ double ride(Eigen::Index n, int steps_per_wave) {
     const ElasticBody<double> steel{modulus, poisson};
     const HertzEllipse<double> ellipse(
         {.load = mean_load, .radii_1 = {0.46, infinite}, .radii_2 = {infinite, 0.3}, .body_1 = steel, .body_2 = steel});
-    const PatchContact<double> contact({.half_length = ellipse.half_length(),
-                                        .half_width = ellipse.half_width(),
-                                        .shear_modulus = modulus / 2 / (1 + poisson),
-                                        .poisson_ratio = poisson});
+    const PatchContact<double> contact = ellipse.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, n, n);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(poisson);

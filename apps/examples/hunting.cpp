@@ -276,7 +276,7 @@ int main(int argc, char** argv) {
                                       .radii_2 = {std::numeric_limits<double>::infinity(), 0.3},
                                       .body_1 = steel,
                                       .body_2 = steel});
-    const PatchContact<double> contact({hertz.half_length(), hertz.half_width(), steel.shear_modulus(), 0.28});
+    const PatchContact<double> contact = hertz.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
     const NodeDifference scheme{Nodes::chebyshev};
     const auto kalker = solve_steady(contact, mesh, scheme);

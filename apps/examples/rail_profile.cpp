@@ -32,10 +32,7 @@ HertzEllipse<double> ellipse(double part) {
 int main() {
     // 1. A model that starts as the first ellipse
     const HertzEllipse<double> first = ellipse(0), last = ellipse(1);
-    const PatchContact<double> contact({.half_length = first.half_length(),
-                                        .half_width = first.half_width(),
-                                        .shear_modulus = modulus / 2 / (1 + poisson),
-                                        .poisson_ratio = poisson});
+    const PatchContact<double> contact = first.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
     const PatchShapes<double> shapes(8, 8, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(poisson),
                                      {.least = 0.45, .largest = 2.2, .factor = 1.5});

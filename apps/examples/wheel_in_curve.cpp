@@ -53,10 +53,7 @@ int main() {
                                           .radii_2 = {infinite, head},
                                           .body_1 = steel,
                                           .body_2 = steel});
-        const PatchContact<double> contact({.half_length = hertz.half_length(),
-                                            .half_width = hertz.half_width(),
-                                            .shear_modulus = modulus / 2 / (1 + poisson),
-                                            .poisson_ratio = poisson});
+        const PatchContact<double> contact = hertz.contact();
         // 2. Stick and slip in steady rolling
         const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
         const SteadyFrictionModel model(contact, mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(poisson),

@@ -1,11 +1,10 @@
 // Steady and harmonic creep coefficients in long double.
 #include "long_double.hpp"
 
-#include <cmath>
-
 #include <Eigen/LU>
 
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
 
 namespace extremes {
 
@@ -13,10 +12,9 @@ namespace {
 
 using Real = long double;
 
-/// A kernel of unit modulus; nu is rounded to double first, as in the computation that is checked.
-template <template <class> class Kernel>
-Kernel<Real> in_long_double(double aspect, double nu) {
-    return {aspect, 1 - Real(nu), Real(nu)};
+/// nu is rounded to double first, as in the computation that is checked.
+rollbem::AnyKernel<Real> in_long_double(rollbem::LineModel model, double aspect, double nu) {
+    return rollbem::AnyKernel<Real>::longitudinal(model, rollbem::Contact<Real>::dimensionless(aspect, nu));
 }
 
 }  // namespace
@@ -24,16 +22,14 @@ Kernel<Real> in_long_double(double aspect, double nu) {
 long double steady_c11(const rollbem::MeshSpecification& specification, const rollbem::Collocation& scheme,
                        double aspect, double poisson_ratio) {
     const rollbem::Mesh<Real> mesh = rollbem::make_mesh<Real>(specification);
-    const auto c11 = [&](const auto& kernel) { return rollbem::solve_steady(mesh, scheme, kernel).c11; };
-    return std::isinf(aspect) ? c11(in_long_double<rollbem::PlaneKernel>(aspect, poisson_ratio))
-                              : c11(in_long_double<rollbem::StripKernel>(aspect, poisson_ratio));
+    return rollbem::solve_steady(mesh, scheme, in_long_double(rollbem::LineModel::strip, aspect, poisson_ratio)).c11;
 }
 
 std::complex<long double> harmonic_c11(const rollbem::MeshSpecification& specification,
                                        const rollbem::Collocation& scheme, double aspect, double poisson_ratio,
                                        double z) {
     const rollbem::Mesh<Real> mesh = rollbem::make_mesh<Real>(specification);
-    const auto kernel = in_long_double<rollbem::PlaneKernel>(aspect, poisson_ratio);
+    const auto kernel = in_long_double(rollbem::LineModel::plane, aspect, poisson_ratio);
     const rollbem::MatrixX<Real> G_prime = rollbem::assemble_G_prime(mesh, scheme, kernel),
                                  zG = z * rollbem::assemble_G(mesh, scheme, kernel);
     const Eigen::Index n = mesh.size();

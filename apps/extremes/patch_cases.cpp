@@ -66,6 +66,15 @@ Case halves(const std::string& name, double a_over_b, Index n, Index m) {
         }};
 }
 
+/// A coefficient of a long patch can be used if other meshes confirm it, whatever becomes of the others.
+Outcome compare_confirmed(const Solution& solution, double rollbem::CreepCoefficients<double>::*coefficient,
+                          double reference, double bound) {
+    Outcome outcome = compare(solution, solution.*coefficient, reference, bound);
+    const bool confirmed = solution.mesh_change.*coefficient <= rollbem::largest_mesh_change;
+    if (solution.status == rollbem::Status::not_converged && confirmed) outcome.told.clear();
+    return outcome;
+}
+
 void add_ellipses(Cases& cases) {
     for (const double nu : {0.0, steel, 0.5}) {
         for (const auto& [a_over_b, bound] : {std::pair{0.02, 5e-3}, {1e-3, 4e-3}, {1e-6, 4e-3}}) {
@@ -83,14 +92,15 @@ void add_ellipses(Cases& cases) {
             const std::string name =
                 (a_over_b > 50 ? "needle a/b = " : "patch a/b = ") + shown(a_over_b) + ", nu = " + shown(nu);
             // c33 tends to 0 and comes out negative on so few elements
-            const std::string says = a_over_b > 50 && nu == 0.5 ? "status assists_creepage" : "";
+            const std::string says = a_over_b > 50 && nu == 0.5 ? "status assists_creepage" : "",
+                              of_c22 = a_over_b > 50 && nu == steel ? "status not_converged" : says;
             cases.told(name, "c11 against a/b -> inf", says, [=, bound = bound, a_over_b = a_over_b] {
                 const Solution solution = ellipse(a_over_b, nu, 24, 12);
-                return compare(solution, solution.c11, slender(a_over_b, nu).first, bound);
+                return compare_confirmed(solution, &Solution::c11, slender(a_over_b, nu).first, bound);
             });
-            cases.told(name, "c22 against a/b -> inf", says, [=, bound = bound, a_over_b = a_over_b] {
+            cases.told(name, "c22 against a/b -> inf", of_c22, [=, bound = bound, a_over_b = a_over_b] {
                 const Solution solution = ellipse(a_over_b, nu, 24, 12);
-                return compare(solution, solution.c22, slender(a_over_b, nu).second, bound);
+                return compare_confirmed(solution, &Solution::c22, slender(a_over_b, nu).second, bound);
             });
         }
         cases.right("patch a/b = 1, nu = " + shown(nu), "c32 against -c23", [=] {

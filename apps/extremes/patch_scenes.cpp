@@ -91,8 +91,7 @@ struct Scene {
         if (reshapes) narrowing = draw.decades(1 / 1.4, 2);
         for (Later& step : later) {
             if (varies) step.growth = draw.between(-1.02, 1.02);
-            // faster changes may leave implicit Euler without a solution
-            if (reshapes) step.narrowing = std::pow(draw.decades(0.75, 1 / 0.75), std::min(1.0, 10 * step.dq));
+            if (reshapes) step.narrowing = draw.decades(0.75, 1 / 0.75);
         }
     }
 

@@ -96,15 +96,14 @@ public:
     void initialise() override {
         const rollbem::Contact<Scalar> contact = parameters_.contact();
         first_half_length_ = contact.half_length();
-        const bool plane = parameters_.kernel == static_cast<int>(KernelName::plane);
         if (follows_load()) {
             parameters_.line();  // checks nominal_load
-            require(plane, "contact_length", length_,
+            require(parameters_.model() == rollbem::LineModel::plane, "contact_length", length_,
                     "be 1 (fixed) where kernel is strip, which knows one length only");
             require(rollbem::detail::is_finite(load_.value) && load_.value > 0, "normal_load", load_.value,
                     "be positive and finite where contact_length is follows_load");
         }
-        plane ? build<rollbem::PlaneKernel<Scalar>>(contact) : build<rollbem::StripKernel<Scalar>>(contact);
+        build(contact);
         now_ = model_->at_rest();
         if (initial_state_ == static_cast<int>(InitialState::steady)) {
             require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
@@ -114,7 +113,7 @@ public:
         next_ = from_ = now_;
         past_ = {};
         show(now_);
-        status_ = value_of(StepStatus::ok);
+        status_ = initial_state_ == static_cast<int>(InitialState::steady) ? value_of(StepStatus::ok) : 0;
     }
 
     Outcome step(Scalar duration) override {
@@ -193,11 +192,12 @@ private:
 
     static std::string state_name(Eigen::Index k) { return "displacement[" + std::to_string(k) + "]"; }
 
-    template <class Kernel>
     void build(const rollbem::Contact<Scalar>& contact) {
+        using Kernel = rollbem::AnyKernel<Scalar>;
         const bool longitudinal = direction_ == static_cast<int>(Direction::longitudinal);
-        const auto system = rolling_system(rollbem::Chebyshev{.states = state_count},
-                                           longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact));
+        const auto kernel_of = longitudinal ? Kernel::longitudinal : Kernel::lateral;
+        const auto system =
+            rolling_system(rollbem::Chebyshev{.states = state_count}, kernel_of(parameters_.model(), contact));
         model_.emplace(contact, system, judge_stability(system),
                        follows_load() ? rollbem::Integrator::sdirk2 : rollbem::Integrator::matrix_exponential);
         A_ = system.rates();
@@ -335,7 +335,7 @@ private:
     int length_ = static_cast<int>(Length::fixed);
     Input slip_{0}, speed_{20}, load_{1e5}, load_rate_{0};
     Scalar force_ = 0, half_length_ = 0;
-    int status_ = value_of(StepStatus::ok);
+    int status_ = 0;
     Vector displacement_, rates_;
     Vector unknowns_, slope_;  // y and A y, the slope's coefficients, at the last update()
 

@@ -16,10 +16,10 @@ const Enumeration half_length_sources{"HalfLengthFrom",
 
 const Enumeration kernels{"Kernel", {{"plane", "much wider than long"}, {"strip", "of finite width"}}};
 
-/// All of rollbem::StepStatus, counted from 0; name() returns not_finite for every value beyond them.
+/// None yet, then all of rollbem::StepStatus, counted from 0; name() returns not_finite for every value beyond them.
 Enumeration enumerate_statuses() {
     using rollbem::StepStatus;
-    Enumeration result{"StepStatus", {}};
+    Enumeration result{"StepStatus", {{"none", "nothing has been computed yet"}}, 0};
     const std::string beyond = name(StepStatus::not_finite);
     for (int i = 0;; ++i) {
         const std::string item = name(static_cast<StepStatus>(i));

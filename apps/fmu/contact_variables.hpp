@@ -1,6 +1,7 @@
 // What FMUs have in common: parameters of a line contact, and how the status of a step is reported.
 #pragma once
 
+#include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
@@ -31,6 +32,10 @@ struct ContactParameters {
 
     void add_to(Model& model);
 
+    rollbem::LineModel model() const {
+        return kernel == static_cast<int>(KernelName::plane) ? rollbem::LineModel::plane : rollbem::LineModel::strip;
+    }
+
     /// Hertz's line contact under the nominal load, and the contact that results; a given half-length determines the
     /// radius. Both throw std::invalid_argument, naming the parameter that is out of range.
     rollbem::HertzLine<double> line() const;
@@ -44,7 +49,7 @@ private:
 
 extern const Enumeration initial_states;
 
-/// The statuses of a step, ok first.
+/// The statuses of a step: 0 none, 1 ok.
 extern const Enumeration step_statuses;
 
 /// The value of a variable of that enumeration.

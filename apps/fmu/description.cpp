@@ -82,9 +82,9 @@ std::string types(const std::vector<Variable>& variables) {
     for (const Variable& variable : variables) {
         if (variable.items == nullptr || !written.insert(variable.items).second) continue;
         text += "    <SimpleType" + attribute("name", variable.items->name) + "><Enumeration>\n";
-        int value = 0;
+        int value = variable.items->first;
         for (const Enumeration::Item& item : variable.items->items) {
-            text += "      <Item" + attribute("name", item.name) + attribute("value", text_of(++value));
+            text += "      <Item" + attribute("name", item.name) + attribute("value", text_of(value++));
             if (!item.description.empty()) text += attribute("description", item.description);
             text += "/>\n";
         }
@@ -209,8 +209,7 @@ std::string table_of_variables() {
         if (variable.causality == Causality::state && !variable.name.ends_with("[0]")) continue;
         std::string start;
         if (has_start(variable)) {
-            start = variable.items ? variable.items->items[static_cast<std::size_t>(variable.integer() - 1)].name
-                                   : start_of(variable);
+            start = variable.items ? variable.items->item(variable.integer()).name : start_of(variable);
         }
         std::string meaning = variable.description;
         if (variable.items && variable.causality == Causality::parameter) {

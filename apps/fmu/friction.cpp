@@ -61,8 +61,8 @@ public:
         const rollbem::HertzLine<Scalar> line = parameters_.line();
         require(elements_ >= 1 && elements_ <= 1000, "elements", elements_, "lie in [1, 1000]");
         const bool fixed = mesh_length_ == static_cast<int>(MeshLength::fixed);
-        const bool plane = parameters_.kernel == static_cast<int>(KernelName::plane);
-        require(fixed || plane, "mesh_length", mesh_length_,
+        const rollbem::LineModel model = parameters_.model();
+        require(fixed || model == rollbem::LineModel::plane, "mesh_length", mesh_length_,
                 "be 2 (fixed) where kernel is strip, which knows one length only");
         require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
                 fixed ? "not be negative" : "be positive where mesh_length is follows_load");
@@ -81,16 +81,9 @@ public:
         const auto hertz = fixed ? rollbem::HertzLoad<Scalar>::fixed(line, mesh, length)
                                  : rollbem::HertzLoad<Scalar>::breathing(line, mesh);
         const rollbem::Contact<Scalar> contact = parameters_.contact_of(length);
-        plane ? start<rollbem::PlaneKernel<Scalar>>(contact, mesh, scheme, hertz)
-              : start<rollbem::StripKernel<Scalar>>(contact, mesh, scheme, hertz);
-    }
-
-private:
-    template <class Kernel>
-    void start(const rollbem::Contact<Scalar>& contact, const rollbem::Mesh<Scalar>& mesh,
-               const rollbem::NodeDifference& scheme, const rollbem::HertzLoad<Scalar>& hertz) {
-        const rollbem::ElementSystem system(rolling_system(mesh, scheme, Kernel::longitudinal(contact)),
-                                            rolling_system(mesh, scheme, Kernel::lateral(contact)));
+        using Kernel = rollbem::AnyKernel<Scalar>;
+        const rollbem::ElementSystem system(rolling_system(mesh, scheme, Kernel::longitudinal(model, contact)),
+                                            rolling_system(mesh, scheme, Kernel::lateral(model, contact)));
         const Scalar first_load = hertz.breathes() ? parameters_.nominal_load : largest_load_;
         begin(hertz,
               FrictionModel(contact, system, judge_stability(system),
@@ -98,6 +91,7 @@ private:
               2 * parameters_.half_width);
     }
 
+private:
     void show_size(Scalar load) override { half_length_ = hertz_->half_length(per_width(load)); }
 
     Scalar per_width(Scalar load) const { return load / (2 * parameters_.half_width); }

@@ -122,7 +122,7 @@ fmi2Status Instance::tell(Outcome outcome, std::string message) const {
         message += separator + variable.name + " = ";
         separator = ", ";
         if (status) {
-            message += variable.items->items[static_cast<std::size_t>(variable.integer() - 1)].name;
+            message += variable.items->item(variable.integer()).name;
         } else {
             message += text_of(variable.real()) + ' ' + variable.unit;
         }

@@ -18,7 +18,7 @@
 
 namespace fmu {
 
-/// Values of an enumeration; the first item is 1.
+/// Values of an enumeration.
 struct Enumeration {
     struct Item {
         std::string name;
@@ -26,6 +26,9 @@ struct Enumeration {
     };
     std::string name;
     std::vector<Item> items;
+    int first = 1;  ///< the number of the first item
+
+    const Item& item(int value) const { return items[static_cast<std::size_t>(value - first)]; }
 };
 
 /// As in FMI; a state is a local variable that has a derivative.

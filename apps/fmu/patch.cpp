@@ -256,11 +256,7 @@ private:
 
     // Without a load of that under largest_load.
     rollbem::PatchContact<Scalar> contact_under(Scalar load) const {
-        const Scalar scale = load > 0 && !lifted(load) ? std::cbrt(load / ellipse_->load()) : 1;
-        return rollbem::PatchContact<Scalar>({.half_length = scale * ellipse_->half_length(),
-                                              .half_width = scale * ellipse_->half_width(),
-                                              .shear_modulus = shear_modulus_,
-                                              .poisson_ratio = poisson_ratio_});
+        return (load > 0 && !lifted(load) ? ellipse_->under(load) : *ellipse_).contact();
     }
 
     // By table: at standstill, where there is no creepage, forces oppose the slip all the same. [m/s]

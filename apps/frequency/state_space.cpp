@@ -35,21 +35,18 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
         throw study::BadInput(said + " must go with another scheme: that of n = " + std::to_string(scene.n()) + " " +
                               flaw);
     };
-    const auto of_elements = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
-        const rollbem::ElementSystem<double> system = rollbem::rolling_system(mesh, scheme, kernel);
-        require_no_flaw(system);
-        try {
-            return rollbem::state_space<double>(system);
-        } catch (const std::invalid_argument& singular) {
-            throw study::BadInput(said + " must go with a scheme that has one: " + singular.what());
-        }
-    };
-    const auto of_states = [&](const auto& method, const auto& kernel) {
-        const rollbem::ChebyshevSystem<double> system = rolling_system(method, kernel);
+    if (scene.chebyshev) {
+        const rollbem::ChebyshevSystem<double> system = rolling_system(*scene.chebyshev, scene.kernel);
         require_no_flaw(system);
         return rollbem::state_space(system);
-    };
-    return scene.visit(of_elements, of_states);
+    }
+    const rollbem::ElementSystem<double> system = rolling_system(*scene.mesh, scene.scheme, scene.kernel);
+    require_no_flaw(system);
+    try {
+        return rollbem::state_space<double>(system);
+    } catch (const std::invalid_argument& singular) {
+        throw study::BadInput(said + " must go with a scheme that has one: " + singular.what());
+    }
 }
 
 }  // namespace

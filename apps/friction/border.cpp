@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/stick_border.hpp>
@@ -51,12 +50,8 @@ void border_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t
     for (std::size_t i = range.first; i < range.last; ++i) {
         const CreepPoint& point = curve.points[i];
         const auto solve = [&] {
-            return std::visit(
-                [&](const auto& kernel) {
-                    return rollbem::solve_stick_border(scene.contact, kernel, 1.0, curve.pressure,
-                                                       creepage(scene, point.longitudinal), scene.n());
-                },
-                scene.kernel);
+            return rollbem::solve_stick_border(scene.contact, scene.kernel, 1.0, curve.pressure,
+                                               creepage(scene, point.longitudinal), scene.n());
         };
         const rollbem::StickBorderSolution<double> solution = solve();
         Profile profile = profile_of(scene, point, solution, curve.pressure);

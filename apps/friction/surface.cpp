@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <variant>
 
 #include <rollbem/elasticity/layered_kernel.hpp>
 
@@ -15,16 +14,16 @@ namespace {
 /// function(mesh, scheme, kernels...) with the kernels of the directions, under a layer if there is one.
 template <class Function, class... Directions>
 auto visit(const Surface& surface, const Function& function, Directions... directions) {
+    using Kernel = rollbem::AnyKernel<double>;
+    const study::Scene& scene = surface.scene;
     const rollbem::Contact<double> contact = surface.contact();
-    return surface.scene.visit([&](const auto& mesh, const auto& scheme, const auto& any) {
-        using Kernel = std::remove_cvref_t<decltype(any)>;
-        const auto kernel = [&](Direction direction) {
-            return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
-        };
-        if (surface.layer == 0) return function(mesh, scheme, kernel(directions)...);
-        return function(mesh, scheme,
-                        rollbem::LayeredKernel(kernel(directions), surface.layer / surface.half_length)...);
-    });
+    const auto kernel = [&](Direction direction) {
+        const auto of = direction == Direction::longitudinal ? Kernel::longitudinal : Kernel::lateral;
+        return of(scene.kernel.model(), contact);
+    };
+    if (surface.layer == 0) return function(*scene.mesh, scene.scheme, kernel(directions)...);
+    return function(*scene.mesh, scene.scheme,
+                    rollbem::LayeredKernel(kernel(directions), surface.layer / surface.half_length)...);
 }
 
 }  // namespace

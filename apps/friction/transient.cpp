@@ -260,6 +260,7 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
              .end = double(steps.count) * steps.dq,
              .scene = scene_in_title(options)});
     };
+    table.resumable = !options.given("plot");
     study::write_runs(options, table, ended);
 }
 

@@ -1,7 +1,9 @@
 // The library calls behind the figures and claims of the paper.
 #include "evaluate.hpp"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -9,7 +11,8 @@
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/reference/critical_alpha.hpp>
+#include <rollbem/discretisation/any_scheme.hpp>
+#include <rollbem/studies/critical_alpha.hpp>
 
 #include "support/timing.hpp"
 
@@ -24,26 +27,20 @@ Kernel strip() { return Kernel::longitudinal(rollbem::Contact<double>::dimension
 
 Mesh mesh_of(const Case& c) { return rollbem::make_mesh({c.mesh, c.n, c.grading}); }
 
-/// function(scheme) with the scheme's own type.
-template <class Function>
-auto with_scheme(const Case& c, const Function& function) {
-    if (c.method == Method::collocation) {
-        return function(rollbem::Collocation{c.alpha_L, c.alpha_T, c.derivative, c.lambda});
-    }
+rollbem::AnyScheme scheme_of(const Case& c) {
+    if (c.method == Method::collocation) return rollbem::Collocation{c.alpha_L, c.alpha_T, c.derivative, c.lambda};
     const int quadrature = c.method == Method::galerkin_7 ? 7 : rollbem::exact_quadrature;
-    return function(rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature});
+    return rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature};
 }
 
 rollbem::ElementSystem<double> system_of(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::rolling_system(mesh_of(c), scheme, strip()); });
+    return rollbem::rolling_system(mesh_of(c), scheme_of(c), strip());
 }
 
-Eigen::MatrixXd G_prime(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::assemble_G_prime(mesh_of(c), scheme, strip()); });
-}
+Eigen::MatrixXd G_prime(const Case& c) { return rollbem::assemble_G_prime(mesh_of(c), scheme_of(c), strip()); }
 
 rollbem::SteadySolution<double> steady(const Case& c) {
-    return with_scheme(c, [&](const auto& scheme) { return rollbem::solve_steady(mesh_of(c), scheme, strip()); });
+    return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip());
 }
 
 double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
@@ -64,12 +61,13 @@ std::string name(Method method) {
 std::string name(Derivative derivative) { return derivative == Derivative::analytic ? "analytic" : "fd"; }
 
 ElementField element_field(double x_over_width) {
-    const double width = 2.0 / 40;
-    const auto at = [&](double offset) {
-        return Eigen::ArrayXd(Eigen::ArrayXd::Constant(1, width * (x_over_width + offset)));
+    const double width = 2.0 / 40, ahead = width * (x_over_width + 0.5), behind = width * (x_over_width - 0.5);
+    const double c1 = 1 - poisson_ratio, c2 = poisson_ratio, b = aspect, scale = 2 / std::numbers::pi;
+    const auto g = [&](double x) { return scale * (c1 * std::asinh(b / std::abs(x)) + c2 * b / std::hypot(x, b)); };
+    const auto integral = [&](double x) {
+        return x == 0 ? 0 : scale * (c1 * x * std::asinh(b / std::abs(x)) + (c1 + c2) * b * std::asinh(x / b));
     };
-    const Eigen::ArrayXd ahead = at(0.5), behind = at(-0.5);
-    return {(strip().H(ahead) - strip().H(behind))[0], (strip().g(ahead) - strip().g(behind))[0]};
+    return {integral(ahead) - integral(behind), g(ahead) - g(behind)};
 }
 
 // Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all
@@ -138,15 +136,12 @@ bool certainly_unstable(const Case& c) { return rollbem::judge_stability<double>
 
 std::optional<double> critical_alpha_T(const Case& c) {
     const rollbem::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};
-    const Mesh mesh = mesh_of(c);
-    return with_scheme(c, [&](auto scheme) {
-        const auto scheme_of = [&scheme](double alpha_T) {
-            auto moved = scheme;
-            moved.alpha_T = alpha_T;
-            return moved;
-        };
-        return rollbem::critical_alpha_T(mesh, scheme_of, strip(), options);
-    });
+    const auto scheme_at = [&](double alpha_T) {
+        Case moved = c;
+        moved.alpha_T = alpha_T;
+        return scheme_of(moved);
+    };
+    return rollbem::critical_alpha_T(mesh_of(c), scheme_at, strip(), options);
 }
 
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {

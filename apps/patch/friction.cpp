@@ -6,6 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include <Eigen/Cholesky>
+
+#include <rollbem/adhesion/patch_steady.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
@@ -107,13 +110,27 @@ bool asks_for_friction(const study::Options& options) {
     return options.given("longitudinal") || options.given("lateral") || options.given("spin");
 }
 
-std::vector<CreepPoint> read_points(const study::Options& options) {
+std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches) {
     const study::Rule rule = study::between(-1e6, 1e6);
     std::vector<CreepPoint> points;
     for (const double longitudinal : options.numbers("longitudinal", rule)) {
         for (const double lateral : options.numbers("lateral", rule)) {
             for (const double spin : options.numbers("spin", rule)) points.push_back({longitudinal, lateral, spin});
         }
+    }
+    const auto spins = [](const CreepPoint& point) { return point.spin != 0; };
+    if (std::none_of(points.begin(), points.end(), spins)) return points;
+    for (const Patch& patch : patches) {
+        // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
+        // without slip, a quadratic form, may become negative where elements are few
+        const auto steady = rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme,
+                                                  rollbem::HalfSpace<double>(patch.contact.poisson_ratio()));
+        const Eigen::Matrix3d C = steady.coefficients;
+        if (steady.status != rollbem::Status::ok ||
+            Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success)
+            continue;
+        throw study::BadInput(options.said("spin") + " must go with more elements or strips than " + patch.label() +
+                              ": rolling could gain energy");
     }
     return points;
 }
@@ -146,7 +163,7 @@ const std::vector<std::string>& traction_columns() {
 }
 
 void run_friction(const study::Options& options, const std::vector<Patch>& patches) {
-    const std::vector<CreepPoint> points = read_points(options);
+    const std::vector<CreepPoint> points = read_points(options, patches);
     const Pressure pressure(options);
     for (const Patch& patch : patches) pressure.on(patch);  // before anything is written
     std::optional<study::TableFile> tractions_file;

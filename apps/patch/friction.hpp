@@ -26,8 +26,8 @@ void add_friction_options(study::Options& options);
 /// Whether any of the creepages was given.
 bool asks_for_friction(const study::Options& options);
 
-/// All creepages, longitudinal outermost. Throws BadInput.
-std::vector<CreepPoint> read_points(const study::Options& options);
+/// All creepages, longitudinal outermost. Throws BadInput, also if a patch would gain energy from rolling with spin.
+std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches);
 
 /// The rows of --tractions, which several threads may add to.
 class Tractions {

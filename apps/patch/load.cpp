@@ -35,6 +35,11 @@ std::pair<double, double> Load::shapes() const {
 std::optional<Load> read_load(const study::Options& options, double until) {
     std::optional<study::LoadHistory> history = study::read_load_history(options, until, "a_ratio,b_ratio");
     if (!history) return std::nullopt;
+    // of a shape of its own, which need not shrink with the load
+    const bool has_axes = !history->further.empty() && !history->further[0].empty();
+    if (has_axes && !options.given("breathing")) {
+        history->breathing = *std::min_element(history->ratios.begin(), history->ratios.end()) > 0;
+    }
     const study::Rule rule = study::between(1e-3, 1e3);
     for (const study::Numbers& column : history->further) {
         for (const double ratio : column) {

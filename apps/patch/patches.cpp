@@ -27,11 +27,18 @@ Eigen::ArrayXd array(const Numbers& numbers) {
 }
 
 Outline read_outline(const study::Options& options) {
-    const std::vector<Numbers> columns = study::read_columns(options, "outline", "y,x_trailing,x_leading");
+    std::vector<std::string> places;  // of rows in the file
+    const std::vector<Numbers> columns =
+        study::read_columns(options, "outline", "y,x_trailing,x_leading", "",
+                            [&](const auto&, const std::string& where) { places.push_back(where); });
     try {
         return {array(columns[0]), array(columns[1]), array(columns[2])};
     } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("outline") + ": " + error.what() + " (lines below the header)");
+        const std::string text = error.what(), of_line = " of line ";  // counted below the header
+        const std::size_t found = text.find(of_line);
+        if (found == std::string::npos) throw study::BadInput(options.said("outline") + ": " + text);
+        throw study::BadInput(places[std::stoul(text.substr(found + of_line.size())) - 1] + ": " +
+                              text.substr(0, found) + text.substr(text.find(" = ", found)));
     }
 }
 

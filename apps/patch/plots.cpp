@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include <rollbem/reference/kalker_table.hpp>
+#include <rollbem/studies/kalker_table.hpp>
 
 namespace patch {
 

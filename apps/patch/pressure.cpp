@@ -76,17 +76,24 @@ Eigen::ArrayXd Pressure::on(const Patch& patch) const {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
     }
     const Eigen::ArrayXd means = (*grid_)(elements);
-    double load = 0;
+    double load = 0, area = 0, covered = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        const rollbem::Rectangle<double>& element = elements[i];
-        load += means[Eigen::Index(i)] * (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+        const auto& [x_1, x_2, y_1, y_2] = elements[i];
+        const auto overlap = [](double low, double high, const Eigen::ArrayXd& places) {
+            return std::max(0.0, std::min(high, places[places.size() - 1]) - std::max(low, places[0]));
+        };
+        load += means[Eigen::Index(i)] * (x_2 - x_1) * (y_2 - y_1);
+        area += (x_2 - x_1) * (y_2 - y_1);
+        covered += overlap(x_1, x_2, grid_->x()) * overlap(y_1, y_2, grid_->y());
     }
-    const double share = load / grid_->integral();
-    if (!(share >= 0.5)) {
-        throw study::BadInput(said_ + ": the share of its load on the patch = " + study::Cell(share).text(3) +
-                              " must be at least 0.5; x and y are " +
+    const auto require = [&](const std::string& what, double share, double least) {
+        if (share >= least) return;
+        throw study::BadInput(said_ + ": the share of " + what + " = " + study::Cell(share).text(3) +
+                              " must be at least " + study::Cell(least).text() + "; x and y are " +
                               (outline ? "in the unit of the outline" : "in a and b, from -1 to 1"));
-    }
+    };
+    require("its load on the patch", load / grid_->integral(), 0.5);
+    require("the patch that it covers", covered / area, 0.9);
     return means * (outline ? a * b : 1) / load;
 }
 

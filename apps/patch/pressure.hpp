@@ -19,7 +19,7 @@ public:
     explicit Pressure(const study::Options& options);
 
     /// Mean pressures of a patch's elements [G], which carry the load mu N = G a b with mu = 1. Throws BadInput if less
-    /// than half of the load of --pressure lies on them.
+    /// than half of the load of --pressure lies on them, or if it covers less than nine tenths of them.
     Eigen::ArrayXd on(const Patch& patch) const;
 
 private:

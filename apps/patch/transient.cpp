@@ -14,7 +14,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/friction/transient.hpp>
-#include <rollbem/normal/patch_pressure.hpp>
+#include <rollbem/normal/hertz_patch_load.hpp>
 
 #include "friction.hpp"
 #include "load.hpp"
@@ -53,6 +53,9 @@ public:
           pressures_(load ? rollbem::hertz_pressures(covered_, mesh_, mu_N()) : pressure.on(patch)) {
         const rollbem::HalfSpace<double> kernel(patch.contact.poisson_ratio());
         const auto make = [&](rollbem::ElementSystem<double, 2> system, const rollbem::StabilityVerdict& verdict) {
+            if (!verdict.stable()) {
+                throw std::invalid_argument("modes must decay, whatever rounding does; take another --n or --strips");
+            }
             model_.emplace(covered_, std::move(system), verdict, rollbem::Friction<>{1, pressures_}, integrator);
         };
         try {
@@ -71,6 +74,15 @@ public:
         } catch (const std::invalid_argument& error) {
             throw study::BadInput(patch.label() + " cannot be stepped: " + error.what());
         }
+    }
+
+    bool breathes() const { return load_ && load_->breathing; }
+    /// Whether the elements are small enough for the contact after a distance [a_0].
+    bool resolves(double q) const {
+        if (!load_ || breathes() || load_->at(q) == 0) return true;
+        const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered_, mesh_);
+        const Contact contact = stretched(patch_.contact, load_->axes(q));
+        return contact.half_length() >= least.half_length && contact.half_width() >= least.half_width;
     }
 
     const Patch& patch() const { return patch_; }
@@ -105,7 +117,6 @@ private:
                         .shear_modulus = contact.shear_modulus(),
                         .poisson_ratio = contact.poisson_ratio()});
     }
-    bool breathes() const { return load_ && load_->breathing; }
     static Contact covered(const Patch& patch, const std::optional<Load>& load) {
         return load && !load->breathing ? stretched(patch.contact, load->largest_axes()) : patch.contact;
     }
@@ -195,15 +206,15 @@ private:
         return last_.status;
     }
 
-    std::string status(bool over) const {
+    std::string status(bool over, bool resolved) const {
         if (over) return study::after_failure;
         if (!ended_.empty()) return name(last_.status);
-        return scene_.resolved() ? study::ok : study::unresolved;
+        return resolved ? study::ok : study::unresolved;
     }
 
     /// `over`: the run ended before this row.
     study::Row row(double end, bool over) const {
-        const bool valid = ended_.empty() && scene_.resolved();
+        const bool resolved = scene_.resolved() && rolling_.resolves(end), valid = ended_.empty() && resolved;
         const auto if_valid = [&](auto value) { return valid ? study::Cell(value) : study::Cell(); };
         const AxisRatios axes = scene_.load ? scene_.load->axes(end) : AxisRatios{1, 1};
         const auto& [F_x, F_y, M_z] = last_.force;
@@ -212,7 +223,8 @@ private:
             {cells(rolling_.patch()),
              {end, scene_.load ? scene_.load->at(end) : 1, axes.a, axes.b},
              {if_valid(0 - F_x / mu_N), if_valid(0 - F_y / mu_N), if_valid(0 - M_z / c_ / mu_N)},
-             {if_valid(last_.stick_count), if_valid(slip_work_ / work), if_valid(creep_work_ / work), status(over)},
+             {if_valid(last_.stick_count), if_valid(slip_work_ / work), if_valid(creep_work_ / work),
+              status(over, resolved)},
              {scene_.point.longitudinal, scene_.point.lateral, scene_.point.spin},
              {if_valid(model_.elastic_energy(now_) / work), over ? study::Cell() : study::Cell(rounds_)},
              {over ? study::Cell() : study::Cell(last_.complementarity_residual), study::word(scene_.integrator),
@@ -249,7 +261,8 @@ void add_transient_options(study::Options& options) {
                       "cover the run (dimensionless); without them both are the cube root of load_ratio");
     options.replaces("load-sine", {"load"});
     options.add_flag("breathing",
-                     "with --load-sine or --load: the mesh follows the ellipse; otherwise it covers the largest one");
+                     "with --load-sine or --load: the mesh follows the ellipse, as it does by default where --load has "
+                     "a_ratio,b_ratio and the load never vanishes; --breathing=false: it covers the largest one");
     options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
 }
 
@@ -263,7 +276,7 @@ void run_transient(const study::Options& options, const std::vector<Patch>& patc
     options.ignored("tractions", "with --transient");
     const Pressure pressure(options);
     const study::Steps steps = study::read_steps(options);
-    const std::vector<CreepPoint> points = read_points(options);
+    const std::vector<CreepPoint> points = read_points(options, patches);
     if (points.size() != 1) {
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
@@ -286,6 +299,7 @@ void run_transient(const study::Options& options, const std::vector<Patch>& patc
     table.plot = [&](const std::vector<study::Row>& drawn) {
         return draw_in_time(transient_columns, drawn, scene.load.has_value());
     };
+    table.resumable = !options.given("plot");
     study::write_runs(options, table, ended);
 }
 

@@ -10,7 +10,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
@@ -36,26 +36,16 @@ constexpr double load_amplitude = 0.5;   // N = N_0 (1 + A sin(2 pi q/L))
 constexpr double load_length = 8;        // L/a_0
 constexpr std::size_t load_steps = 160;  // in a period
 
-enum class Direction { longitudinal, lateral };
+using Kernel = rollbem::AnyKernel<double>;
 
-template <class Kernel>
-Kernel kernel_of(const Contact<double>& contact, Direction direction) {
-    return direction == Direction::longitudinal ? Kernel::longitudinal(contact) : Kernel::lateral(contact);
+rollbem::LineModel model_of(const Scene& scene) {
+    return scene.plane ? rollbem::LineModel::plane : rollbem::LineModel::strip;
 }
 
-template <class Function>
-auto with_kernel(const Scene& scene, const Function& function, Direction direction = Direction::longitudinal) {
-    return scene.plane ? function(kernel_of<rollbem::PlaneKernel<double>>(scene.contact, direction))
-                       : function(kernel_of<rollbem::StripKernel<double>>(scene.contact, direction));
-}
+Kernel kernel_of(const Scene& scene) { return Kernel::longitudinal(model_of(scene), scene.contact); }
 
-MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh,
-                       Direction direction = Direction::longitudinal) {
-    const auto assembled = [&](const auto& scheme) {
-        return with_kernel(
-            scene, [&](const auto& kernel) { return rollbem::assemble_G_prime(mesh, scheme, kernel); }, direction);
-    };
-    return std::visit(assembled, elements.scheme);
+MatrixX<double> slopes(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+    return rollbem::assemble_G_prime(mesh, elements.scheme, kernel_of(scene));
 }
 
 double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()) * peak; }
@@ -64,8 +54,7 @@ double unit_creepage(const Scene& scene) { return 2 * (1 - scene.contact.poisson
 // with the plane kernel, can change the half-length.
 Cover cover_of(const Scene& scene, const Elements& elements) {
     const bool graded = elements.topology != Topology::uniform;
-    return graded && scene.plane && !std::holds_alternative<Galerkin>(elements.scheme) ? Cover::breathing
-                                                                                       : Cover::largest;
+    return graded && scene.plane && elements.scheme.get_if<Galerkin>() == nullptr ? Cover::breathing : Cover::largest;
 }
 
 Complex harmonic_c11(const RollingSystem<double>& system, double z) {
@@ -101,18 +90,8 @@ Values combined_force(const Scene& scene, const Elements& elements, const Mesh<d
     using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
     const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
     // from kernels, as only then the model knows where the equations hold and turns the slip
-    const auto make = [&](const auto& scheme, const auto& along, const auto& across) {
-        return Model(scene.contact, mesh, scheme, along, across, friction, rollbem::unchecked);
-    };
-    const Model model = std::visit(
-        [&](const auto& scheme) {
-            const auto with_both = [&](const auto& along) {
-                using Kernel = std::decay_t<decltype(along)>;
-                return make(scheme, along, Kernel::lateral(scene.contact));
-            };
-            return with_kernel(scene, with_both);
-        },
-        elements.scheme);
+    const Model model(scene.contact, mesh, elements.scheme, kernel_of(scene),
+                      Kernel::lateral(model_of(scene), scene.contact), friction, rollbem::unchecked);
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();
@@ -157,17 +136,11 @@ Mesh<double> make_mesh(const Scene& scene, Topology topology, long n) {
 }
 
 rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    const auto assembled = [&](const auto& scheme) {
-        return with_kernel(scene, [&](const auto& kernel) -> rollbem::ElementSystem<double> {
-            return rollbem::rolling_system(mesh, scheme, kernel);
-        });
-    };
-    return std::visit(assembled, elements.scheme);
+    return rollbem::rolling_system(mesh, elements.scheme, kernel_of(scene));
 }
 
 RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
-    return with_kernel(
-        scene, [&](const auto& kernel) -> RollingSystem<double> { return rollbem::rolling_system(method, kernel); });
+    return rollbem::rolling_system(method, kernel_of(scene));
 }
 
 rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
@@ -209,7 +182,7 @@ Values load_forces(Scene scene, const Elements& elements, const Mesh<double>& me
 }
 
 rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const Chebyshev& method) {
-    return with_kernel(scene, [&](const auto& kernel) { return solve_steady(method, kernel); });
+    return solve_steady(method, kernel_of(scene));
 }
 
 Values values(const Scene& scene, const Elements& elements, const Mesh<double>& mesh, Cover cover,

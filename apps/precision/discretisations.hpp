@@ -6,14 +6,13 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/discretisation/mesh.hpp>
-#include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "scene.hpp"
@@ -26,7 +25,7 @@ inline constexpr std::size_t steps = 10;       ///< of the response to a step, a
 /// A scheme with elements: a mesh for every n, and how its equations are set up.
 struct Elements {
     rollbem::Topology topology;
-    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::NodeDifference> scheme;
+    rollbem::AnyScheme scheme;
     double order = 0;  ///< of the extrapolation from n/2 and n; 0: none
 };
 

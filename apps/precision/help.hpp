@@ -32,7 +32,7 @@ patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-
 many strips (--strips: others) along the rolling direction, with nodes-chebyshev or richardson-nodes (n/2 and
 strips/2 as well); two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
 from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
-uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 10).
+uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
 patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
 would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
 difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each

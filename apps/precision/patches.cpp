@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,7 +12,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/kalker_table.hpp>
+#include <rollbem/studies/kalker_table.hpp>
 
 #include "support/csv.hpp"
 #include "support/errors.hpp"
@@ -84,7 +85,7 @@ Found forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh
 
 /// Extrapolated from strips of equal width and three times as many in both directions.
 Found reference_forces(const PatchContact& contact) {
-    const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 10.0);
+    const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 25.0);
     long n = 10;
     while (n > 2 && 9 * n * rollbem::recommended_strips(n, a_over_b) > reference_elements) --n;
     const long strips = rollbem::recommended_strips(n, a_over_b);
@@ -159,7 +160,7 @@ PatchComputation::PatchComputation(const study::Options& options, const std::vec
     const std::vector<std::string> schemes = options.choices("schemes", patch_scheme_names());
     for (const std::ptrdiff_t n : sizes) {
         for (const std::string& name : schemes) {
-            const bool own = name == uniform && a_over_b >= 0.1 && a_over_b <= 10;
+            const bool own = name == uniform && a_over_b >= 0.1 && a_over_b <= 25;
             const std::ptrdiff_t usual = own ? rollbem::recommended_strips(n, a_over_b) : n;
             for (const std::ptrdiff_t m : by_strips_ ? strips : std::vector{usual}) {
                 if (n * m > most_elements) {
@@ -203,7 +204,11 @@ std::vector<Point> PatchComputation::points_of(const PatchTask& task) const {
         if (own.status == "ok" && quantity.problem == Problem::steady) {
             const auto& names = patch_quantity_names();
             const auto k = std::size_t(std::find(names.begin(), names.end(), quantity.name) - names.begin());
-            point.relative_error = own.values[k] / reference[k] - 1;
+            if (std::isnan(reference[k])) {
+                point.status = rollbem::name(rollbem::Status::not_converged);
+            } else {
+                point.relative_error = own.values[k] / reference[k] - 1;
+            }
         } else if (own.status == "ok") {
             point.relative_error = 0;
             for (std::size_t k = 0; k < reference.size(); ++k) {
@@ -224,9 +229,16 @@ std::vector<Point> PatchComputation::points_of(const PatchTask& task) const {
 
 void PatchComputation::prepare(const std::vector<std::size_t>&, const std::function<void(double part)>& done) {
     for (const Problem problem : problems_) {
-        references_[problem] = problem == Problem::steady
-                                   ? compute(contact_, problem, {richardson, reference_n, reference_n}).values
-                                   : reference_forces(contact_).values;
+        // elements of long patches must not be as much longer than wide
+        const long part = contact_.a_over_b() > 10 ? 2 : 1;
+        const Found found = problem == Problem::steady
+                                ? compute(contact_, problem, {richardson, part * reference_n, reference_n / part})
+                                : reference_forces(contact_);
+        references_[problem] = found.values;
+        if (problem == Problem::steady && found.status != "ok") {
+            std::fill(references_[problem].begin(), references_[problem].end(),
+                      std::numeric_limits<double>::quiet_NaN());
+        }
     }
     if (partial_) return;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {

@@ -50,7 +50,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
     while (lines.next()) {
         const std::string where = lines.where();
         const std::string& text = lines.text();
-        if (lines.number() == 1) {
+        if (lines.is_first()) {
             const std::vector<std::string> names = study::cells_of(text, ',');
             const std::string given = study::join(names, ",");
             if (given != header && given != short_header) throw study::BadInput(where + " must be " + header);

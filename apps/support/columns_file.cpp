@@ -43,7 +43,7 @@ std::vector<Numbers> read_columns(
     };
     while (lines.next()) {
         const std::string where = lines.where() + " = " + lines.text();
-        if (lines.number() == 1) {
+        if (lines.is_first()) {
             read_header(where);
             continue;
         }

@@ -1,5 +1,5 @@
 // CSV files of numbers as input, e.g. a history of creepage, a pressure or an outline. Columns are found by their names
-// in the first line; further columns are ignored, and a semicolon or tab may take the place of the comma. Every message
+// in the first line that is not a comment; further columns are ignored, and a semicolon or tab may take the place of the comma. Every message
 // names the option, the file and the line.
 #pragma once
 

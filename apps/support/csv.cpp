@@ -300,7 +300,10 @@ std::string sidecar_text(const Options& options) {
     entry("x", "rolling direction in units of the half-length a; leading edge at x/a = 1, trailing edge at x/a = -1");
     entry("elements", "numbered from the trailing edge to the leading edge");
     entry("signs", "traction acts on body 1 (the wheel); positive creepage gives negative traction and force");
-    entry("c11", "-force per width / (a G creepage); c11_exact = pi/(2(1-nu)), plane limit b >> a of a rectangle");
+    entry("c11",
+          "of a line: -force per width / (a G creepage); c11_exact = pi/(2(1-nu)), plane limit b >> a of a "
+          "rectangle; of a patch: (F_x, F_y, M_z/c) = -G a b (c11 c12 c13; c21 c22 c23; c31 c32 c33) (xi, eta, phi c), "
+          "c = sqrt(a b)");
     entry("units", "dimensionless with a = G = V = 1; columns ending in _us in microseconds");
     entry("errors", "relative_error = value/exact - 1, signed, for real quantities; absolute value for complex ones");
     entry("cells", "the shortest text that is read back exactly; an undefined value is an empty cell");

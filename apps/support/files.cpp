@@ -53,7 +53,12 @@ std::string contents(const Options& options, const std::string& name) {
     const std::string_view start = std::string_view(text).substr(0, 2);
     if (start == "\xFF\xFE" || start == "\xFE\xFF") throw BadInput(options.said(name) + " must be UTF-8, not UTF-16");
     if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
-    return text;
+    std::string lines;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\r') lines += text[i];
+        if (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) lines += '\n';
+    }
+    return lines;
 }
 
 std::size_t character_length(std::string_view text) {
@@ -135,12 +140,14 @@ Lines::Lines(const Options& options, const std::string& name)
     : said_(options.said(name)), contents_(contents(options, name)) {}
 
 bool Lines::next() {
-    if (next_ >= contents_.size()) return false;
-    const std::size_t end = std::min(contents_.find('\n', next_), contents_.size());
-    text_ = detail::trim(std::string_view(contents_).substr(next_, end - next_));
-    next_ = end + 1;
-    ++number_;
-    if (text_.empty() && contents_.find_first_not_of(" \t\r\n", end) == std::string::npos) return false;
+    do {
+        if (next_ >= contents_.size()) return false;
+        const std::size_t end = std::min(contents_.find('\n', next_), contents_.size());
+        text_ = detail::trim(std::string_view(contents_).substr(next_, end - next_));
+        next_ = end + 1;
+        ++number_;
+    } while (text_.empty() || text_[0] == '#');
+    ++read_;
     const auto is_tab = [](char c) { return c == '\t'; };
     std::string plain = text_;
     std::replace_if(plain.begin(), plain.end(), is_tab, ' ');
@@ -151,7 +158,7 @@ bool Lines::next() {
 
 const std::string& Lines::text() const { return text_; }
 
-std::size_t Lines::number() const { return number_; }
+bool Lines::is_first() const { return read_ == 1; }
 
 std::string Lines::where() const { return said_ + ": line " + std::to_string(number_); }
 

@@ -12,7 +12,8 @@ namespace study {
 
 class Options;
 
-/// All of the file that --name gives, without the byte order mark that some programs put before UTF-8. Throws BadInput.
+/// All of the file that --name gives, without the byte order mark that some programs put before UTF-8; lines end in a
+/// line feed. Throws BadInput.
 std::string contents(const Options& options, const std::string& name);
 
 /// Bytes of the first character of a text in UTF-8, which must not be empty; 0 if it does not start with a character.
@@ -32,8 +33,8 @@ std::vector<std::string> cells_of(std::string_view line, char separator = ',');
 /// A cell as a number, or nothing. Unless the comma separates cells, it may be the decimal point.
 std::optional<double> number_of(std::string cell, char separator);
 
-/// The lines of the file that --name gives, without blanks at their ends and without empty lines at the end. Throws
-/// BadInput if a line is not text.
+/// The lines of the file that --name gives, without blanks at their ends; empty lines and those that begin with # are
+/// passed over. Throws BadInput if a line is not text.
 class Lines {
 public:
     /// Throws BadInput if the file cannot be read.
@@ -43,12 +44,12 @@ public:
     bool next();
 
     const std::string& text() const;
-    std::size_t number() const;  ///< counted from 1
-    std::string where() const;   ///< "--name = file: line 3", for messages
+    bool is_first() const;      ///< the header of a table
+    std::string where() const;  ///< "--name = file: line 3", counted from the top of the file, for messages
 
 private:
     std::string said_, contents_, text_;
-    std::size_t next_ = 0, number_ = 0;
+    std::size_t next_ = 0, number_ = 0, read_ = 0;
 };
 
 /// The end of a chain of symbolic links, whether or not there is a file. A chain that does not end is returned

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <rollbem/closed_form/plane_lambda.hpp>
@@ -36,7 +35,7 @@ void require_plane_model(const rollbem::Contact<double>& contact) {
 std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods) {
     std::vector<Scene> scenes = make_scenes(options, Problem::non_steady, methods);
     for (const Scene& scene : scenes) {
-        if (std::holds_alternative<rollbem::PlaneKernel<double>>(scene.kernel)) require_plane_model(scene.contact);
+        if (scene.is_plane()) require_plane_model(scene.contact);
     }
     return scenes;
 }
@@ -84,13 +83,9 @@ rollbem::Integrator read_integrator(const Options& options, const std::vector<ro
 }
 
 std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene) {
-    using System = rollbem::RollingSystem<double>;
     try {
-        return scene.visit(
-            [](const auto& mesh, const auto& scheme, const auto& kernel) -> System {
-                return rollbem::rolling_system(mesh, scheme, kernel);
-            },
-            [](const auto& method, const auto& kernel) -> System { return rolling_system(method, kernel); });
+        if (scene.chebyshev) return rolling_system(*scene.chebyshev, scene.kernel);
+        return rolling_system(*scene.mesh, scene.scheme, scene.kernel);
     } catch (const std::invalid_argument&) {  // all else has been checked with the options
         return std::nullopt;
     }
@@ -106,8 +101,7 @@ std::string steady_status(const Scene& scene, const rollbem::RollingSystem<doubl
         const rollbem::SteadySolution<double> solution = rollbem::solve_steady(system);
         return steady_status(scene, solution.status, solution.c11);
     }
-    const auto status = [&](const auto& kernel) { return solve_steady(*scene.chebyshev, kernel).status; };
-    return name(std::visit(status, scene.kernel));
+    return name(solve_steady(*scene.chebyshev, scene.kernel).status);
 }
 
 std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system) {

@@ -82,6 +82,14 @@ std::string_view detail::trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+std::string checksum(std::string_view text) {
+    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    std::array<char, 32> result;
+    std::snprintf(result.data(), result.size(), "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
+    return result.data();
+}
+
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
     return CLI::detail::join(words, separator);
 }
@@ -420,16 +428,13 @@ std::string Options::replay_note() const {
 
 void Options::note_input(const std::string& name, std::string_view contents) const {
     if (name == "config") return;
-    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-    for (const char c : contents) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
+    const std::string text = checksum(contents);
     const auto expected = expected_.find(name);
-    if (expected != expected_.end() && entry(name).option->count() == 0 && expected->second != text.data()) {
+    if (expected != expected_.end() && entry(name).option->count() == 0 && expected->second != text) {
         throw BadInput(said(name) + " must be the file of the run that " + said("config") +
-                       " repeats, but its contents have changed: " + text.data() + " instead of " + expected->second);
+                       " repeats, but its contents have changed: " + text + " instead of " + expected->second);
     }
-    inputs_[name] = text.data();
+    inputs_[name] = text;
 }
 
 std::string Options::version() const {

@@ -37,9 +37,10 @@ namespace detail {
 
 std::string_view trim(std::string_view text);
 
-/// The whole text as a number, or nothing.
+/// The whole text as a number, which may have a plus sign, or nothing.
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -47,6 +48,9 @@ std::optional<Number> parse_number(std::string_view text) {
 }
 
 }  // namespace detail
+
+/// By which a changed text is noticed.
+std::string checksum(std::string_view text);
 
 /// The words joined by `separator`.
 std::string join(const std::vector<std::string>& words, const std::string& separator);

@@ -39,7 +39,7 @@ std::string why_ended(double q, rollbem::StepStatus status) {
     const std::string where = "no results from the step to q/a = " + Cell(q).text(6) + " on: " + name(status);
     switch (status) {
         case rollbem::StepStatus::needs_fixed_mesh:
-            return where + ", the contact grows or shrinks as fast as it rolls; run without --breathing";
+            return where + ", the contact grows or shrinks as fast as it rolls; use --breathing=false";
         case rollbem::StepStatus::no_solution:
             return q > 0 ? where + ", not even in steps of dq/" + std::to_string(1 << most_halvings) : where;
         default: return where;

@@ -21,8 +21,6 @@ struct GradedMesh {
     std::optional<double> size_ratio{}, epsilon{};
 };
 
-using Kernel = std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>>;
-
 constexpr std::ptrdiff_t largest_n = 100000, most_states = 10000;
 constexpr double narrowest_for_states = 0.001;  // b/a; the library's bounds
 
@@ -106,12 +104,10 @@ std::vector<std::pair<double, double>> make_alphas(const Options& options) {
     return alphas;
 }
 
-Kernel make_kernel(const Options& options, const rollbem::Contact<double>& contact) {
-    // the strip of infinite width is the plane
-    if (options.choice("kernel", {"strip", "plane"}) == "strip" && std::isfinite(contact.aspect())) {
-        return rollbem::StripKernel<double>::longitudinal(contact);
-    }
-    return rollbem::PlaneKernel<double>::longitudinal(contact);
+rollbem::AnyKernel<double> make_kernel(const Options& options, const rollbem::Contact<double>& contact) {
+    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane";
+    return rollbem::AnyKernel<double>::longitudinal(plane ? rollbem::LineModel::plane : rollbem::LineModel::strip,
+                                                    contact);
 }
 
 std::vector<Scene> make_chebyshev_scenes(const Options& options,
@@ -120,14 +116,14 @@ std::vector<Scene> make_chebyshev_scenes(const Options& options,
     std::vector<Scene> scenes;
     for (const Eigen::Index n : options.integers("n", 1, most_states)) {
         for (const rollbem::Contact<double>& contact : contacts) {
-            const Kernel kernel = make_kernel(options, contact);
-            const bool strip = std::holds_alternative<rollbem::StripKernel<double>>(kernel);
-            if (strip && contact.aspect() < narrowest_for_states) {
+            Scene& scene = scenes.emplace_back(Scene{.method = "chebyshev",
+                                                     .contact = contact,
+                                                     .chebyshev = rollbem::Chebyshev{n},
+                                                     .kernel = make_kernel(options, contact)});
+            if (!scene.is_plane() && contact.aspect() < narrowest_for_states) {
                 throw BadInput(options.said("aspect") +
                                " must be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
             }
-            scenes.push_back(
-                {.method = "chebyshev", .contact = contact, .chebyshev = rollbem::Chebyshev{n}, .kernel = kernel});
         }
     }
     return scenes;
@@ -142,7 +138,7 @@ struct Equations {
 
     bool has_alphas() const { return method == "collocation" || method == "galerkin"; }
 
-    decltype(Scene::scheme) scheme(double alpha_L, double alpha_T, double lambda) const {
+    rollbem::AnyScheme scheme(double alpha_L, double alpha_T, double lambda) const {
         const Derivative d = derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
         if (method == "collocation") return rollbem::Collocation{alpha_L, alpha_T, d, lambda};
         if (method == "galerkin") return rollbem::Galerkin{alpha_L, alpha_T, d, lambda, quadrature};
@@ -190,8 +186,7 @@ const std::vector<std::string>& all_setting_columns() {
 }
 
 Row setting_cells(const Scene& scene) {
-    const bool strip = std::holds_alternative<rollbem::StripKernel<double>>(scene.kernel);
-    return {strip ? "strip" : "plane",
+    return {scene.is_plane() ? "plane" : "strip",
             aspect_cell(scene.contact),
             scene.contact.poisson_ratio(),
             scene.size_ratio,
@@ -308,8 +303,9 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11) {
     if (status != rollbem::Status::ok) return name(status);
     constexpr double wide = 10;  // b/a; for wider contacts the plane's c11 is within 1 % of the strip's
-    const bool plane = std::holds_alternative<rollbem::PlaneKernel<double>>(scene.kernel);
-    if (scene.chebyshev || scene.n() >= 10 || !(plane || scene.contact.aspect() >= wide)) return name(status);
+    if (scene.chebyshev || scene.n() >= 10 || !(scene.is_plane() || scene.contact.aspect() >= wide)) {
+        return name(status);
+    }
     const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
     return std::abs(c11 / exact - 1) > 0.5 ? coarse : name(status);
 }
@@ -324,9 +320,8 @@ void add_model_differences(
         for (const auto& [x, error] : series.points) least = error > 0 ? std::min(least, error) : least;
     }
     std::vector<Scene> strips;
-    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(strips), [](const Scene& scene) {
-        return std::holds_alternative<rollbem::StripKernel<double>>(scene.kernel) && scene.contact.aspect() >= 0.3;
-    });
+    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(strips),
+                 [](const Scene& scene) { return !scene.is_plane() && scene.contact.aspect() >= 0.3; });
     const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
     for (const rollbem::Contact<double>& contact : contacts) {
         const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);

@@ -7,12 +7,11 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/discretisation/mesh.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/status.hpp>
@@ -39,8 +38,8 @@ struct Scene {
     rollbem::Contact<double> contact;                      ///< a = G = 1
     std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
-    std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference> scheme{};
-    std::variant<rollbem::StripKernel<double>, rollbem::PlaneKernel<double>> kernel;
+    rollbem::AnyScheme scheme{};
+    rollbem::AnyKernel<double> kernel;
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh->size(); }
 
@@ -50,19 +49,7 @@ struct Scene {
     /// For the progress line.
     std::string label() const { return "n = " + std::to_string(n()); }
 
-    /// function(mesh, scheme, kernel) with their own types. For elements only.
-    template <class Function>
-    decltype(auto) visit(const Function& function) const {
-        return std::visit([&](const auto& s, const auto& k) -> decltype(auto) { return function(*mesh, s, k); }, scheme,
-                          kernel);
-    }
-
-    /// The same for elements, and states(Chebyshev, kernel) for Chebyshev states; both return the same type.
-    template <class Elements, class States>
-    auto visit(const Elements& elements, const States& states) const {
-        if (!chebyshev) return visit(elements);
-        return std::visit([&](const auto& k) { return states(*chebyshev, k); }, kernel);
-    }
+    bool is_plane() const { return kernel.model() == rollbem::LineModel::plane; }
 };
 
 /// Columns that tell scenes apart after those of method, n, alphas and lambda: kernel, aspect, poisson, size_ratio,

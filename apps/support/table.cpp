@@ -59,9 +59,10 @@ public:
     explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".unfinished") {
         std::string first = options.version();
         for (const auto& [name, value] : options.values()) {
-            if (name != "output" && name != "jobs" && name != "quiet" && name != "check")
+            if (name != "output" && name != "jobs" && name != "quiet" && name != "check" && name != "no-timing")
                 first += " --" + name + " " + value;
         }
+        for (const auto& [name, checksum] : options.inputs()) first += " " + name + " " + checksum;
         std::ifstream old(path_, std::ios::binary);
         std::string line;
         if (std::getline(old, line)) {
@@ -70,22 +71,27 @@ public:
                 throw BadInput(options.said("output") + ": " + path_ + " must hold rows of the same run: it is of \"" +
                                printable(line.substr(0, 200)) + "\"; remove it to start again");
             }
-            while (std::getline(old, line) && !old.eof()) lines_.push_back(line + '\n');  // not a line cut short
+            while (std::getline(old, line) && !old.eof()) {  // not a line cut short
+                const std::size_t blank = line.find(' ');
+                lines_.push_back((blank == std::string::npos ? "" : line.substr(blank + 1)) + '\n');
+                if (checksum(lines_.back()) == line.substr(0, blank)) continue;
+                throw BadInput(options.said("output") + ": " + path_ + ": line " + std::to_string(lines_.size() + 1) +
+                               " must not have changed; remove the file to start again");
+            }
         }
         old.close();
         file_.open(path_, std::ios::binary | std::ios::trunc);
         file_ << first << '\n';
-        for (const std::string& kept : lines_) file_ << kept;
+        for (const std::string& kept : lines_) file_ << checksum(kept) << ' ' << kept;
         if (!file_.flush())
             throw BadInput(options.said("output") + ": " + path_ + " must be a file that can be written");
     }
 
     const std::vector<std::string>& lines() const { return lines_; }
 
-    void add(const std::string& line) { file_ << line; }
-
     /// Throws WriteError.
-    void flush() {
+    void add(const std::string& line) {
+        file_ << checksum(line) << ' ' << line;
         if (!file_.flush()) throw WriteError(path_ + ": cannot be written");
     }
 
@@ -227,13 +233,13 @@ void write_table(const Options& options, const Table& table) {
     const auto started = [&](std::size_t task) {
         if (table.label) progress.doing(table.label(task));
     };
-    compute_in_order(
-        table, tasks, jobs, emit,
-        [&] {
-            csv.flush();
-            if (unfinished) unfinished->flush();
-        },
-        started);
+    try {
+        compute_in_order(
+            table, tasks, jobs, emit, [&] { csv.flush(); }, started);
+    } catch (const BadInput&) {  // it would end there again
+        if (unfinished) unfinished->remove();
+        throw;
+    }
     progress.clear();
 
     // 3. The files take their names.

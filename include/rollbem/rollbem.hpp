@@ -1,6 +1,7 @@
 // rollbem: tangential rolling contact by boundary elements, on lines and on contact patches. Includes every header that
 // needs Eigen alone; what a program does not use costs next to nothing to compile. Not included are rollbem/reference/,
-// which needs GSL, and rollbem/compiled/, which needs the library rollbem::compiled.
+// which needs GSL, rollbem/compiled/, which needs the library rollbem::compiled, rollbem/studies/, and the making of
+// tables, vehicle/make_creep_force_table.hpp.
 #pragma once
 
 #include "accuracy/distance_tangent.hpp"
@@ -8,6 +9,7 @@
 #include "accuracy/recommended_patch.hpp"
 #include "accuracy/richardson.hpp"
 #include "adhesion/balanced_reduction.hpp"
+#include "adhesion/dissipation.hpp"
 #include "adhesion/frequency.hpp"
 #include "adhesion/patch_frequency.hpp"
 #include "adhesion/patch_stability.hpp"
@@ -25,9 +27,11 @@
 #include "closed_form/carter.hpp"
 #include "closed_form/friction.hpp"
 #include "closed_form/full_sliding.hpp"
+#include "discretisation/any_scheme.hpp"
 #include "discretisation/mesh.hpp"
 #include "discretisation/patch_mesh.hpp"
 #include "discretisation/scheme.hpp"
+#include "elasticity/any_kernel.hpp"
 #include "elasticity/layered_kernel.hpp"
 #include "elasticity/line_kernel.hpp"
 #include "elasticity/rectangle_kernel.hpp"

@@ -12,18 +12,19 @@ enum class Status {
     ill_conditioned,   ///< the matrix is singular to working precision, or the residual is far above rounding
     assists_creepage,  ///< solved accurately, but the tractions of steady rolling assist the creepage: the scheme does
                        ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
-    not_converged,     ///< the order of a polynomial is too low, or monomials have broken down by cancellation
-    unstable,          ///< a mode of the system grows with the distance rolled
-    order_differs,     ///< values to be extrapolated do not converge with the given order
-    not_finite,        ///< an input or a result is NaN or infinite
+    not_converged,  ///< the order of a polynomial is too low, or monomials have broken down by cancellation; or other
+                    ///< meshes of a long patch give other coefficients
+    unstable,       ///< a mode of the system grows with the distance rolled
+    order_differs,  ///< values to be extrapolated do not converge with the given order
+    not_finite,     ///< an input or a result is NaN or infinite
 };
 
 /// Outcome of a step, or of a solution with friction that starts from a state.
 enum class StepStatus {
     ok,
     /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
-    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding and,
-    /// with both creepages, if Newton's method does not converge: seen where b varies by a sixth while rolling 0.03 a.
+    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and with
+    /// friction that depends on slip without a memory.
     no_solution,
     not_finite,    ///< the motion or the result is NaN or infinite
     invalid_step,  ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite)
@@ -39,6 +40,7 @@ enum class StepStatus {
     needs_places,      ///< spin other than zero, although the system does not know the points of its equations (ready
                        ///< matrices)
     wrong_table,  ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
+    unresolved,  ///< the contact on a fixed mesh is narrower than three of its strips or elements: forces are too rough
 };
 
 /// The name of a status as spelt in this header.
@@ -66,6 +68,7 @@ constexpr const char* name(StepStatus status) {
         case StepStatus::assists_creepage: return "assists_creepage";
         case StepStatus::needs_places: return "needs_places";
         case StepStatus::wrong_table: return "wrong_table";
+        case StepStatus::unresolved: return "unresolved";
         case StepStatus::not_finite: break;
     }
     return "not_finite";

@@ -12,7 +12,7 @@
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/kalker_table.hpp>
+#include <rollbem/studies/kalker_table.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -88,6 +88,32 @@ TEST_CASE("patch_steady: errors of 24 x 24 elements, and of 12 and 24 extrapolat
             CHECK(relative(-extrapolated(coarse.c32, fine.c32), exact[2]) < allowed);
         }
     }
+}
+
+TEST_CASE("patch_steady: of long patches no coefficient is wrong that other meshes confirm") {
+    using Coefficients = CreepCoefficients<double>;
+    const auto confirmed = [](const PatchSteadySolution<double>& patch, double Coefficients::*coefficient) {
+        return patch.mesh_change.*coefficient <= largest_mesh_change;
+    };
+    // elements many times longer than wide: c22 8 % and c33 600 % off; c33 18 %; c33 -120 %
+    const auto square = solved(50, 0.5, 24, 24), shorter = solved(20, 0.5, 12, 12), needle = solved(1000, 0.5, 12, 12);
+    for (const auto& patch : {square, shorter, needle}) {
+        CHECK(patch.status == Status::not_converged);
+        CHECK_FALSE(confirmed(patch, &Coefficients::c33));
+    }
+    CHECK_FALSE(confirmed(square, &Coefficients::c22));
+    CHECK(confirmed(square, &Coefficients::c11));
+    CHECK(confirmed(shorter, &Coefficients::c22));
+    CHECK_FALSE(confirmed(needle, &Coefficients::c22));
+    // limits by 100 x 8 and 72 x 12 elements, extrapolated
+    const auto fine = solved(20, 0.28, 48, 12);
+    CHECK(fine.status == Status::ok);
+    CHECK(relative(fine.c11, 18.85) < 1.5e-2);
+    CHECK(relative(fine.c22, 21.82) < 1.5e-2);
+    CHECK(relative(fine.c23, 34.25) < 1.5e-2);
+    CHECK(relative(fine.c33, 0.440) < 1.5e-2);
+    CHECK(solved(20, 0.28, 12, 1).status != Status::ok);
+    CHECK(solved(10, 0.28, 12, 1).mesh_change.c11 == 0);
 }
 
 TEST_CASE("patch_steady: Kalker's table, to 1.2 %") {
@@ -255,6 +281,31 @@ TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugat
     CHECK(halves.stable());
     const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, HalfSpace<double>(0.3)).whole());
     CHECK_THAT(halves.spectral_abscissa, WithinRel(whole.spectral_abscissa, 1e-9));
+}
+
+TEST_CASE("patch_steady: the decay of all modes is proved where single eigenvalues are uncertain") {
+    const auto parts = [](Eigen::Index n) {
+        const auto contact = PatchContact<double>::dimensionless(1, 0.28);
+        return patch_parts(patch_mesh(contact, n, n), chebyshev, HalfSpace<double>(0.28));
+    };
+    const StabilityVerdict verdict = judge_stability(parts(18));
+    CHECK(verdict.uncertain_count > 0);
+    CHECK(verdict.unstable_count == 0);
+    CHECK(verdict.stable());
+
+    // shifted, so that the slowest mode grows, is neutral to rounding, or just decays
+    const RollingSystem<double> system = parts(8).front().system;
+    const StabilityResult<double> result = solve_stability(system);
+    const auto proved = [&](double abscissa) {
+        const MatrixX<double> shifted = system.G_prime() + (abscissa - result.spectral_abscissa) * system.G();
+        return detail::all_decay<double>({system.G(), shifted, system.weights()}, 8, shifted.norm(), system.G().norm());
+    };
+    for (const double abscissa : {1.0, 1e-3, 1e-9, 1e-14, -1e-14}) {
+        CAPTURE(abscissa);
+        CHECK_FALSE(proved(abscissa));
+    }
+    CHECK(proved(-1e-3));
+    CHECK(proved(-1.0));
 }
 
 TEST_CASE("patch_steady: rows that belong to the element ahead grow on long patches") {

@@ -21,6 +21,7 @@
 namespace patch_transient_tests {
 
 using namespace rollbem;
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -96,6 +97,29 @@ TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady ro
     const TangentialForce<double> at_once = model.force(model.steady({xi, eta, phi}));
     CHECK_THAT(at_once.longitudinal, WithinRel(reached.longitudinal, 1e-10));
     CHECK_THAT(at_once.moment, WithinRel(reached.moment, 1e-10));
+}
+
+TEST_CASE("patch_transient: the state space in SI units settles at the steady forces") {
+    const Patch longer = ellipse(a / 2, 6);
+    const StateSpaceSI<double> space = in_si(state_space(longer.system.whole()), longer.contact, 30);
+    const MatrixX<double> gains = space.D - space.C * space.A.lu().solve(space.B);
+    const auto steady = solve_steady(longer.contact, longer.mesh, chebyshev);
+    for (const auto& [xi, eta, phi] : {Creepage<double>{1e-3, 0, 0}, {0, -2e-3, 0}, {0, 0, 0.4}, {1e-3, -2e-3, 0.4}}) {
+        const VectorX<double> settled = gains * Eigen::Vector3d(xi, eta, phi);
+        const TangentialForce<double> expected = forces(longer.contact, steady, xi, eta, phi);
+        CHECK_THAT(settled[0], WithinRel(expected.longitudinal, 1e-9) || WithinAbs(0, 1e-9));
+        CHECK_THAT(settled[1], WithinRel(expected.lateral, 1e-9) || WithinAbs(0, 1e-9));
+        CHECK_THAT(settled[2], WithinRel(expected.moment, 1e-9) || WithinAbs(0, 1e-12));
+    }
+    // in time: the first millimetre after a step of spin, by the series of exp(A t)
+    const Creepage<double> turned{0, 0, 0.4};
+    const AdhesionModel model(longer.contact, longer.system, unchecked, Integrator::matrix_exponential);
+    const TangentialForce<double> rolled = step_response(model, turned, 1e-3, {1e-3}).back();
+    VectorX<double> term = space.B.col(2) * turned.spin * (1e-3 / 30), x = term;
+    for (int k = 2; k < 200; ++k) x += term = space.A * term * (1e-3 / 30 / k);
+    CHECK_THAT((space.C * x)[2], WithinRel(rolled.moment, 1e-8));
+    CHECK_THROWS_WITH(in_si(StateSpace<double>{space.A, space.B.leftCols(2), space.C, space.D}, longer.contact, 30),
+                      Catch::Matchers::ContainsSubstring("number of inputs = 2 must be 1, or 3 with spin"));
 }
 
 TEST_CASE("patch_transient: sdirk2 is of second order in dq, against steps exact in dq") {

@@ -7,8 +7,8 @@
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/adhesion/steady.hpp>
-#include <rollbem/system/element_blocks.hpp>
 #include <rollbem/compiled/frequency.hpp>
+#include <rollbem/system/element_blocks.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

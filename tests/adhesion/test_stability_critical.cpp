@@ -1,4 +1,4 @@
-// rollbem/reference/critical_alpha.hpp
+// rollbem/studies/critical_alpha.hpp
 #include <cmath>
 #include <complex>
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/reference/critical_alpha.hpp>
+#include <rollbem/studies/critical_alpha.hpp>
 
 #include "support/catch.hpp"
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 
+#include <rollbem/adhesion/dissipation.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
@@ -27,13 +28,11 @@ constexpr auto fd = Derivative::finite_difference;
 constexpr auto analytic = Derivative::analytic;
 
 // c11 over its exact value, minus 1, for a wide strip
-template <class Scheme>
-double error(const Mesh<double>& mesh, const Scheme& scheme, double nu = 0.25) {
+double error(const Mesh<double>& mesh, const AnyScheme& scheme, double nu = 0.25) {
     return solve_steady(mesh, scheme, StripKernel<double>(1000, 1 - nu, nu)).c11 / steady_c11(nu) - 1;
 }
 
-template <class Scheme>
-double plane_error(const Mesh<double>& mesh, const Scheme& scheme) {
+double plane_error(const Mesh<double>& mesh, const AnyScheme& scheme) {
     return solve_steady(mesh, scheme, PlaneKernel<double>(1000, 0.75, 0.25)).c11 / steady_c11(0.25) - 1;
 }
 
@@ -344,6 +343,20 @@ TEST_CASE("At most a twentieth of the traction may assist the creepage", "[stead
     }
 }
 
+TEST_CASE("Dissipation is proved on uniform meshes exactly for the schemes that converge", "[steady]") {
+    const PlaneKernel<double> kernel(1000, 0.75, 0.25);
+    const auto proved = [&](const Mesh<double>& mesh, const Collocation& scheme) {
+        return is_dissipative(assemble_G_prime(mesh, scheme, kernel), mesh.widths());
+    };
+    for (const Eigen::Index n : {10, 40}) {
+        for (const double alpha : {-0.05, 0.0, 0.05, 0.25, 0.63, 0.95, 1.05, 1.25}) {
+            CAPTURE(n, alpha);
+            CHECK(proved(uniform_mesh(n), {alpha, alpha}) == (alpha > 0 && alpha < 1));
+        }
+    }
+    for (const Eigen::Index n : {2, 10, 40, 160}) CHECK(proved(cosine_mesh(n), {0.5, 0.5}));
+}
+
 TEST_CASE("Lateral creepage gives c22 in the units of the contact", "[steady]") {
     const Contact<double> contact(
         {.half_length = 0.006, .half_width = 0.012, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
@@ -483,9 +496,9 @@ struct CountingKernel {
     StripKernel<double> kernel;
     Eigen::Index* count;
 
-    ArrayX<double> g(const ArrayX<double>& x) const { return *count += x.size(), kernel.g(x); }
-    ArrayX<double> H(const ArrayX<double>& x) const { return *count += x.size(), kernel.H(x); }
-    ArrayX<double> H_integral(const ArrayX<double>& x) const { return *count += x.size(), kernel.H_integral(x); }
+    SmoothSplit<double> smooth_split() const { return kernel.smooth_split(); }
+    double smooth_part(double x) const { return ++*count, kernel.smooth_part(x); }
+    double smooth_slope(double x) const { return ++*count, kernel.smooth_slope(x); }
 };
 
 TEST_CASE("A steady solution evaluates its kernel for one assembly of G' and nothing else", "[steady]") {

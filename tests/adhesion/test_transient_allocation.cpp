@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -268,8 +269,7 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
                                         .body_1 = {2e11, 0.3},
                                         .body_2 = {2e11, 0.3}});
     const double a = ellipse.half_length();
-    const PatchContact<double> contact(
-        {.half_length = a, .half_width = a, .shear_modulus = 8e10, .poisson_ratio = 0.3});
+    const PatchContact<double> contact = ellipse.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 5, 5);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(0.3);
@@ -424,7 +424,7 @@ TEST_CASE("A step with friction in two directions does not allocate, even in its
     }
 }
 
-TEST_CASE("The combined solver does not allocate, whichever of its attempts succeeds", "[friction]") {
+TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
     detail::CombinedSolver<double> uncoupled(n), coupled(n, true);
     const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
@@ -441,19 +441,20 @@ TEST_CASE("The combined solver does not allocate, whichever of its attempts succ
             }
         }
         for (double& entry : solver.constant().reshaped()) entry = draw.normal();
+        if (problem % 50 == 0) solver.constant()(0, 0) = std::numeric_limits<double>::infinity();
         VectorX<double> bound(n);
         for (double& entry : bound) entry = std::abs(draw.normal());
         const long before = allocations;
         if (problem % 4 > 1) solver.turn_slip(behind);
-        const auto outcome = solver.solve(bound, start, zones);
+        const auto outcome = solver.solve(bound, {start, zones});
         solver.turn_slip({});
         const long after = allocations;
         CAPTURE(problem, outcome.rounds);
         CHECK(after == before);
-        several += outcome.rounds > 60 ? 1 : 0;  // more than the first attempt
+        several += outcome.rounds > 60 ? 1 : 0;  // more than before the path is followed
         unsolved += outcome.status == StepStatus::ok ? 0 : 1;
     }
-    CHECK(several > 100);
+    CHECK(several > 50);
     CHECK(unsolved > 0);
 }
 

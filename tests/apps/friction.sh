@@ -460,10 +460,10 @@ awk -F, 'NR == FNR { last = $4; next } { fine = $4 } END { exit !((last - fine) 
 printf 'q_over_a,load_ratio\n0,1\n2,1\n2.2,2\n4,1\n' >"$scratch/blow"
 lost="$study --transient --kernel plane --aspect 100 --creepage-ratio 0.5 --until 4 --dq 0.5 --load $scratch/blow --breathing"
 ended='$12 == "after_failure" && $4 $5 $6 $7 $8 $9 $10 $11 $24 $27 == ""'
-ends_early 9 'q/a = 2.2 on: needs_fixed_mesh, the contact grows or shrinks as fast as it rolls; run without --breathing' $lost --n 20
+ends_early 9 'q/a = 2.2 on: needs_fixed_mesh, the contact grows or shrinks as fast as it rolls; use --breathing=false' $lost --n 20
 check 'a contact that grows faster than it rolls' '($q_over_a <= 2 && $status == "ok" && $force_ratio > 0) ||
     ($q_over_a == 2.5 && $status == "needs_fixed_mesh" && $force_ratio $stick_count $slip_work $creep_work == "") || '"(\$q_over_a > 2.5 && $ended)"
-ends_early 17 'n = 8: no results from the step to q/a = 2.2 on: needs_fixed_mesh, the contact grows or shrinks as fast as it rolls; run without --breathing; 1 more of 2 runs ended' \
+ends_early 17 'n = 8: no results from the step to q/a = 2.2 on: needs_fixed_mesh, the contact grows or shrinks as fast as it rolls; use --breathing=false; 1 more of 2 runs ended' \
     $lost --n 8,12 --jobs 2
 shards $lost --n 5,6 2>/dev/null
 # halves of a step without a solution help, or end the run
@@ -505,7 +505,7 @@ if command -v gnuplot >/dev/null; then
     grep -q 'sweep down' f.svg && ! grep -q Carter f.svg || fail 'both branches in the plot'
     good 17 $branches --lateral-ratio 0,0.1 --sweep up --plot g.svg
     grep -q 'Lateral force' g.svg && ! grep -q Carter g.svg || fail 'falling friction in both directions in the plot'
-    ends_early 9 'run without --breathing' $lost --n 20 --plot e.svg
+    ends_early 9 'use --breathing=false' $lost --n 20 --plot e.svg
     [ "$(grep -c '</svg>' e.svg)" -eq 1 ] || fail 'a picture of what was computed'
     good 41 $rolling --sine 1,1 --until 2 --plot l.svg
     grep -q Hysteresis l.svg || fail 'hysteresis in the plot'

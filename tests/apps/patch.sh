@@ -31,8 +31,8 @@ bad_outline 'number of lines = 0 must be at least 2' ''
 bad_outline 'the edges cross' '-1,-1,1\n0,1,-1\n1,-1,1\n'
 bad_outline 'line 3 = 1,nan,1 must have 3 cells with a comma between them, finite numbers under' '0,-1,1\n1,nan,1\n'
 bad_outline 'line 3 = 1,1 must have 3 cells' '0,-1,1\n1,1\n'
-bad_outline 'y of line 2 = -2 must be larger' '-1,-1,1\n-2,-1,1\n'
-bad_outline 'x_leading - x_trailing of line 2 = 0 must be positive' '-1,-1,1\n0,0.5,0.5\n1,-1,1\n'
+bad_outline 'line 3 = -2,-1,1: Outline: y = -2 must be larger' '-1,-1,1\n-2,-1,1\n'
+bad_outline 'line 5 = 0,0.5,0.5: Outline: x_leading - x_trailing = 0 must be positive' '-1,-1,1\n#\n\n0,0.5,0.5\n1,-1,1\n'
 bad_outline 'area = 0 must be positive' '-1,0,0\n1,0,0\n'
 printf 'x,y\n1,2\n' >"$scratch/outline.csv"
 bad 'line 1 = x,y must be y,x_trailing,x_leading' $p --outline "$scratch/outline.csv"
@@ -63,6 +63,9 @@ bad_pressure 'must have a row at x = 1, y = 2: its points must make a grid' '0,0
 bad_pressure 'line 3 = 1,0 must have 3 cells with a comma between them' '0,0,1\n1,0\n'
 bad_pressure 'load = 0 must be positive' '-1,-1,0\n1,-1,0\n-1,1,0\n1,1,0\n'
 bad_pressure 'the share of its load on the patch = 0.00' '-20,-20,1\n20,-20,1\n-20,20,1\n20,20,1\n'
+bad_pressure 'the share of the patch that it covers = 0.00315 must be at least 0.9' '-.05,-.05,1\n.05,-.05,1\n-.05,.05,1\n.05,.05,1\n'
+bad '--spin = 0,1 must go with more elements or strips than n = 1, strips = 1: rolling could gain energy' $p --n 1 --spin 0,1
+bad 'than n = 1, strips = 2: rolling could gain energy' $p --n 1 --strips 2 --a-over-b 5 --spin 1 --transient
 bad '--spin = nan must lie in' $p --spin nan
 bad '--lateral = x must be a number' $p --lateral x
 
@@ -91,7 +94,26 @@ tail -n 1 out | cut -d, -f5-9 | paste -d, one - | awk -F, '{ for (k = 1; k < 6; 
     1 - $k / $(k + 5) > 1e-12) bad = 1 } END { exit bad }' || fail 'the unit of length matters'
 printf -- '-2e-3\n-1e-3\n0\n1.5e-3\n2e-3\n' >"$scratch/edges"
 good 2 "$patch" --n 8 --outline "$scratch/outline.csv" --strip-edges "$scratch/edges"
-check 'strips of a file' '$strips == 4 && $NF == "chebyshev"'
+check 'strips of a file' '$strips == 4 && $nodes == "chebyshev"'
+
+# an ellipse of a/b = 2 turned by 30 degrees and its mirror image: all nine coefficients, also in the frequency response
+for turn in 1 -1; do
+    awk -v turn=$turn 'BEGIN { print "y,x_trailing,x_leading"; pi = 4 * atan2(1, 1); c = cos(pi / 6); s = turn * sin(pi / 6)
+        A = c * c / 4 + s * s; B = s * c * (0.25 - 1); C = s * s / 4 + c * c; top = sqrt(A / (A * C - B * B))
+        for (j = -200; j <= 200; ++j) { y = top * sin(j / 400 * pi); root = sqrt((B * y) ^ 2 - A * (C * y * y - 1) + 1e-30)
+            printf "%.15g,%.15g,%.15g\n", y, (-B * y - root) / A, (-B * y + root) / A } }' >turned.csv
+    "$patch" --n 16 --outline turned.csv --no-timing | tail -n $((1 + (turn > 0)))
+done >out
+check 'all nine coefficients' '$c12 ^ 2 > 0.221 ^ 2 && $c12 ^ 2 < 0.223 ^ 2 && $c13 ^ 2 > 0.257 ^ 2 && $c13 ^ 2 < 0.259 ^ 2 && $c12 * $c13 > 0'
+check 'those of the mirror image' 'NR == 2 && (a = $c12) + (b = $c13) + (c = $c21) + (d = $c31) + (e = $c23) != 0 ||
+    NR == 3 && a < 0 && ($c12 + a) ^ 2 + ($c13 + b) ^ 2 + ($c21 + c) ^ 2 + ($c31 + d) ^ 2 + ($c23 - e) ^ 2 < 1e-20'
+cut -d, -f"$(column c21),$(column c31)" out | tail -n 1 >steady
+"$patch" --n 16 --outline turned.csv --omega 0 >out
+cut -d, -f"$(column c21_re),$(column c31_re)" out | tail -n 1 | paste -d, - steady |
+    awk -F, '{ exit !(($1 / $3 - 1) ^ 2 + ($2 / $4 - 1) ^ 2 < 1e-20) }' || fail 'c21 and c31 at omega = 0'
+good 0 "$patch" --n 4 --output c.csv
+grep -q '^c11 = .*c21 c22 c23' c.csv.toml && mv c.csv out || fail 'the law of the coefficients beside the table'
+check 'those of a symmetric patch' '$c12 $c13 $c21 $c31 == "0000"'
 
 # --- frequency response and differential equations
 good 4 "$patch" --n 12 --poisson 0.28 --omega 0,1,3
@@ -103,7 +125,7 @@ good 2 "$patch" --n 4 --a-over-b 2 --state-space space --no-timing
 awk -F, 'END { exit !(NR == 32 && NF == 32) }' space/A.csv || fail 'size of A'
 awk -F, 'END { exit !(NR == 32 && NF == 3) }' space/B.csv || fail 'size of B'
 awk -F, 'END { exit !(NR == 3 && NF == 32) }' space/C.csv || fail 'size of C'
-grep -q 'phi c' space/state_space.toml || fail 'conventions of state_space.toml'
+grep -q 'c21 c22 c23' space/state_space.toml || fail 'conventions of state_space.toml'
 good 2 "$patch" --n 6 --state-space reduced --states 8 --no-timing
 awk -F, 'END { exit !(NR == 8 && NF == 8) }' reduced/A.csv || fail 'size of the reduced A'
 grep -q '^error_bound' reduced/state_space.toml || fail 'bound of the reduction'
@@ -208,20 +230,20 @@ paste -d, constant out | awk -F, 'NR == 1 { for (k = NF / 2; k > 0; --k) place[$
     if ((16 * $place["spin_moment"] / $(place["spin_moment"] + NF / 2) - 1) ^ 2 > 1e-20) exit 1 }' ||
     fail 'scaling of the load'
 good 81 "$@" --dq 0.1 --until 8 --load-sine 1,8
-check 'a load that vanishes' '$lateral_force <= $load_ratio * 1.000001 && $status == "ok" &&
-    ($q_over_a != 6 || $load_ratio < 1e-9 && $lateral_force < 1e-9)'
+check 'a load that vanishes' '($b_ratio > 0.8605 || $b_ratio == 0) == ($status == "ok") && ($status == "ok" || $lateral_force $slip_work == "") &&
+    $lateral_force <= $load_ratio * 1.000001 && (($q_over_a - 6) ^ 2 > 1e-9 || $lateral_force == 0)'
 good 6 "$@" --dq 0.1 --until 0.5 --load-sine 0.5,0.5
 check 'unresolved' '$status == "unresolved" && $lateral_force $slip_work == ""'
 shards "$@" --dq 0.1 --until 0.5 --load-sine 0.5,8 --poisson 0,0.28
 
-# --- a mesh that follows the ellipse: the load of the method's description within the error of 8 x 8 elements and of
-# rounding to four digits, beside a fixed mesh; shapes that change; too fast a change
+# --- a mesh that follows the ellipse: the load of the method's description, whose angles of turned slip do not follow
+# their own history, which moves forces by up to 2e-3; beside a fixed mesh; shapes that change; too fast a change
 set -- "$patch" --n 8 --longitudinal 0.1422475 --lateral 0.1081081 --spin 0.2022927 --transient --dq 0.05 --until 8 \
     --integrator implicit-euler --no-timing
 within() { check "$3 at q/a = $2" "(\$q_over_a - $2) ^ 2 > 1e-12 || (\$$3 - $4) ^ 2 < ($1) ^ 2"; }
 good 161 "$@" --load-sine 0.5,8 --breathing
-within 2e-4 2 longitudinal_force .4409 && within 2e-4 2 lateral_force .6107 && within 2e-4 2 spin_moment .2570
-within 2e-4 4 longitudinal_force .4400 && within 2e-4 6 lateral_force .3474 && within 2e-4 8 spin_moment .0869
+within 2e-3 2 longitudinal_force .4409 && within 2e-3 2 lateral_force .6107 && within 2e-3 2 spin_moment .2570
+within 2e-3 4 longitudinal_force .4400 && within 2e-3 6 lateral_force .3474 && within 2e-3 8 spin_moment .0869
 good 161 "$@" --load-sine 0.5,8
 within 2e-2 2 longitudinal_force .4409 && within 8e-2 8 lateral_force .4605
 set -- "$patch" --n 6 --lateral 0.1 --spin 0.2 --transient --no-timing
@@ -236,18 +258,30 @@ good 81 "$patch" --n 6 --a-over-b 2 --lateral 0.1125 --spin 0.2386485 --transien
     --no-timing
 tail -n 1 out | cut -d, -f"$(column lateral_force)" | paste - end | awk '{ exit !(($1 / $2 - 1) ^ 2 < 1e-7) }' ||
     fail "the force under the last ellipse is not $(cat end): $(tail -n 1 out)"
+# without --breathing the mesh follows a table of semi-axes all the same, or says where it is too coarse
+"$patch" --n 6 --lateral 0.1 --transient --until 6 --load "$scratch/load.csv" --no-timing >out
+"$patch" --n 6 --lateral 0.1 --transient --until 6 --load "$scratch/load.csv" --no-timing --breathing | cmp -s - out ||
+    fail 'a table of semi-axes'
+loads '0,1,1,1\n4,1,1,0.1\n20,1,1,0.1\n'
+for fixed in --breathing=false --quiet; do
+    good 61 "$patch" --n 12 --lateral 0.1 --transient --dq 0.1 --until 6 --load "$scratch/load.csv" --no-timing $fixed
+    check 'an ellipse of few strips' '$status == ($b_ratio > 0.38 ? "ok" : "unresolved") && ($status == "ok") == ($lateral_force $slip_work != "")'
+    loads '0,1,1,1\n4,1,1,0.1\n20,0,1,0.1\n'
+done
 # order in 1/n under a load that varies: second where the mesh follows, on a fixed one the border of pressure lowers it
 order_in_n() {
-    for n in 3 6 12; do
+    for n in $1; do
         "$patch" --n $n --longitudinal 0.1422475 --lateral 0.1081081 --spin 0.2022927 --transient --dq 0.2 --until 8 \
-            --load-sine 0.5,8 --no-timing "$@" >out
+            --load-sine $2 --no-timing >out
         cut -d, -f"$(column lateral_force)" out >"forces$n"
     done
-    paste forces3 forces6 forces12 |
+    paste $(printf 'forces%s ' $1) |
         awk 'NR > 1 { a += ($1 - $2) ^ 2; b += ($2 - $3) ^ 2 } END { print log(a / b) / log(4) }'
 }
-order_in_n --breathing | awk '{ exit !($1 > 1.6 && $1 < 2.3) }' || fail "order of a mesh that breathes: $(order_in_n --breathing)"
-order_in_n | awk '{ exit !($1 > 0.3 && $1 < 1.2) }' || fail "order of a fixed mesh: $(order_in_n)"
+order=$(order_in_n '3 6 12' '0.5,8 --breathing')
+awk -v order="$order" 'BEGIN { exit !(order > 1.6 && order < 2.3) }' || fail "order of a mesh that breathes: $order"
+order=$(order_in_n '4 8 16' 0.2,8)
+awk -v order="$order" 'BEGIN { exit !(order > 0.3 && order < 1.2) }' || fail "order of a fixed mesh: $order"
 
 bad '|A| < 1 where the mesh breathes' $p --n 4 --spin 1 --transient --load-sine 1,8 --breathing
 loads '0,1,1,1\n1,8,3,3\n20,1,1,1\n'
@@ -255,5 +289,7 @@ ends_early 11 'no results from the step to q/a = 0.5 on: needs_fixed_mesh, the c
     "$@" --dq 0.5 --until 5 --load "$scratch/load.csv" --breathing
 check 'rows behind the end' '(NR == 2 ? $status == "needs_fixed_mesh" : $status == "after_failure") &&
     $lateral_force $slip_work $elastic_energy == ""'
+
+for topic in outline pressure stability friction transient; do "$patch" --help $topic >out || fail "--help $topic"; done
 
 finish

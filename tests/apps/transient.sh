@@ -84,6 +84,8 @@ table 'q_over_a;creepage\n0;0,5\n1;1,5\n'
 table 'q_over_a;creepage\n0;0.5\n1;1.5\n'
 table 'q_over_a\tcreepage\n0\t0.5\n1\t1.5\n'
 table 'q_over_a,creepage\n0,0.5\n1,1.5\n\n \n\n'
+table '\n# comments\nq_over_a,creepage\n  # and\n0,+0.5\n\n+1,1.5\n'
+table 'q_over_a,creepage\r0,0.5\r1,1.5\r'
 table 'q_over_a,creepage\n"0","0.5"\n 1 , 1.5'
 # told TEXT CONTENT: refused, with this reason
 told() {
@@ -93,12 +95,25 @@ told() {
 told 'line 2 = 0\x001,1 must be text' 'q_over_a,creepage\n0\0001,1\n'
 told 'line 1 = \x7FELF\x02\xFF must be text' '\177ELF\002\377\n'
 told 'must be UTF-8, not UTF-16' '\377\376q\000_\000'
-told 'line 3 =  must be two finite numbers' 'q_over_a,creepage\n0,0.5\n\n1,1.5\n'
+told 'line 6 = 0,one must be two finite numbers' '# one\n\nq_over_a,creepage\r\n0,0.5\r\n\n0,one\n'
+told 'line 2 = +-0,1 must be two finite numbers' 'q_over_a,creepage\n+-0,1\n'
 told 'line 2 = 0;1 must be two finite numbers with a comma between them' 'q_over_a,creepage\n0;1\n'
 told 'line 2 = 0,1 must be two finite numbers with a semicolon between them' 'q_over_a;creepage\n0,1\n'
 told 'line 2 = 0,1 must have 3 cells' 'x,q_over_a,creepage\n0,1\n'
 told 'line 1 = q,creepage must be q_over_a,creepage' 'q,creepage\n0,1\n'
 shards $second --n 5,6 --step 1 --until 1
+# the rows of an interrupted run are kept: here its files may not grow beyond some kB
+set -- $study --n 10 --sine 1,1 --until 50
+good 1001 "$@"
+mv out expected
+(
+    ulimit -f 20
+    exec "$@" --output long.csv
+) 2>err
+[ $? -eq 4 ] || fail "a file that may not grow: $(cat err)"
+[ "$(wc -l <long.csv.unfinished)" -gt 20 ] && [ "$(wc -l <long.csv.unfinished)" -lt 1000 ] || fail 'rows are not kept'
+good 0 "$@" --output long.csv
+cmp -s long.csv expected && [ ! -e long.csv.unfinished ] || fail 'a run that goes on'
 good 0 $study --step 1 --output x.csv
 grep -q '^step = ' x.csv.toml || fail 'companion file'
 

@@ -1,6 +1,7 @@
-// User-defined schemes, rollbem/discretisation/scheme.hpp: all that the library asks for is rows(). In every problem,
+// User-defined schemes, rollbem/discretisation/scheme.hpp and any_scheme.hpp: all that the library asks for is rows(). In every problem,
 // the mean over two collocation points, whose matrices are the means of those of each point.
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include <rollbem/assembly/rolling_system.hpp>
@@ -9,6 +10,7 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
+#include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
@@ -145,6 +147,30 @@ TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
     }
     CHECK(stick_count > 0);
     CHECK(stick_count < mesh.size());
+}
+
+TEST_CASE("AnyScheme has the matrices of the scheme that it holds", "[scheme]") {
+    for (const Mesh<double>& mesh : {uniform_mesh(7), cosine_mesh(9)}) {
+        const auto check = [&](const auto& scheme) {
+            const AnyScheme any = scheme, copy = any;
+            CHECK(assemble_G(mesh, copy, kernel) == assemble_G(mesh, scheme, kernel));
+            CHECK(assemble_G_prime(mesh, copy, kernel) == assemble_G_prime(mesh, scheme, kernel));
+        };
+        check(Collocation{0, 0.63});
+        check(Galerkin{.alpha_L = 0, .alpha_T = 0.63, .quadrature = 3});
+        check(KnotheBoundary{});
+        check(NodeDifference{});
+        check(stable);
+    }
+    const auto alpha = [](const auto& mesh, const AnyScheme& any) { return any.rows(Quantity::slope, mesh).alpha[0]; };
+    CHECK(alpha(uniform_mesh<float>(3), Collocation{0, 0.63}) == 0.63F);
+    CHECK(alpha(uniform_mesh<double>(3), TwoPoints{0, 0.63, 0.1}) == 0.63);
+    CHECK_THROWS_AS(alpha(uniform_mesh<float>(3), TwoPoints{0, 0.63, 0.1}), std::invalid_argument);
+    AnyScheme any;
+    REQUIRE(any.get_if<Collocation>() != nullptr);
+    any = Galerkin{.alpha_T = 0.63};
+    CHECK(any.get_if<Collocation>() == nullptr);
+    CHECK(any.get_if<Galerkin>()->alpha_T == 0.63);
 }
 
 }  // namespace

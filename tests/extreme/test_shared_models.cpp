@@ -10,10 +10,10 @@
 
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/reference.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
 

@@ -8,8 +8,8 @@
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability_count.hpp>
 #include <rollbem/closed_form/friction.hpp>
-#include <rollbem/reference/stick_border.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/studies/stick_border.hpp>
 
 #include "fast_math/fixture.hpp"
 

@@ -105,10 +105,7 @@ inline rollbem::HertzEllipse<double> ellipse() {
 inline Friction<rollbem::HertzPatchLoad<double>> patch(bool fixed) {
     using Hertz = rollbem::HertzPatchLoad<double>;
     const rollbem::HertzEllipse<double> ellipse = library::ellipse();
-    const rollbem::PatchContact<double> contact({.half_length = ellipse.half_length(),
-                                                 .half_width = ellipse.half_width(),
-                                                 .shear_modulus = shear_modulus,
-                                                 .poisson_ratio = poisson_ratio});
+    const rollbem::PatchContact<double> contact = ellipse.contact();
     const rollbem::PatchMesh<double> mesh = patch_mesh(contact, 8, 8);
     const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
     const rollbem::HalfSpace<double> kernel(poisson_ratio);

@@ -38,10 +38,7 @@ double library_table(double, int count) {
     static const rollbem::HertzEllipse<double> ellipse = library::ellipse().under(1e5);
     double force = 0;
     for (int i = 0; i < count; ++i) {
-        const rollbem::PatchContact<double> contact({.half_length = ellipse.half_length(),
-                                                     .half_width = ellipse.half_width(),
-                                                     .shear_modulus = library::shear_modulus,
-                                                     .poisson_ratio = library::poisson_ratio});
+        const rollbem::PatchContact<double> contact = ellipse.contact();
         force = table.look_up(contact, library::friction_coefficient, 1e5, {1e-3 / 20, 0, 0}).force.longitudinal;
     }
     return force;

@@ -431,6 +431,7 @@ def test_wrong_parameters():
 def test_what_a_step_refuses():
     duration = 0.1 * a / V
     instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
+    assert instance.get("status") == instance.get("status_code") == 0
     forces = instance.roll(duration, 5)
     instance.set(rolling_speed=-1.0)
     assert instance.step(5 * duration, duration) == discard

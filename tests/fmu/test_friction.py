@@ -143,7 +143,7 @@ def test_what_a_step_refuses():
         assert all(f"{name} = " in instance.messages[-1] for name in inputs)
         variable = next(v for v in fmu.description.modelVariables if v.name == "status")
         names = [item.name for item in variable.declaredType.items]
-        assert names[instance.get("status") - 1] == status
+        assert names[instance.get("status")] == status
         assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
         assert outcome(instance) == before
         # the next step is as if nothing had been asked

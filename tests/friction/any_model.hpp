@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
 
 #include "friction/any_law.hpp"
 #include "friction/falling_scene.hpp"
@@ -58,16 +59,11 @@ struct Setup {
             {.half_length = a, .half_width = half_width, .shear_modulus = shear_modulus, .poisson_ratio = nu}));
     }
     ArrayX<double> pressure() const { return own_pressure.value_or(peak_pressure * mean_hertz_pressure(mesh)); }
-    template <class Function>
-    auto with_kernel(bool lateral, const Function& function) const {
-        const Contact<double> of = contact();
-        const auto plane = lateral ? PlaneKernel<double>::lateral : PlaneKernel<double>::longitudinal;
-        const auto bounded = lateral ? StripKernel<double>::lateral : StripKernel<double>::longitudinal;
-        return strip ? function(bounded(of)) : function(plane(of));
+    AnyKernel<double> kernel(bool lateral) const {
+        const auto of = lateral ? AnyKernel<double>::lateral : AnyKernel<double>::longitudinal;
+        return of(strip ? LineModel::strip : LineModel::plane, contact());
     }
-    ElementSystem<double> system(bool lateral) const {
-        return with_kernel(lateral, [&](const auto& kernel) { return rolling_system(mesh, scheme, kernel); });
-    }
+    ElementSystem<double> system(bool lateral) const { return rolling_system(mesh, scheme, kernel(lateral)); }
     template <class AnyOf>
     Friction<AnyOf> friction(const AnyOf& of) const {
         return {of, pressure(), {distance, least}, with_tangents, turned};
@@ -157,20 +153,14 @@ public:
     }
 
     static Steady make_steady(const Setup& setup, const Law& own_law) {
-        return setup.with_kernel(setup.across, [&]<class Kernel>(const Kernel& kernel) -> Steady {
-            const Contact<double> contact = setup.contact();
-            if constexpr (directions == 1) {
-                return {contact, setup.mesh, setup.scheme, kernel, setup.friction(own_law), unchecked};
-            } else {
-                return {contact,
-                        setup.mesh,
-                        setup.scheme,
-                        Kernel::longitudinal(contact),
-                        Kernel::lateral(contact),
-                        setup.friction(own_law),
-                        unchecked};
-            }
-        });
+        const auto make = [&](const auto&... kernels) {
+            return Steady(setup.contact(), setup.mesh, setup.scheme, kernels..., setup.friction(own_law), unchecked);
+        };
+        if constexpr (directions == 1) {
+            return make(setup.kernel(setup.across));
+        } else {
+            return make(setup.kernel(false), setup.kernel(true));
+        }
     }
 
 private:
@@ -196,8 +186,9 @@ private:
         if constexpr (directions == 2) {
             return state;
         } else {
-            return {state.traction.col(own_), state.zones,  state.normal_pressure,      state.half_length,
-                    state.half_width,         state.system, state.friction_coefficient, state.solver};
+            return {state.traction.col(own_),   state.zones,      state.normal_pressure,
+                    state.half_length,          state.half_width, state.system,
+                    state.friction_coefficient, state.solver,     {}};
         }
     }
     void raise(const InnerState& inner, State& state) const {
@@ -211,7 +202,8 @@ private:
                      inner.half_width,
                      inner.system,
                      inner.friction_coefficient,
-                     inner.solver};
+                     inner.solver,
+                     {}};
             state.traction.col(own_) = inner.traction;
         }
     }

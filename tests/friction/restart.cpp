@@ -38,6 +38,9 @@ template <class State>
 void write_state(std::ostream& file, const State& state) {
     file << state.system << '\n';
     for (const double p : state.traction.reshaped()) write(file, p);
+    if constexpr (requires { state.plain_traction; }) {
+        for (const double p : state.plain_traction.reshaped()) write(file, p);
+    }
     for (const double p : state.normal_pressure) write(file, p);
     write(file, state.half_length);
     for (const auto zone : state.zones) file << static_cast<int>(zone) << '\n';
@@ -51,6 +54,9 @@ template <class State>
 void read_state(std::istream& file, State& state) {
     file >> state.system;
     for (double& p : state.traction.reshaped()) p = read(file);
+    if constexpr (requires { state.plain_traction; }) {
+        for (double& p : state.plain_traction.reshaped()) p = read(file);
+    }
     for (double& p : state.normal_pressure) p = read(file);
     state.half_length = read(file);
     for (auto& zone : state.zones) {

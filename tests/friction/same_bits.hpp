@@ -29,10 +29,10 @@ inline bool same(const rollbem::CreepageTangent<double>& one, const rollbem::Cre
 }
 template <int directions>
 bool same(const rollbem::FrictionState<directions>& one, const rollbem::FrictionState<directions>& other) {
-    return same(one.traction, other.traction) && one.zones == other.zones &&
-           same(one.normal_pressure, other.normal_pressure) && same(one.half_length, other.half_length) &&
-           same(one.half_width, other.half_width) && one.system == other.system &&
-           same(one.friction_coefficient, other.friction_coefficient) &&
+    return same(one.traction, other.traction) && same(one.plain_traction, other.plain_traction) &&
+           one.zones == other.zones && same(one.normal_pressure, other.normal_pressure) &&
+           same(one.half_length, other.half_length) && same(one.half_width, other.half_width) &&
+           one.system == other.system && same(one.friction_coefficient, other.friction_coefficient) &&
            one.solver.unchanged_steps == other.solver.unchanged_steps &&
            same(one.solver.unchanged_distance, other.solver.unchanged_distance) &&
            same(one.solver.stage_coefficient, other.solver.stage_coefficient);

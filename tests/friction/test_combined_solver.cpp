@@ -44,7 +44,7 @@ struct Problem {
         solver.constant() = constant;
     }
     Solver::Outcome solve_from_rest(Solver& solver) const {
-        return solver.solve(bound, ElementVectors<double>::Zero(size(), 2), all_stick(size()));
+        return solver.solve(bound, {ElementVectors<double>::Zero(size(), 2), all_stick(size())});
     }
     ElementVectors<double> slip(const ElementVectors<double>& p) const {
         ElementVectors<double> s(size(), 2);
@@ -104,7 +104,7 @@ Problem random_problem(support::Draw& draw, Eigen::Index n, Kind kind, bool coup
     return problem;
 }
 
-TEST_CASE("Newton's method solves definite problems, and reports the residual of all others", "[friction]") {
+TEST_CASE("Definite problems are solved, nearly all others too, or their residual is reported", "[friction]") {
     support::Draw draw(11);
     int unsolved = 0, several = 0, tangents = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -117,7 +117,7 @@ TEST_CASE("Newton's method solves definite problems, and reports the residual of
         const auto outcome = problem.solve_from_rest(solver);
         const double violation = problem.violation(solver.traction());
         CAPTURE(trial, n, outcome.rounds, outcome.residual, violation);
-        REQUIRE(outcome.rounds <= 360);
+        REQUIRE(outcome.rounds <= 1600);
         if (kind == Kind::definite) REQUIRE(outcome.status == StepStatus::ok);
         if (outcome.status == StepStatus::ok) {
             REQUIRE(violation < 1e-9);
@@ -140,13 +140,50 @@ TEST_CASE("Newton's method solves definite problems, and reports the residual of
         ++tangents;
         const auto zones = solver.zones();
         solver.constant() += e * change;
-        REQUIRE(solver.solve(problem.bound, before, zones).status == StepStatus::ok);
+        REQUIRE(solver.solve(problem.bound, {before, zones}).status == StepStatus::ok);
         if (solver.zones() == zones) CHECK((solver.traction() - before - e * response).cwiseAbs().maxCoeff() < 1e-9);
     }
     CAPTURE(unsolved, several, tangents);
-    CHECK(unsolved < 100);
-    CHECK(several > 10);
+    CHECK(unsolved < 2);
+    CHECK(several > 700);
     CHECK(tangents > 900);
+}
+
+TEST_CASE("Problems with a positive definite symmetric part are solved, however skew", "[friction]") {
+    support::Draw draw(2);
+    int several = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Eigen::Index n = 1 + trial % 24;
+        Problem problem = random_problem(draw, n, Kind::any, trial % 2 == 1);
+        const double skew = draw.decades(0, 1), shift = draw.decades(-3, 0);
+        const auto define = [&](const MatrixX<double>& any) {
+            MatrixX<double> result = shift / 10 * dense::product(any, any.transpose());
+            result += skew * (any - any.transpose());
+            result.diagonal().array() += shift;
+            return result;
+        };
+        if (problem.coupled()) {
+            MatrixX<double> whole(2 * n, 2 * n);
+            whole << problem.x, problem.x_by_y, problem.y_by_x, problem.y;
+            whole = define(whole);
+            problem.x = whole.topLeftCorner(n, n);
+            problem.y = whole.bottomRightCorner(n, n);
+            problem.x_by_y = whole.topRightCorner(n, n);
+            problem.y_by_x = whole.bottomLeftCorner(n, n);
+        } else {
+            problem.x = define(problem.x);
+            problem.y = define(problem.y);
+        }
+        Solver solver(n, problem.coupled());
+        problem.put_into(solver);
+        const auto outcome = problem.solve_from_rest(solver);
+        CAPTURE(trial, n, skew, shift, outcome.rounds, outcome.residual);
+        REQUIRE(outcome.status == StepStatus::ok);
+        REQUIRE(problem.violation(solver.traction()) < 1e-9 * (1 + skew));
+        several += outcome.rounds > 60 ? 1 : 0;
+    }
+    CAPTURE(several);
+    CHECK(several > 100);
 }
 
 TEST_CASE("The solution of a definite problem is that of a plain projected iteration", "[friction]") {
@@ -224,7 +261,7 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
     std::vector<Zone> zones{Zone::slip, Zone::stick};
     ElementVectors<double> start(2, 2);
     start << -0.8, -0.6, 0, 0;
-    const auto outcome = solver.solve(problem.bound, start, zones);
+    const auto outcome = solver.solve(problem.bound, {start, zones});
     CHECK(outcome.status == StepStatus::ok);
     CHECK(outcome.tangent_exists);
     CHECK(problem.violation(solver.traction()) < 1e-13);
@@ -440,7 +477,7 @@ Solver::Outcome roll(const Patch& patch, Solver& solver, double creepage, double
     }
     solver.constant().col(0) = creepage - spin * patch.system.elements().y;
     solver.constant().col(1) = lateral + spin * patch.system.elements().x;
-    return solver.solve(patch.bound, ElementVectors<double>::Zero(patch.size(), 2), all_stick(patch.size()));
+    return solver.solve(patch.bound, {ElementVectors<double>::Zero(patch.size(), 2), all_stick(patch.size())});
 }
 
 TEST_CASE("Directions that are coupled by zeros give what uncoupled ones give", "[friction]") {

@@ -79,8 +79,7 @@ struct Balance {
 
     double gap() const { return (spent - heat - elastic) / heat; }
 };
-template <class Scheme>
-Balance roll(const Mesh<double>& mesh, const Scheme& scheme, Integrator integrator, int steps) {
+Balance roll(const Mesh<double>& mesh, const AnyScheme& scheme, Integrator integrator, int steps) {
     const Scene scene(mesh, half, 1, 50);
     const FrictionModel<> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked, scene.friction,
                                 integrator);

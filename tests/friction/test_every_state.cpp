@@ -240,6 +240,7 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
         };
         spoilt([](State& state) { state.zones.pop_back(); });
         spoilt([](State& state) { state.traction.conservativeResize(7, 2); });
+        if (setup.directions == 2) spoilt([](State& state) { state.plain_traction.conservativeResize(7, 2); });
         spoilt([](State& state) { state.normal_pressure.conservativeResize(7); });
         spoilt([](State& state) { state.system += 1; });
         spoilt(

@@ -152,11 +152,9 @@ TEST_CASE("Lengths enter spin and moment as they should", "[friction]") {
           Approx(unit * 5e-3 * 5e-3 * small.tangent_per_width.by_spin.moment).epsilon(1e-8));
 }
 
-TEST_CASE("The tangents of steps with spin are derivatives at constant angles", "[friction]") {
-    // slip that is not turned has no angles
+TEST_CASE("The tangents of steps with spin are derivatives", "[friction]") {
     for (const Integrator integrator : integrators) {
-        Nodal scene(20);
-        scene.friction.turned = false;
+        const Nodal scene(20);
         const Model model = scene.transient(integrator);
         Workspace workspace = model.workspace();
         State now = model.at_rest(), next = now, unused = now;
@@ -196,36 +194,9 @@ TEST_CASE("The tangents of steps with spin are derivatives at constant angles", 
     }
 }
 
-TEST_CASE("Turning changes the tangents little", "[friction]") {
-    const Nodal scene(40);
-    const SteadyModel model = scene.steady();
-    Workspace workspace = model.workspace();
-    State state, unused = model.at_rest();
-    double off = 0, largest = 0;
-    for (const double degrees : {10.0, 45.0, 80.0}) {
-        for (const double spin : {0.0, 0.4}) {
-            const Creepage<double> at = scene.creepage(0.5, degrees, spin);
-            const Step step = from_scratch(model, at, state);
-            const double e = 1e-6 * peak;
-            const auto lateral = [&](double by) {
-                return model.steady(state, {at.longitudinal, at.lateral + by, at.spin}, unused, workspace)
-                    .force_per_width.lateral;
-            };
-            const double own = step.tangent_per_width.by_lateral.lateral;
-            largest = std::max(largest, std::abs(own));
-            off = std::max(off, std::abs((lateral(e) - lateral(-e)) / (2 * e) - own));
-        }
-    }
-    CAPTURE(off, largest);
-    CHECK(off < 0.02 * largest);
-    CHECK(off > 1e-7 * largest);
-}
-
-TEST_CASE("Rolling with turned slip and spin tends to a steady state, to second order the one of steady rolling",
-          "[friction]") {
+TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rolling", "[friction]") {
     for (const Integrator integrator : integrators) {
-        double before = 1;
-        for (const Eigen::Index n : {10, 20, 40}) {
+        for (const Eigen::Index n : {10, 40}) {
             const Nodal scene(n, 0.28, 10);
             const Model model = scene.transient(integrator);
             Workspace workspace = model.workspace();
@@ -244,11 +215,9 @@ TEST_CASE("Rolling with turned slip and spin tends to a steady state, to second 
                                full_force;
             CAPTURE(name(integrator), n, off);
             CHECK(std::abs(step.force.lateral - last.force.lateral) < 1e-8 * std::abs(step.force.lateral));
-            CHECK(step.force_per_width.moment == Approx(steady.force_per_width.moment).margin(2e-3 * full_force));
-            CHECK(step.slip_work_per_width == Approx(0.5 * steady.slip_work_per_width).epsilon(2e-3));
-            CHECK(off < 6e-2 / static_cast<double>(n * n));
-            CHECK(off < before / 2);
-            before = off;
+            CHECK(step.force_per_width.moment == Approx(steady.force_per_width.moment).margin(1e-8 * full_force));
+            CHECK(step.slip_work_per_width == Approx(0.5 * steady.slip_work_per_width).epsilon(1e-8));
+            CHECK(off < 1e-8);
         }
     }
 }

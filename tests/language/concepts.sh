@@ -33,11 +33,12 @@ struct OtherRows {
 };
 struct RightKernel {
     using Scalar = double;
-    ArrayX<double> g(const ArrayX<double>&) const, H(const ArrayX<double>&) const, H_integral(const ArrayX<double>&) const;
+    SmoothSplit<double> smooth_split() const;
+    double smooth_part(double) const, smooth_slope(double) const;
 };
 struct WrongKernel {
     using Scalar = double;
-    double g(double) const;
+    double smooth_part(double) const;
 };
 void function(const Mesh<double>& mesh) {
 END
@@ -64,13 +65,13 @@ wrong() {
 }
 
 right "mesh, RightScheme{}, RightKernel{}"
-right "Chebyshev{}, PlaneKernel<double>(mesh.size(), 0.7, 0.3)"
+right "Chebyshev{}, RightKernel{}"
 wrong NoRows RollingScheme "mesh, NoRows{}, RightKernel{}"
 wrong RowsOfFloat RollingScheme "mesh, RowsOfFloat{}, RightKernel{}"
 wrong OtherRows RollingScheme "mesh, OtherRows{}, RightKernel{}"
-wrong WrongKernel LineKernel "mesh, RightScheme{}, WrongKernel{}"
-wrong RightKernel SmoothSplitKernel "Chebyshev{}, RightKernel{}"
-wrong LayeredKernel SmoothSplitKernel "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"
+wrong WrongKernel ElementKernel "mesh, RightScheme{}, WrongKernel{}"
+wrong WrongKernel LineKernel "Chebyshev{}, WrongKernel{}"
+wrong LayeredKernel LineKernel "Chebyshev{}, LayeredKernel(PlaneKernel<double>(mesh.size(), 0.7, 0.3), 0.5)"
 echo '}' >> "$folder/unit.cpp"
 
 # shellcheck disable=SC2086 # one word per option

@@ -249,6 +249,21 @@ TEST_CASE("Elements carry the load exactly, and their rates are its derivative",
     CHECK_THAT(refusal([&] { ellipse.pressures({{a, -a, -b, b}}); }), ContainsSubstring("area of an element"));
 }
 
+TEST_CASE("The contact of an ellipse has its axes and the combined constants of both bodies", "[hertz]") {
+    HertzEllipse<double>::Parameters parameters = wheel_on_rail();
+    parameters.body_1 = {.young_modulus = 2e11, .poisson_ratio = 0.25};  // 1/G = 1.25e-11
+    parameters.body_2 = {.young_modulus = 1e11, .poisson_ratio = 0};     // 1/G = 2e-11
+    const HertzEllipse<double> ellipse(parameters);
+    const PatchContact<double> contact = ellipse.contact();
+    CHECK(contact.half_length() == ellipse.half_length());
+    CHECK(contact.half_width() == ellipse.half_width());
+    CHECK(relative(contact.shear_modulus(), 1 / 1.625e-11) < 4 * eps);
+    CHECK(relative(contact.poisson_ratio(), 0.25 * 1.25 / 3.25) < 4 * eps);
+    parameters.angle = 0.1;
+    CHECK_THAT(refusal([&] { HertzEllipse<double>(parameters).contact(); }),
+               ContainsSubstring("HertzEllipse: turn = ") && ContainsSubstring("must be 0"));
+}
+
 TEST_CASE("Bodies that make no ellipse are refused by name", "[hertz]") {
     const auto told = [](const auto& change) {
         HertzEllipse<double>::Parameters parameters = wheel_on_rail();

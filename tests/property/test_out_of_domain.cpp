@@ -11,7 +11,6 @@
 #include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/reference.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
@@ -19,6 +18,7 @@
 #include <rollbem/elasticity/plane_model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/scene/contact.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

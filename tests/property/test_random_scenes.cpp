@@ -9,12 +9,13 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
+#include <rollbem/discretisation/any_scheme.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
 
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
@@ -29,12 +30,10 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 using drawn_scenes::from_environment;
 
-using Scheme = std::variant<Collocation, Galerkin, KnotheBoundary, NodeDifference>;
-
 /// A scene, with a description from which it can be reproduced.
 struct Scene {
     Mesh<double> mesh;
-    Scheme scheme;
+    AnyScheme scheme;
     double aspect, poisson_ratio;
     bool plane, lateral;
     bool modest;      // no end element far larger than the others, and alphas for which tractions converge
@@ -44,29 +43,20 @@ struct Scene {
     double c1() const { return lateral ? 1 : 1 - poisson_ratio; }
     double c2() const { return lateral ? -poisson_ratio : poisson_ratio; }
     double carter() const { return steady_c11(lateral ? 0.0 : poisson_ratio); }  // the factor is 1/c1
-    ArrayX<double> widths() const {
-        return std::visit([&](const auto& s) { return ArrayX<double>(unknown_widths(mesh, s)); }, scheme);
-    }
+    ArrayX<double> widths() const { return unknown_widths(mesh, scheme); }
 };
 
-struct Kernel {
-    bool plane;
-    double half_width, c1, c2;
-};
-Kernel kernel_of(const Scene& scene) { return {scene.plane, scene.aspect, scene.c1(), scene.c2()}; }
-
-// assemble() with the types of scheme and kernel erased: one instance serves all tests
-Matrix assemble_one(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel, Quantity quantity) {
-    const PlaneKernel<double> plane(kernel.half_width, kernel.c1, kernel.c2);
-    const StripKernel<double> strip(kernel.half_width, kernel.c1, kernel.c2);
-    const auto view = kernel.plane ? detail::KernelView<double>(plane) : detail::KernelView<double>(strip);
-    return std::visit(
-        [&](const auto& s) {
-            return detail::influence_matrix<double>(mesh, scheme_rows(s, quantity, mesh), view, quantity);
-        },
-        scheme);
+using Kernel = AnyKernel<double>;
+Kernel kernel_of(const Scene& scene) {
+    return {scene.plane ? LineModel::plane : LineModel::strip, scene.aspect, scene.c1(), scene.c2()};
 }
-InfluenceMatrices<double> assemble_both(const Mesh<double>& mesh, const Scheme& scheme, const Kernel& kernel) {
+
+// as assemble(), also where G is not finite
+Matrix assemble_one(const Mesh<double>& mesh, const AnyScheme& scheme, const Kernel& kernel, Quantity quantity) {
+    return detail::influence_matrix<double>(mesh, scheme_rows(scheme, quantity, mesh),
+                                            detail::KernelView<double>(kernel), quantity);
+}
+InfluenceMatrices<double> assemble_both(const Mesh<double>& mesh, const AnyScheme& scheme, const Kernel& kernel) {
     return {assemble_one(mesh, scheme, kernel, Quantity::displacement),
             assemble_one(mesh, scheme, kernel, Quantity::slope)};
 }
@@ -138,7 +128,7 @@ public:
         const double contrast = mesh.widths().maxCoeff() / mesh.widths().minCoeff();
         scene.rounding = 50 * eps * contrast;
         if (derivative == Derivative::analytic) scene.rounding *= 20;  // points 0.001 of a width off a singularity
-        const auto* galerkin = std::get_if<Galerkin>(&scene.scheme);
+        const auto* galerkin = scene.scheme.get_if<Galerkin>();
         if (galerkin != nullptr && galerkin->quadrature == exact_quadrature &&
             derivative == Derivative::finite_difference) {
             scene.rounding *= contrast;
@@ -166,14 +156,13 @@ Mesh<double> mirrored(const Mesh<double>& mesh) {
                          .edges_from_leading = mesh.edges_from_trailing().reverse(),
                          .uniform = mesh.is_uniform()});
 }
-Scheme mirrored(Scheme scheme) {
-    const auto swap_alphas = [](auto& s) {
-        const double alpha_L = s.alpha_L;
-        s.alpha_L = -s.alpha_T;
-        s.alpha_T = -alpha_L;
+AnyScheme mirrored(const AnyScheme& scheme) {
+    const auto swapped = [](auto s) -> AnyScheme {
+        s.alpha_L = -std::exchange(s.alpha_T, -s.alpha_L);
+        return s;
     };
-    if (auto* collocation = std::get_if<Collocation>(&scheme)) swap_alphas(*collocation);
-    if (auto* galerkin = std::get_if<Galerkin>(&scheme)) swap_alphas(*galerkin);
+    if (const auto* collocation = scheme.get_if<Collocation>()) return swapped(*collocation);
+    if (const auto* galerkin = scheme.get_if<Galerkin>()) return swapped(*galerkin);
     return scheme;
 }
 
@@ -202,8 +191,7 @@ TEST_CASE("Matrices are finite, and mirrored scenes have mirrored matrices", "[p
         const bool finite = G.allFinite() && G_prime.allFinite();
         if (!finite) CHECK(finite);
         // Knothe's boundary conditions and rows that end on the leading edge are not symmetric
-        if (std::holds_alternative<KnotheBoundary>(scene.scheme)) return;
-        if (std::holds_alternative<NodeDifference>(scene.scheme)) return;
+        if (scene.scheme.get_if<KnotheBoundary>() || scene.scheme.get_if<NodeDifference>()) return;
         const auto [G_back, G_prime_back] = assemble_both(mirrored(scene.mesh), mirrored(scene.scheme), kernel);
         const double of_G = difference(G, G_back.reverse()), of_G_prime = difference(G_prime, -G_prime_back.reverse());
         const double tolerance = 1e-12 + scene.rounding;
@@ -239,13 +227,13 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
         // Poisson's ratio only scales G' of the plane kernel
         const double tolerance = (1000 * eps + scene.rounding) / solution.rcond;
         if (scene.plane) {
-            const double other = steady_of(scene, {true, 1, 1, scenes.uniform(0, 1)}).c11;
+            const double other = steady_of(scene, {LineModel::plane, 1, 1, scenes.uniform(0, 1)}).c11;
             const double scaled = solution.c11 / scene.carter() * (std::acos(-1.0) / 2);
             if (!(std::abs(scaled / other - 1) <= tolerance)) CHECK(scaled == Approx(other).epsilon(tolerance));
         }
         // A wider strip is less stiff. For nu above 1/3 the term of order (a/b)^2 has the other sign.
         if (!scene.plane && scene.modest && 2 * scene.c2() < scene.c1()) {
-            const double wider = steady_of(scene, {false, 2 * scene.aspect, scene.c1(), scene.c2()}).c11;
+            const double wider = steady_of(scene, {LineModel::strip, 2 * scene.aspect, scene.c1(), scene.c2()}).c11;
             if (!(wider <= solution.c11 * (1 + tolerance))) CHECK(wider <= solution.c11);
         }
     });
@@ -264,11 +252,11 @@ TEST_CASE("A steady solution scales with its units", "[property]") {
                                   .half_width = scene.aspect * a,
                                   .shear_modulus = G,
                                   .poisson_ratio = scene.poisson_ratio});
-        if (!std::holds_alternative<Collocation>(scene.scheme)) return;
-        const Collocation& scheme = std::get<Collocation>(scene.scheme);
-        const SteadySolution<double> with_units = solve_steady(si, scene.mesh, scheme, creepage);
+        const auto* scheme = scene.scheme.get_if<Collocation>();
+        if (scheme == nullptr) return;
+        const SteadySolution<double> with_units = solve_steady(si, scene.mesh, *scheme, creepage);
         const SteadySolution<double> without =
-            solve_steady(Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio), scene.mesh, scheme, 1.0);
+            solve_steady(Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio), scene.mesh, *scheme, 1.0);
         if (without.status != Status::ok) return;
         ++compared;
         const double force = with_units.force_per_width / (a * G * creepage * without.force_per_width);

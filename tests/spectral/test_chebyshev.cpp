@@ -16,6 +16,7 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
+#include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/polynomial.hpp>
@@ -443,21 +444,7 @@ TEST_CASE("The number of quadrature points is just enough for round-off in the s
     CHECK(detail::smooth_quadrature_points<double>(12, infinity) == 13);
 }
 
-TEST_CASE("The smooth split equals the kernel", "[chebyshev]") {
-    ArrayX<double> x(7);
-    x << -2, -0.7, -1e-3, 1e-9, 0.4, 1, 2;
-    const auto check = [&](const auto& kernel) {
-        const SmoothSplit<double> split = kernel.smooth_split();
-        const ArrayX<double> g = split.constant - split.strength * x.abs().log() + kernel.smooth_part(x);
-        CHECK((g - kernel.g(x)).abs().maxCoeff() <= 16 * eps * kernel.g(x).abs().maxCoeff());
-        CHECK(kernel.smooth_part(ArrayX<double>::Zero(1))[0] == 0);
-    };
-    for (const double aspect : {0.1, 0.3, 1.0, 10.0, 1e4}) check(strip(aspect));
-    check(StripKernel<double>(2, 1, -0.25));
-    check(plane);
-    // a wide strip: of the order of 1/b^2, accurate to round-off
-    CHECK(strip(1e6).smooth_part(x)[5] == Approx(2 / std::numbers::pi * (0.72 / 4 - 0.28 / 2) * 1e-12).epsilon(1e-11));
-    CHECK(strip(infinity).smooth_part(x).abs().maxCoeff() == 0);
+TEST_CASE("An infinitely wide strip has the coefficient of the plane", "[chebyshev]") {
     CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11 == Approx(steady_c11(0.28)).epsilon(4 * eps));
 }
 
@@ -550,13 +537,6 @@ TEST_CASE("Chebyshev states of random contacts are stable and within their error
     }
 }
 
-struct NoSplit {
-    using Scalar = double;
-    ArrayX<double> g(const ArrayX<double>& x) const { return x; }
-    ArrayX<double> H(const ArrayX<double>& x) const { return x; }
-    ArrayX<double> H_integral(const ArrayX<double>& x) const { return x; }
-};
-
 template <class Kernel>
 concept TakesStates = requires(const Kernel& kernel) {
     rolling_system(Chebyshev{}, kernel);
@@ -566,7 +546,8 @@ concept SteadyByStates = requires(const Kernel& kernel) {
     solve_steady(Chebyshev{}, kernel);
 };
 static_assert(TakesStates<StripKernel<double>> && SteadyByStates<PlaneKernel<float>>);
-static_assert(LineKernel<NoSplit> && !TakesStates<NoSplit> && !SteadyByStates<NoSplit>);
+using Layered = LayeredKernel<PlaneKernel<double>>;
+static_assert(ElementKernel<Layered> && !TakesStates<Layered> && !SteadyByStates<Layered>);
 
 const PlaneKernel<double> lateral_plane(100, 1, -0.28);
 

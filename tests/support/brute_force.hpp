@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <rollbem/compiled/assembly.hpp>
@@ -84,7 +83,6 @@ inline Real entry(const Kernel& kernel, bool slope, int averages, Real d, Real h
     return difference(difference, d, averages + 1);
 }
 
-using Scheme = std::variant<rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary, rollbem::NodeDifference>;
 using Mesh = rollbem::Mesh<Real>;
 
 /// A scheme as a list of samples: nodes and weights, how often they are averaged, and whether points must keep clear of
@@ -125,6 +123,13 @@ inline Rows rows_of(const rollbem::KnotheBoundary& s, bool slope) {
 }
 inline Rows rows_of(const rollbem::NodeDifference& s, bool slope) {
     return {.averages = slope ? 1 : 0, .nodes = s.nodes};
+}
+
+inline Rows rows_of(const rollbem::AnyScheme& scheme, bool slope) {
+    if (const auto* s = scheme.get_if<rollbem::Collocation>()) return rows_of(*s, slope);
+    if (const auto* s = scheme.get_if<rollbem::Galerkin>()) return rows_of(*s, slope);
+    if (const auto* s = scheme.get_if<rollbem::KnotheBoundary>()) return rows_of(*s, slope);
+    return rows_of(*scheme.get_if<rollbem::NodeDifference>(), slope);
 }
 
 inline Place edge(const Mesh& mesh, Eigen::Index j) {
@@ -199,9 +204,9 @@ inline std::vector<Real> row(const Kernel& kernel, const Mesh& mesh, const Rows&
 
 /// Largest error of an entry of `matrix` against brute force on `mesh`, relative to the entry's size.
 template <class Scalar>
-Real largest_error(const rollbem::MatrixX<Scalar>& matrix, const Kernel& kernel, const Mesh& mesh, const Scheme& scheme,
-                   bool slope) {
-    const Rows rows = std::visit([&](const auto& s) { return rows_of(s, slope); }, scheme);
+Real largest_error(const rollbem::MatrixX<Scalar>& matrix, const Kernel& kernel, const Mesh& mesh,
+                   const rollbem::AnyScheme& scheme, bool slope) {
+    const Rows rows = rows_of(scheme, slope);
     if (matrix.rows() != mesh.size() - rows.less || matrix.cols() != matrix.rows()) return 1e300L;
     Real largest = 0;
     std::vector<Real> scales;
@@ -247,7 +252,7 @@ std::vector<NamedMesh<Scalar>> every_mesh(Eigen::Index n) {
 
 struct NamedScheme {
     std::string name;
-    Scheme scheme;
+    rollbem::AnyScheme scheme;
 };
 
 /// Every scheme that takes any mesh, with alphas that are exact in float.

@@ -2,6 +2,7 @@
 // order of interpolation, tangents, and what a file must hold.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <sstream>
@@ -310,6 +311,20 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     CHECK(((array(beyond(2.001).force) - array(beyond(1.999).force)).abs() < 1e-3 * mu * load).all());
 }
 
+TEST_CASE("creep_force_table: forces are smooth in a/b") {
+    const Creepage<double> v = creepage(contact(1), 0.5, 0.3, 0.4);
+    for (const double a_over_b : {0.6, 0.93, 1.1, 1.7}) {
+        const auto slope = [&](double step) -> Eigen::Array3d {
+            const auto at = [&](double place) {
+                return ratios(contact(place), small_table().look_up(contact(place), mu, load, v));
+            };
+            return (at(a_over_b + step) - at(a_over_b - step)) / (2 * step);
+        };
+        INFO(slope(1e-6).transpose() << " beside " << slope(1e-4).transpose());
+        CHECK(((slope(1e-6) - slope(1e-4)).abs() < 1e-6).all());
+    }
+}
+
 TEST_CASE("creep_force_table: a file gives the same table, and nothing else is taken for one") {
     const CreepForceTable& table = small_table();
     const std::string good = bytes(table);
@@ -320,6 +335,8 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     for (const auto& v : {creepage(patch, 0.3, 0.1, -0.2), creepage(patch, 0.01, 0.02, 0), creepage(patch, 9, 5, 7)}) {
         CHECK((array(table.look_up(patch, mu, load, v).force) == array(again.look_up(patch, mu, load, v).force)).all());
     }
+    std::ifstream missing("no such file", std::ios::binary);
+    CHECK_THAT(refusal([&] { CreepForceTable::read(missing); }), ContainsSubstring("must be readable"));
     CHECK_THAT(refused(""), ContainsSubstring("must not end"));
     CHECK_THAT(refused("rollbem"), ContainsSubstring("must not end"));
     CHECK_THAT(refused("a_over_b,poisson,n,strips,longitudinal"), ContainsSubstring("must begin with"));

@@ -8,14 +8,13 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <variant>
 
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
+#include "../discretisation/any_scheme.hpp"
 #include "../discretisation/mesh.hpp"
-#include "../discretisation/scheme.hpp"
 #include "../spectral/chebyshev.hpp"
 #include "richardson.hpp"
 
@@ -50,20 +49,10 @@ struct RecommendedStates {
     }
 };
 
-/// The scheme of RecommendedElements, itself a scheme: one of two kinds.
-struct RecommendedRows {
-    std::variant<NodeDifference, Collocation> kind;
-
-    template <class Scalar>
-    SchemeRows<Scalar> rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
-        return std::visit([&](const auto& scheme) { return scheme.rows(quantity, mesh); }, kind);
-    }
-};
-
 /// Elements on a cosine mesh: differences between centres in steady rolling and in frequency, between Chebyshev nodes
 /// with friction, and in a time loop collocation at alpha_L = alpha_T = 0.5. All were stable at every n tried.
 struct RecommendedElements {
-    RecommendedRows scheme;
+    AnyScheme scheme;
     Topology topology = Topology::cosine;
     Eigen::Index n = 0;      ///< elements; if results are extrapolated, those of the finer mesh, an even number
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
@@ -92,7 +81,7 @@ namespace detail {
 
 /// A measured bound of relative errors of elements on cosine meshes: below factor n^-exponent for n >= least_n.
 struct MeasuredError {
-    RecommendedRows scheme;
+    AnyScheme scheme;
     double order;  ///< of Richardson's extrapolation; 0: none
     double factor, exponent;
     Eigen::Index least_n;
@@ -103,14 +92,14 @@ struct MeasuredError {
 /// order at b/a = 10, and Chebyshev nodes take a third more elements.
 inline MeasuredError measured_error(Purpose::Adhesion purpose) {
     switch (purpose) {
-        case Purpose::steady: return {{NodeDifference{}}, 2, 0.8, 4, 6};    // 1e-4 -> 10, 1e-6 -> 30, 1e-8 -> 96
-        case Purpose::frequency: return {{NodeDifference{}}, 2, 33, 3, 4};  // 1e-2 -> 16, 1e-4 -> 70
+        case Purpose::steady: return {NodeDifference{}, 2, 0.8, 4, 6};    // 1e-4 -> 10, 1e-6 -> 30, 1e-8 -> 96
+        case Purpose::frequency: return {NodeDifference{}, 2, 33, 3, 4};  // 1e-2 -> 16, 1e-4 -> 70
         case Purpose::time_loop: break;
     }
-    return {{Collocation{}}, 0, 0.18, 2, 4};  // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
+    return {Collocation{}, 0, 0.18, 2, 4};  // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
 }
 inline MeasuredError measured_error(Purpose::Friction) {
-    return {{NodeDifference{Nodes::chebyshev}}, 0, 1.3, 2, 4};  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
+    return {NodeDifference{Nodes::chebyshev}, 0, 1.3, 2, 4};  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
 }
 
 /// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts.
@@ -135,7 +124,7 @@ inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double asp
         return at < errors.size() ? errors[at] : beyond;
     };
     const double count = static_cast<double>(m);
-    const double strip = 0.6 * std::exp(-count * std::asinh(std::max(aspect, std::sqrt(aspect))));
+    const double strip = 0.6 * std::exp(-count * std::asinh((std::max)(aspect, std::sqrt(aspect))));
     const double narrow = aspect < 10 ? 3 : 1;
     switch (purpose) {
         case Purpose::steady: break;
@@ -159,10 +148,10 @@ RecommendedElements recommended_elements(double tolerance, AnyPurpose purpose) {
         require(false, "recommended_elements", "tolerance", tolerance, rule.c_str());
     }
     result.n =
-        std::max(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
+        (std::max)(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
     if (result.order > 0) result.n += result.n % 2;
-    result.n = std::min(result.n, largest);  // in case pow rounds up
-    result.error_bound = std::min(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
+    result.n = (std::min)(result.n, largest);  // in case pow rounds up
+    result.error_bound = (std::min)(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
     return result;
 }
 
@@ -197,7 +186,7 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
     constexpr Eigen::Index largest = 400;
     detail::require(!detail::is_nan(aspect) && aspect >= 0.01, "recommended_scheme", "aspect", aspect,
                     "be at least 0.01: narrower strips were not measured");
-    const double smallest = std::max(1e-11, detail::states_error(purpose, largest, aspect));
+    const double smallest = (std::max)(1e-11, detail::states_error(purpose, largest, aspect));
     if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
         const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): smaller ones were not measured";
         detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
@@ -207,7 +196,7 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
     while (detail::states_error(purpose, m, aspect) > tolerance) ++m;
     // rounding dominates once the other errors are gone
     const double rounding = static_cast<double>(10 * m) * std::numeric_limits<double>::epsilon();
-    result.error_bound = std::min(tolerance, detail::states_error(purpose, m, aspect) + rounding);
+    result.error_bound = (std::min)(tolerance, detail::states_error(purpose, m, aspect) + rounding);
     return result;
 }
 

@@ -106,7 +106,7 @@ Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::comp
     Matrix M_o = real_factor<Scalar>(Z, reversed.colwise().reverse());
 
     if (!is_finite(M_c.norm() * M_o.norm())) return {.status = Status::not_finite};
-    const Eigen::Index rank = std::max(numerical_rank(M_c), numerical_rank(M_o));
+    const Eigen::Index rank = (std::max)(numerical_rank(M_c), numerical_rank(M_o));
     M_c.conservativeResize(Eigen::NoChange, rank);
     M_o.conservativeResize(Eigen::NoChange, rank);
     const Matrix product = M_o.transpose() * M_c;
@@ -183,7 +183,7 @@ BalancedReduction<Scalar> balanced_reduction(const StateSpace<Scalar>& space, Ei
     const detail::Balance<Scalar> balance = detail::balance(space, schur.matrixU(), schur.matrixT());
     result.status = balance.status;
     if (result.status != Status::ok) return result;
-    const Eigen::Index count = balance.sigma.size(), K = std::min(states, count);
+    const Eigen::Index count = balance.sigma.size(), K = (std::min)(states, count);
     result.hankel_singular_values = balance.sigma;
     result.error_bound = 2 * balance.sigma.tail(count - K).sum();
     const StateSpace<Scalar> reduced = detail::residualised<Scalar>(space, balance.V.leftCols(K), balance.W.topRows(K));

@@ -75,7 +75,7 @@ HarmonicSolution<Scalar> solve_harmonic(const RollingSystem<Scalar>& system, std
 
 /// The same for a discretisation by elements. Throws std::invalid_argument also if the scheme does not fit the mesh, G
 /// is not finite or a plane kernel has Lambda <= 0.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 HarmonicSolution<Scalar> solve_harmonic(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                         std::type_identity_t<Scalar> z) {
     return solve_harmonic(rolling_system(mesh, scheme, kernel), z);
@@ -194,7 +194,7 @@ auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoin
     const Scalar scale = detail::equation_scale(s);
     const Complex ratio(-s.real() / scale, -s.imag() / scale);
     const auto load = [&](Eigen::Index j, Column& column) {
-        const Eigen::Index size = std::min(j + 2, n);
+        const Eigen::Index size = (std::min)(j + 2, n);
         column.re.head(size) = ratio.real() * H.col(j).head(size).array();
         column.im.head(size) = ratio.imag() * H.col(j).head(size).array();
         column.re[j] += 1 / scale;
@@ -222,11 +222,11 @@ auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoin
         }
         const Complex probed = probe[j] / pivot;
         probe.subtract(probed, column, j);
-        largest_probe = std::max(largest_probe, norm_1(probed));
+        largest_probe = (std::max)(largest_probe, norm_1(probed));
         factor.set(j, multiplier);
         column.swap(next);
     }
-    largest_probe = std::max(largest_probe, norm_1(probe[0] / column[0]));
+    largest_probe = (std::max)(largest_probe, norm_1(probe[0] / column[0]));
     const Scalar norm = std::abs(ratio) * reduced_->norm + 1 / scale;
     SweepPoint<Scalar> point;
     point.coefficients.resize(count, count);
@@ -242,7 +242,7 @@ auto FrequencySweep<Scalar_>::solve_reduced(const Complex& s) const -> SweepPoin
     }
     point.c11 = point.coefficients(0, 0);
     if (!detail::all_finite(point.coefficients)) return point;
-    point.rcond = std::min(1 / (norm * largest_probe), Scalar(1));
+    point.rcond = (std::min)(1 / (norm * largest_probe), Scalar(1));
     point.status = detail::harmonic_status(n, point.rcond, point.residual);
     return point;
 }
@@ -266,7 +266,7 @@ void FrequencySweep<Scalar_>::finish(const Column& y, Eigen::Index j, const Comp
     difference.im = y.im / scale;
     difference.subtract(-ratio, product, n);
     const Scalar residual = difference.largest() / (norm * y.largest() + steady.abs().maxCoeff() / scale);
-    point.residual = detail::is_finite(residual) ? std::max(point.residual, residual) : residual;
+    point.residual = detail::is_finite(residual) ? (std::max)(point.residual, residual) : residual;
 }
 
 }  // namespace rollbem

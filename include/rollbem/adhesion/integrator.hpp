@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "../detail/finite.hpp"
@@ -12,6 +13,7 @@
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "detail/consistency.hpp"
+#include "dissipation.hpp"
 #include "stability_verdict.hpp"
 
 namespace rollbem {
@@ -70,20 +72,22 @@ inline void require_stable(const char* who, Eigen::Index n, const StabilityVerdi
     require(verdict.status == Status::ok, who, "status of the verdict", name(verdict.status), "be ok");
     require(verdict.unstable_count == 0, who, "unstable_count", verdict.unstable_count,
             "be 0: a mode of the scheme grows without bound");
-    require(verdict.uncertain_count == 0, who, "uncertain_count", verdict.uncertain_count,
+    require(verdict.stable(), who, "uncertain_count", verdict.uncertain_count,
             "be 0: rounding leaves open whether a mode grows");
 }
 
 /// Throws std::invalid_argument if steady tractions show that the scheme does not converge to full adhesion
 /// (Status::assists_creepage).
 template <class Scalar, class Areas>
-void require_convergent(const char* who, const VectorX<Scalar>& steady, const Areas& areas) {
+void require_convergent(const char* who, const VectorX<Scalar>& steady, const Areas& areas,
+                        double allowed = largest_assisting_share) {
     require(all_finite(steady), who, "largest steady traction", std::numeric_limits<Scalar>::infinity(),
             "be finite: G_prime is singular");
     const Scalar share = assisting_share<Scalar>(steady.array(), areas);
-    require(is_finite(share) && share <= Scalar(largest_assisting_share), who,
-            "share of steady traction that assists the creepage", share,
-            "be at most 0.05: the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)");
+    const std::string rule =
+        "be at most " + to_text(allowed) + ": the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1)";
+    require(is_finite(share) && share <= Scalar(allowed), who, "share of steady traction that assists the creepage",
+            share, rule.c_str());
 }
 
 /// The requirements of every model in time, if they are wanted.
@@ -100,12 +104,16 @@ template <class Scalar>
 void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const Checks& checks) {
     if (!checks.wanted) return;
     const Eigen::Index n = system.size();
+    const ArrayX<Scalar>& areas = system.elements().areas;
     require_stable(who, 2 * n, checks.verdict);
+    if (system.coupled() && is_dissipative(joined(system.G_prime_blocks()), areas)) return;
     for (std::size_t d = 0; d < 2; ++d) {
-        const VectorX<Scalar> steady = system.coupled()
-                                           ? steady_tractions(joined(system.G_prime_blocks()), d == 0 ? 0 : n, n)
-                                           : steady_tractions(system.G_prime(d, d), 0, n);
-        require_convergent<Scalar>(who, steady, system.elements().areas);
+        if (system.coupled()) {
+            const VectorX<Scalar> steady = steady_tractions(joined(system.G_prime_blocks()), d == 0 ? 0 : n, n);
+            require_convergent<Scalar>(who, steady, areas, largest_assisting_share_of_patch);
+        } else {
+            require_convergent<Scalar>(who, steady_tractions(system.G_prime(d, d), 0, n), areas);
+        }
     }
 }
 

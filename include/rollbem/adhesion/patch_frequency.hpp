@@ -44,8 +44,8 @@ public:
             const SweepPoint<Scalar> own = part.sweep(z);
             const Eigen::Index count = own.coefficients.cols();
             point.coefficients.block(part.first, part.first, count, count) = own.coefficients;
-            point.residual = std::max(point.residual, own.residual);
-            point.rcond = std::min(point.rcond, own.rcond);
+            point.residual = (std::max)(point.residual, own.residual);
+            point.rcond = (std::min)(point.rcond, own.rcond);
             if (point.status == Status::ok) point.status = own.status;
         }
         static_cast<CreepCoefficients<std::complex<Scalar>>&>(point) = creep_coefficients(contact_, point.coefficients);

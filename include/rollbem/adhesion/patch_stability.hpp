@@ -31,10 +31,11 @@ StabilityVerdict judge_stability(const PatchShapes<Scalar>& shapes) {
     for (std::size_t node = 0; node < shapes.node_count(); ++node) {
         const StabilityVerdict own = judge_stability(shapes.parts(node));
         worst.n = own.n;
-        worst.unstable_count = std::max(worst.unstable_count, own.unstable_count);
-        worst.settled_unstable_count = std::max(worst.settled_unstable_count, own.settled_unstable_count);
-        worst.uncertain_count = std::max(worst.uncertain_count, own.uncertain_count);
-        worst.spectral_abscissa = std::max(worst.spectral_abscissa, own.spectral_abscissa);
+        worst.decay_proved = (node == 0 || worst.decay_proved) && own.stable();
+        worst.unstable_count = (std::max)(worst.unstable_count, own.unstable_count);
+        worst.settled_unstable_count = (std::max)(worst.settled_unstable_count, own.settled_unstable_count);
+        worst.uncertain_count = (std::max)(worst.uncertain_count, own.uncertain_count);
+        worst.spectral_abscissa = (std::max)(worst.spectral_abscissa, own.spectral_abscissa);
         if (worst.status == Status::ok) worst.status = own.status;
     }
     return worst;

@@ -66,7 +66,7 @@ void require_growth(const char* who, const std::complex<Scalar>& s) {
 /// The divisor of equations in G' - s G that prevents overflow for any finite s.
 template <class Scalar>
 Scalar equation_scale(const std::complex<Scalar>& s) {
-    return std::max({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
+    return (std::max)({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
@@ -42,6 +43,8 @@ struct StabilityResult {
     Scalar spectral_radius = 0;                          ///< largest |nu|; infinite if an eigenvalue is
     Scalar stiffness_ratio = 0;                          ///< largest |Re(nu)| over smallest
     std::optional<Scalar> cond_G;                        ///< |G| |G^-1| in the 2-norm; infinite for a singular G
+    bool decay_proved = false;  ///< all eigenvalues decay, whatever rounding of G and G' does; tried where
+                                ///< none is unstable as computed but some signs are uncertain
     Status status = Status::not_finite;
 
     Scalar unstable_fraction() const {
@@ -66,7 +69,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     MatrixX<Scalar> square(A.cols(), A.cols());
     square.noalias() = A.transpose() * A;
     const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
-    return std::sqrt(std::max(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
+    return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
 }
 
 /// |G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).
@@ -174,6 +177,38 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
     return uncertainty;
 }
 
+/// Whether all eigenvalues have Re(nu) < 0 for every perturbation of G' and G by n eps of their norms; `middle` is about
+/// the geometric mean of |nu|. Single eigenvalues may be too ill-conditioned to tell, y^H G x being small.
+///
+/// The step A = (G - tau G')^-1 (G + tau G') of the trapezoidal rule has the eigenvalues (1 + tau nu)/(1 - tau nu), inside
+/// the unit circle if and only if all Re(nu) < 0. That is proved by an energy that each step diminishes: Y and
+/// R = Y - A^T Y A both positive definite, the latter by more than rounding. Y, the sum of |A^j p|^2 until powers are
+/// small, is found by doubling their number; how accurately does not matter.
+template <class Scalar>
+bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G_prime, Scalar norm_G) {
+    using Matrix = MatrixX<Scalar>;
+    const Eigen::Index n = system.size();
+    const Scalar tau = 1 / middle;
+    const Matrix identity = Matrix::Identity(n, n);
+    const Matrix inverse = Eigen::PartialPivLU<Matrix>(system.G() - tau * system.G_prime()).inverse();
+    const Matrix A = 2 * (inverse * system.G()) - identity;
+    Matrix Y = identity, power = A, product;
+    for (Scalar size = power.norm(); !(size < Scalar(0.5)); size = power.norm()) {
+        if (!(size < 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()))) return false;
+        product.noalias() = Y * power;
+        Y.noalias() += power.transpose() * product;
+        product.noalias() = power * power;
+        power.swap(product);
+    }
+    product.noalias() = Y * A;
+    Matrix R = Y;
+    R.noalias() -= A.transpose() * product;
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon(), size = A.norm();
+    const Scalar of_A = rounding * inverse.norm() * (norm_G + tau * norm_G_prime) * (1 + size);
+    R.diagonal().array() -= 2 * Y.norm() * size * (rounding * size + of_A);
+    return Eigen::LLT<Matrix>(Y).info() == Eigen::Success && Eigen::LLT<Matrix>(R).info() == Eigen::Success;
+}
+
 }  // namespace detail
 
 /// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
@@ -209,20 +244,21 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
 
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     result.spectral_abscissa = -infinity;
-    Scalar largest = 0, smallest = infinity;
+    Scalar largest = 0, smallest = infinity, slowest = infinity;
     for (const std::complex<Scalar>& nu : result.eigenvalues()) {
-        result.spectral_radius = std::max(result.spectral_radius, std::abs(nu));
-        largest = std::max(largest, std::abs(nu.real()));
-        smallest = std::min(smallest, std::abs(nu.real()));
+        result.spectral_radius = (std::max)(result.spectral_radius, std::abs(nu));
+        slowest = (std::min)(slowest, std::abs(nu));
+        largest = (std::max)(largest, std::abs(nu.real()));
+        smallest = (std::min)(smallest, std::abs(nu.real()));
         if (!detail::is_finite(nu.real())) continue;
-        result.spectral_abscissa = std::max(result.spectral_abscissa, nu.real());
+        result.spectral_abscissa = (std::max)(result.spectral_abscissa, nu.real());
         if (nu.real() > 0) ++result.unstable_count;
     }
     result.stiffness_ratio = largest / smallest;
 
     if (options.settle_signs) {
-        result.uncertainty =
-            detail::uncertainty_of_eigenvalues(pair, detail::two_norm(system.G_prime()), detail::two_norm(system.G()));
+        const Scalar norm_G_prime = detail::two_norm(system.G_prime()), norm_G = detail::two_norm(system.G());
+        result.uncertainty = detail::uncertainty_of_eigenvalues(pair, norm_G_prime, norm_G);
         Eigen::Index settled = 0, settled_unstable = 0;
         for (Eigen::Index k = 0; k < n; ++k) {
             if (!(result.beta[k] > 0)) continue;
@@ -232,6 +268,10 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
         }
         result.uncertain_count = n - settled;
         result.settled_unstable_count = settled_unstable;
+        const Scalar middle = std::sqrt(slowest * result.spectral_radius);
+        if (settled < n && result.unstable_count == 0 && detail::is_finite(middle) && middle > 0) {
+            result.decay_proved = detail::all_decay(system, middle, norm_G_prime, norm_G);
+        }
     }
     if (options.condition) result.cond_G = detail::two_norm_condition(system.G());
     return result;
@@ -247,6 +287,7 @@ StabilityVerdict judge_stability(const StabilityResult<Scalar>& result) {
             .settled_unstable_count = result.settled_unstable_count.value_or(0),
             .uncertain_count = result.uncertain_count.value_or(0),
             .spectral_abscissa = static_cast<double>(result.spectral_abscissa),
+            .decay_proved = result.decay_proved,
             .status = result.status};
 }
 

@@ -42,7 +42,7 @@ UnstableCount<Scalar> count_unstable(const RollingSystem<Scalar>& system) {
     for (const std::complex<Scalar>& mu : solver.eigenvalues()) {
         if (mu.real() > 0) ++result.unstable_count;
         const Scalar size = std::abs(mu);
-        result.flattest_cosine = std::max(result.flattest_cosine, size > 0 ? mu.real() / size : Scalar(0));
+        result.flattest_cosine = (std::max)(result.flattest_cosine, size > 0 ? mu.real() / size : Scalar(0));
     }
     result.status = Status::ok;
     return result;

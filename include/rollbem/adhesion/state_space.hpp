@@ -1,5 +1,5 @@
 // A contact in full adhesion as linear ordinary differential equations, for programs with their own integrators,
-// linearisation or controller design: StateSpace, dimensionless, and StateSpaceSI of a contact at a speed.
+// linearisation or controller design: StateSpace, dimensionless, and StateSpaceSI of a line or patch at a speed.
 #pragma once
 
 #include <limits>
@@ -12,15 +12,17 @@
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../spectral/chebyshev.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages, the outputs forces over a G per unit width
-/// (of a patch G a b), as of the system from which it was made; q = V t is the distance rolled, x are its unknowns,
-/// x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B + D; c11 if k = 1.
+/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages and spin times a, the outputs forces over a G
+/// per unit width, of a patch over G a^2, and the moment over a more, as of the system from which it was made; q = V t is
+/// the distance rolled, x are its unknowns, x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B + D; c11
+/// if k = 1.
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
@@ -28,15 +30,15 @@ struct StateSpace {
     MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
 };
 
-/// dx/dt = A x + B xi, F = C x + D xi: the input is creepage [-], the output force [N] on body 1 over the width 2b,
-/// negative for positive creepage. The states remain dimensionless (Chebyshev states: displacement coefficients over a;
-/// elements: p/G).
+/// dx/dt = A x + B v, F = C x + D v: one creepage [-] and force [N] on body 1, of a line over the width 2b, negative for
+/// positive creepage; or xi, eta [-] and spin [1/m], F_x, F_y [N] and M_z [N m]. The states remain dimensionless
+/// (Chebyshev states: displacement coefficients over a; elements: p/G).
 template <class Scalar>
 struct StateSpaceSI {
     MatrixX<Scalar> A;  ///< n x n [1/s]
-    MatrixX<Scalar> B;  ///< n x 1 [1/s]
-    MatrixX<Scalar> C;  ///< 1 x n [N]
-    MatrixX<Scalar> D;  ///< 1 x 1 [N]; zero, but for a reduced system
+    MatrixX<Scalar> B;  ///< n x k [1/s], for spin [m/s]
+    MatrixX<Scalar> C;  ///< k x n [N], of the moment [N m]
+    MatrixX<Scalar> D;  ///< k x k; zero, but for a reduced system
 };
 
 /// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G
@@ -72,24 +74,48 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
 /// For a kernel and a number of states: 8 states are exact to rounding if nothing changes within a contact length.
 /// Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >= 0.001 and, for a
 /// plane kernel, Lambda > 0.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
     return state_space(rolling_system(method, kernel));
 }
 
-/// In SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D. Throws
-/// std::invalid_argument unless V is positive and finite and the contact's half-width is finite.
+namespace detail {
+
+template <class Scalar>
+StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar length, Scalar width, Scalar shear_modulus,
+                           Scalar speed) {
+    require_positive("in_si", "speed", speed);
+    const Eigen::Index k = dimensionless.B.cols();
+    require(k == 1 || k == 3, "in_si", "number of inputs", k, "be 1, or 3 with spin");
+    VectorX<Scalar> arms = VectorX<Scalar>::Ones(k);
+    if (k == 3) arms[2] = length;
+    const Scalar rate = speed / length;
+    const VectorX<Scalar> forces = -width * length * shear_modulus * arms;
+    return {.A = rate * dimensionless.A,
+            .B = rate * dimensionless.B * arms.asDiagonal(),
+            .C = forces.asDiagonal() * dimensionless.C,
+            .D = forces.asDiagonal() * dimensionless.D * arms.asDiagonal()};
+}
+
+}  // namespace detail
+
+/// In SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D, and times a for spin and
+/// for the moment. Throws std::invalid_argument unless V is positive and finite, the contact's half-width is finite, and
+/// there is one input or three.
 template <class Scalar>
 StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
                            std::type_identity_t<Scalar> speed) {
-    detail::require_positive("in_si", "speed", speed);
     detail::require_finite("in_si", "half_width", contact.half_width());
-    const Scalar rate = speed / contact.half_length();
-    const Scalar force = -2 * contact.half_width() * contact.half_length() * contact.shear_modulus();
-    return {.A = rate * dimensionless.A,
-            .B = rate * dimensionless.B,
-            .C = force * dimensionless.C,
-            .D = force * dimensionless.D};
+    return detail::in_si<Scalar>(dimensionless, contact.half_length(), 2 * contact.half_width(),
+                                 contact.shear_modulus(), speed);
+}
+
+/// The same for a patch: G a^2 in place of 2b a G, of an outline with its c for a.
+template <class Scalar>
+StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const PatchContact<Scalar>& contact,
+                           std::type_identity_t<Scalar> speed) {
+    return detail::in_si<Scalar>(dimensionless, contact.half_length(), contact.half_length(), contact.shear_modulus(),
+                                 speed);
 }
 
 }  // namespace rollbem

@@ -80,8 +80,8 @@ SteadySolution<Scalar> judge_steady(FactorisedSteady<Scalar> factorised, const A
     SteadySolution<Scalar> solution = std::move(factorised.solution);
     Scalar largest_residual = 0, largest_traction = 0;
     for (Eigen::Index l = 0; l < n; ++l) {
-        largest_residual = std::max(largest_residual, std::abs(product[l] - 1));
-        largest_traction = std::max(largest_traction, std::abs(solution.traction[l]));
+        largest_residual = (std::max)(largest_residual, std::abs(product[l] - 1));
+        largest_traction = (std::max)(largest_traction, std::abs(solution.traction[l]));
     }
     solution.residual = all_finite(product) ? largest_residual / (factorised.norm * largest_traction + 1)
                                             : std::numeric_limits<Scalar>::infinity();
@@ -137,7 +137,7 @@ SteadySolution<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
 
 namespace detail {
 
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 SteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
     const KernelView<Scalar> view(kernel);
@@ -151,7 +151,7 @@ SteadySolution<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& s
 
 }  // namespace detail
 
-/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with a LineKernel. Above
+/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with an ElementKernel. Above
 /// 1000 elements the memory is that of one matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws
 /// std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, class Scheme, class Kernel>
@@ -163,7 +163,7 @@ SteadySolution<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& sche
 /// traction). `traction` has an entry for each of the mesh's n elements, 0 for those without an unknown. Throws
 /// std::invalid_argument if the scheme does not fit the mesh or the kernel's b/a is not the contact's; a creepage or a
 /// result that is not finite gives Status::not_finite.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 SteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                                     const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
     detail::require_same_aspect("solve_steady", contact, detail::aspect_of<Scalar>(kernel));

@@ -126,7 +126,8 @@ public:
                         "be more than 1 and at most 2");
         auto set = std::make_shared<detail::ShapeSet<Scalar>>();
         const Scalar length = std::log(range.largest / range.least);
-        const int count = std::max(4, static_cast<int>(std::ceil(length / std::log(range.factor) - Scalar(1e-6))) + 1);
+        const int count =
+            (std::max)(4, static_cast<int>(std::ceil(length / std::log(range.factor) - Scalar(1e-6))) + 1);
         set->first = std::log(range.least);
         set->step = length / static_cast<Scalar>(count - 1);
         for (int k = 0; k < count; ++k) {

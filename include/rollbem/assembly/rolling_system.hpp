@@ -32,7 +32,7 @@ std::optional<Scalar> aspect_of(const Kernel& kernel) {
 /// Lets the contact breathe if the kernel is a logarithm and a constant.
 template <class Scalar, class Kernel>
 void let_breathe(const Kernel& kernel, SystemOrigin<Scalar>& origin) {
-    if constexpr (SmoothSplitKernel<Kernel>) {
+    if constexpr (LineKernel<Kernel>) {
         const auto split = kernel.smooth_split();
         if (is_finite(split.distance)) return;
         origin.log_strength = static_cast<Scalar>(split.strength);
@@ -106,7 +106,7 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 
 /// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
     detail::require_one_system(scheme, mesh);

@@ -20,7 +20,7 @@ template <std::floating_point Scalar>
 Scalar carter_force_ratio(Scalar creepage_ratio) {
     detail::require(!detail::is_nan(creepage_ratio), "carter_force_ratio", "creepage_ratio", creepage_ratio,
                     "be a number");
-    const Scalar delta = std::min(std::abs(creepage_ratio), Scalar(1));
+    const Scalar delta = (std::min)(std::abs(creepage_ratio), Scalar(1));
     return std::copysign(delta * (2 - delta), creepage_ratio);
 }
 
@@ -39,7 +39,7 @@ template <std::floating_point Scalar>
 Scalar carter_stick_border(Scalar creepage_ratio) {
     detail::require(!detail::is_nan(creepage_ratio), "carter_stick_border", "creepage_ratio", creepage_ratio,
                     "be a number");
-    return std::min(2 * std::abs(creepage_ratio), Scalar(2)) - 1;
+    return (std::min)(2 * std::abs(creepage_ratio), Scalar(2)) - 1;
 }
 
 /// Traction p/(mu p0) of Carter's steady solution with slip, at x/a; its sign is opposite to that of creepage_ratio.
@@ -119,7 +119,7 @@ Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
     }
     // The shift is convex and increasing in f: Newton's method from above decreases monotonically to the root. Rounding
     // ends it: the first step that does not decrease.
-    Scalar f = std::min(target / ((1 - poisson_ratio) * lambda), 1 - std::numeric_limits<Scalar>::epsilon());
+    Scalar f = (std::min)(target / ((1 - poisson_ratio) * lambda), 1 - std::numeric_limits<Scalar>::epsilon());
     while (true) {
         const Scalar residual = cattaneo_shift(f, poisson_ratio, aspect) - target;
         const Scalar slope = (1 - poisson_ratio) * (lambda - std::log1p(-f) / 2);

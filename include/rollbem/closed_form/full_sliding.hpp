@@ -28,10 +28,11 @@ ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar la
     const Scalar a = sqrt(a_over_b), b = 1 / a;  // c = 1
     const Scalar sign = spin < 0 ? -1 : 1, rate = abs(spin);
     // the pole times the spin, where the ellipse is the unit circle
-    const Scalar pole_x = -sign * lateral / a, pole_y = sign * longitudinal / b, far = std::hypot(pole_x, pole_y);
+    const Scalar pole_x = -sign * lateral / a, pole_y = sign * longitudinal / b, pole = std::hypot(pole_x, pole_y);
     ForceRatios<Scalar> sum;
-    if (far == 0 && rate == 0) return sum;
-    const int count = 48 + static_cast<int>(6 * std::clamp(std::max(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));
+    if (pole == 0 && rate == 0) return sum;
+    const int count =
+        48 + static_cast<int>(6 * std::clamp((std::max)(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));
     // a chord in the direction e at the distance `offset` from the middle; `lever`: its middle seen from the pole
     const auto add = [&](Scalar e_x, Scalar e_y, Scalar offset, Scalar force, Scalar moment) {
         const Scalar length = std::hypot(a * e_x, b * e_y);
@@ -39,7 +40,7 @@ ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar la
         sum.lateral += sign * force * a * e_x / length;
         sum.moment += sign * (force * offset * e_x * e_y * (b * b - a * a) / length + moment * length / 4);
     };
-    if (far < rate) {  // the pole lies inside
+    if (pole < rate) {  // the pole lies inside
         const Scalar x = pole_x / rate, y = pole_y / rate;
         for (int i = 0; i < count; ++i) {
             const Scalar angle = pi * static_cast<Scalar>(i) / static_cast<Scalar>(count);
@@ -54,10 +55,10 @@ ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar la
             const Scalar angle =
                 pi * ((static_cast<Scalar>(i) + Scalar(0.5)) / static_cast<Scalar>(count) - Scalar(0.5));
             const Scalar offset = sin(angle), chord = cos(angle), square = chord * chord;
-            const Scalar sine = offset * (rate / far), cosine = sqrt((1 - sine) * (1 + sine));
+            const Scalar sine = offset * (rate / pole), cosine = sqrt((1 - sine) * (1 + sine));
             const Scalar weight = 3 * pi / (4 * static_cast<Scalar>(count)) * square * chord;
-            add((sine * pole_y - cosine * pole_x) / far, -(cosine * pole_y + sine * pole_x) / far, offset, weight,
-                weight * square * (rate / far) / cosine);
+            add((sine * pole_y - cosine * pole_x) / pole, -(cosine * pole_y + sine * pole_x) / pole, offset, weight,
+                weight * square * (rate / pole) / cosine);
             total += weight;
         }
         sum.longitudinal /= total;  // 1 but for the error of the sum: without spin the force is mu N exactly

@@ -5,6 +5,8 @@
 #pragma once
 
 #include "../assembly/influence.hpp"
+#include "../discretisation/any_scheme.hpp"
+#include "../elasticity/any_kernel.hpp"
 
 namespace rollbem {
 
@@ -13,6 +15,8 @@ extern template Mesh<double> uniform_mesh<double>(Eigen::Index);
 extern template Mesh<double> cosine_mesh<double>(Eigen::Index);
 extern template Mesh<double> make_mesh<double>(const MeshSpecification&);
 extern template void detail::check_rows<double>(const SchemeRows<double>&, Quantity, Eigen::Index);
+extern template SchemeRows<double> AnyScheme::rows<double>(Quantity, const Mesh<double>&) const;
+extern template detail::KernelView<double>::KernelView(const AnyKernel<double>&);
 extern template detail::KernelView<double>::KernelView(const PlaneKernel<double>&);
 extern template detail::KernelView<double>::KernelView(const StripKernel<double>&);
 extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,

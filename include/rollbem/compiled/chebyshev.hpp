@@ -7,6 +7,7 @@
 
 namespace rollbem {
 
+extern template ChebyshevSystem<double> rolling_system<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
 extern template ChebyshevSystem<double> rolling_system<PlaneKernel<double>>(const Chebyshev&,
                                                                             const PlaneKernel<double>&);
 extern template ChebyshevSystem<double> rolling_system<StripKernel<double>>(const Chebyshev&,

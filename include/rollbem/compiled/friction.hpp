@@ -10,7 +10,8 @@ namespace rollbem {
 extern template void detail::factorise_in_place<double>(detail::MatrixRef<double>, Eigen::Index*);
 extern template void detail::solve_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
                                                     detail::VectorRef<double>);
-extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<double>&);
+extern template bool is_dissipative<double>(MatrixX<double>, const ArrayX<double>&);
+extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<double>&, double);
 extern template bool detail::converges<double>(const DirectionBlocks<double>&, const ArrayX<double>&);
 extern template void detail::require_blocks<double>(const char*, const char*, const DirectionBlocks<double>&,
                                                     Eigen::Index);

@@ -1,7 +1,7 @@
-// The monomial approach compiled for double. Replaces reference/monomial.hpp; link rollbem::compiled.
+// The monomial approach compiled for double. Replaces studies/monomial.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../reference/monomial.hpp"
+#include "../studies/monomial.hpp"
 #include "decompositions.hpp"
 
 namespace rollbem {

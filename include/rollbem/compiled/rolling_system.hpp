@@ -13,6 +13,9 @@ extern template void detail::require_square<MatrixX<double>>(const char*, const 
 extern template struct Elements<double>;
 extern template class RollingSystem<double>;
 extern template class ElementSystem<double, 1>;
+extern template ElementSystem<double> rolling_system<double, AnyScheme, AnyKernel<double>>(const Mesh<double>&,
+                                                                                           const AnyScheme&,
+                                                                                           const AnyKernel<double>&);
 extern template ElementSystem<double> rolling_system<double, Collocation, PlaneKernel<double>>(
     const Mesh<double>&, const Collocation&, const PlaneKernel<double>&);
 extern template ElementSystem<double> rolling_system<double, Collocation, StripKernel<double>>(

@@ -14,6 +14,8 @@ extern template detail::FactorisedSteady<double> detail::factorise_steady<double
 extern template SteadySolution<double> solve_steady<double>(MatrixX<double>, const ArrayX<double>&);
 extern template SteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
                                                                     const ArrayX<double>&, const VectorX<double>&);
+extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<AnyKernel<double>>(
+    const Chebyshev&, const AnyKernel<double>&);
 extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<PlaneKernel<double>>(
     const Chebyshev&, const PlaneKernel<double>&);
 extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<StripKernel<double>>(

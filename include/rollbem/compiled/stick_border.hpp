@@ -1,11 +1,14 @@
-// The exact border of stick compiled for double. Replaces reference/stick_border.hpp; link rollbem::compiled.
+// The exact border of stick compiled for double. Replaces studies/stick_border.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../reference/stick_border.hpp"
+#include "../elasticity/any_kernel.hpp"
+#include "../studies/stick_border.hpp"
 #include "friction.hpp"
 
 namespace rollbem {
 
+extern template decltype(detail::find_exact_border<double, AnyKernel<double>>)
+    detail::find_exact_border<double, AnyKernel<double>>;
 extern template decltype(detail::find_exact_border<double, PlaneKernel<double>>)
     detail::find_exact_border<double, PlaneKernel<double>>;
 extern template decltype(detail::find_exact_border<double, StripKernel<double>>)

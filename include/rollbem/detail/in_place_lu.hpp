@@ -44,7 +44,7 @@ template <class Scalar>
 void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     const Eigen::Index n = A.rows();
     for (Eigen::Index first = 0, last = 0; first < n; first = last) {
-        last = std::min(first + 4, n);
+        last = (std::min)(first + 4, n);
         for (Eigen::Index k = first; k < last; ++k) {
             const Eigen::Index rest = n - k - 1;
             Eigen::Index pivot = 0;
@@ -82,7 +82,7 @@ void invert_factors(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Matri
     inverse.setIdentity();
     // four columns of the factors at a time, which are read once; L^-1 is triangular
     for (Eigen::Index first = 0, last = 0; first < n; first = last) {
-        last = std::min(first + 4, n);
+        last = (std::min)(first + 4, n);
         for (Eigen::Index j = 0; j < last; ++j) {
             Eigen::Matrix<Scalar, 4, 1> u = Eigen::Matrix<Scalar, 4, 1>::Zero();
             for (Eigen::Index k = first; k < last; ++k) {

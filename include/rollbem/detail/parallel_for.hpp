@@ -41,7 +41,7 @@ inline void parallel_for(
     };
     std::vector<std::thread> threads;
     try {
-        for (std::size_t i = 1; i < std::min(jobs, count); ++i) threads.emplace_back(work);
+        for (std::size_t i = 1; i < (std::min)(jobs, count); ++i) threads.emplace_back(work);
     } catch (const std::system_error&) {  // no more threads available: the existing ones do the work
     }
     work();

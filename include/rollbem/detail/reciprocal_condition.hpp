@@ -23,7 +23,7 @@ requires(!Eigen::NumTraits<Scalar>::IsComplex) Scalar
     one_norm(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A) {
     Scalar largest = 0;
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
-        largest = std::max(largest, sum_of_magnitudes(A.data() + j * A.rows(), A.rows()));
+        largest = (std::max)(largest, sum_of_magnitudes(A.data() + j * A.rows(), A.rows()));
     }
     return largest;
 }
@@ -85,7 +85,7 @@ typename Factors::Scalar estimated_condition(const Factors& lu, typename Factors
         const Scalar size = 1 + static_cast<Scalar>(i) / static_cast<Scalar>(n - 1);
         v[i] = i % 2 == 0 ? size : -size;
     }
-    bound = std::max(bound, 2 * solve(v) / static_cast<Scalar>(3 * n));
+    bound = (std::max)(bound, 2 * solve(v) / static_cast<Scalar>(3 * n));
     return bound == 0 ? Scalar(0) : 1 / bound / norm;
 }
 

@@ -195,7 +195,7 @@ SchemeRows<Scalar> collocation_rows(const Scheme& scheme, Quantity quantity, con
 template <class Scalar>
 Scalar sine_of_quarters(Eigen::Index k, Eigen::Index n) {
     const Scalar quarter = std::numbers::pi_v<Scalar> / static_cast<Scalar>(4 * n);
-    return std::sin(static_cast<Scalar>(std::min(k, 4 * n - k)) * quarter);
+    return std::sin(static_cast<Scalar>((std::min)(k, 4 * n - k)) * quarter);
 }
 
 // Throws std::invalid_argument unless a mesh is the cosine mesh to rounding.
@@ -304,7 +304,7 @@ SchemeRows<Scalar> NodeDifference::rows(Quantity quantity, const Mesh<Scalar>& m
     if (quantity == Quantity::slope) {
         result.averages = 1;
     } else {
-        for (Scalar& alpha : result.alpha) alpha = std::min(alpha, half);
+        for (Scalar& alpha : result.alpha) alpha = (std::min)(alpha, half);
     }
     return result;
 }

@@ -4,12 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "../closed_form/plane_lambda.hpp"
-#include "../detail/array_functions.hpp"
 #include "../scene/contact.hpp"
-#include "../types.hpp"
 #include "detail/parameters.hpp"
 #include "kernel_concepts.hpp"
 
@@ -21,7 +18,6 @@ template <class Scalar_ = double>
 class PlaneKernel {
 public:
     using Scalar = Scalar_;
-    using Array = ArrayX<Scalar>;
 
     /// half_width b in units of a; (c1, c2) = (1 - nu, nu) for longitudinal creepage and (1, -nu) for lateral. Throws
     /// std::invalid_argument unless b > 0 and c1 and c2 are finite.
@@ -45,28 +41,8 @@ public:
     /// Lambda < 0, where the kernel is used far outside b >> a.
     Scalar lambda() const { return lambda_; }
 
-    Array g(const Array& x) const {
-        Array result(x.size());
-        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = std::abs(x[i]);
-        detail::log_in_place(result);
-        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = constant_ - strength_ * result[i];
-        return result;
-    }
-    Array H(const Array& x) const {
-        Array result = detail::finite_log(x);
-        const Scalar sum = constant_ + strength_;
-        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * (sum - strength_ * result[i]);
-        return result;
-    }
-    Array H_integral(const Array& x) const {
-        Array result = detail::finite_log(x);
-        const Scalar sum = (2 * constant_ + 3 * strength_) / 4;
-        for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = x[i] * x[i] * (sum - strength_ / 2 * result[i]);
-        return result;
-    }
-    std::optional<LogSplit<Scalar>> log_split(Scalar) const { return LogSplit<Scalar>{constant_, strength_, {}}; }
     SmoothSplit<Scalar> smooth_split() const { return {constant_, strength_, std::numeric_limits<Scalar>::infinity()}; }
-    Array smooth_part(const Array& x) const { return detail::constant_array(x.size(), Scalar(0)); }
+    Scalar smooth_part(Scalar) const { return 0; }
     Scalar smooth_slope(Scalar) const { return 0; }
 
 private:

@@ -9,7 +9,7 @@
 namespace rollbem {
 
 /// Throws std::invalid_argument for a kernel that knows its Lambda, as PlaneKernel does, unless Lambda > 0.
-template <LineKernel Kernel>
+template <ElementKernel Kernel>
 void require_stable_model(const Kernel& kernel) {
     if constexpr (requires { kernel.lambda(); }) {
         detail::require(

@@ -67,7 +67,7 @@ public:
 
     Influence<Scalar> corner(Scalar x, Scalar y) const {
         const Scalar r = std::sqrt(x * x + y * y);
-        const Scalar width = std::max(std::abs(x), least), height = std::max(std::abs(y), least);
+        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
         // each product is 0 where its first factor is
         const Scalar along = std::copysign(x, x * y) * area_sine(height, width, r);
         const Scalar across = std::copysign(y, x * y) * area_sine(width, height, r);
@@ -76,8 +76,8 @@ public:
     }
 
     Influence<Scalar> corner_lateral_slope(Scalar x, Scalar y) const {
-        const Scalar r = std::max(std::sqrt(x * x + y * y), least);
-        const Scalar width = std::max(std::abs(x), least), height = std::max(std::abs(y), least);
+        const Scalar r = (std::max)(std::sqrt(x * x + y * y), least);
+        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
         const Scalar angle = std::copysign(area_sine(width, height, r), x), shear = nu_ * x / r;
         constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
         return {over_pi * (angle - shear), -over_pi * nu_ * y / r, over_pi * ((1 - nu_) * angle + shear)};
@@ -102,7 +102,7 @@ private:
     }
 
     // far below any distance, and the ratio of a distance to it does not overflow
-    static constexpr Scalar least = std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon();
+    static constexpr Scalar least = (std::numeric_limits<Scalar>::min)() / std::numeric_limits<Scalar>::epsilon();
 
     Scalar nu_;
 };

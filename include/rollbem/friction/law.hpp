@@ -58,7 +58,7 @@ struct LinearFall {
     Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
 
     Scalar operator()(Scalar velocity) const noexcept {
-        return mu_k + (mu_0 - mu_k) * std::max(Scalar(0), 1 - velocity / (2 * half_velocity));
+        return mu_k + (mu_0 - mu_k) * (std::max)(Scalar(0), 1 - velocity / (2 * half_velocity));
     }
 };
 
@@ -72,7 +72,7 @@ struct FrictionMemory {
 
     /// Weight of the old mu after a time [s] at a velocity [m/s], by implicit Euler.
     Scalar kept(Scalar velocity, Scalar duration) const noexcept {
-        return distance > 0 ? distance / (distance + duration * std::max(velocity, least_velocity)) : Scalar(0);
+        return distance > 0 ? distance / (distance + duration * (std::max)(velocity, least_velocity)) : Scalar(0);
     }
 };
 
@@ -86,9 +86,9 @@ struct Friction {
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
     FrictionMemory<Scalar> memory{};
-    /// Whether results include tangents if mu depends on slip; if it is constant, they always do. Tangents left out are
-    /// NaN, which saves time: each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3,
-    /// unless the slip velocities are those of the stage before.
+    /// Whether results include tangents. Tangents left out are NaN, which saves time with two directions and if mu depends
+    /// on slip: then each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3, unless the
+    /// slip velocities are those of the stage before.
     bool with_tangents = true;
     /// With two directions, and if the equations of the system hold half an element ahead of the elements' centres
     /// (Elements::half_element_ahead), whether slip is turned to the direction that it has at the centres, where the

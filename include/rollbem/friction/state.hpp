@@ -55,15 +55,20 @@ struct FrictionState {
     /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
     SolverRecord<Scalar> solver;
+    /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step depend:
+    /// like traction where slip is turned, or empty, as if they were the same.
+    ElementVectors<Scalar, directions> plain_traction;
 };
 
 namespace detail {
 
 /// Where a solution is sought: at tractions in G and the zones that go with them. One direction needs the zones alone.
+/// `plain_traction`: for slip that is not turned, if its equations are others (CombinedSolver::plain_constant).
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;
     const std::vector<Zone>& zones;
+    const ElementVectors<Scalar, directions>* plain_traction = nullptr;
 };
 
 /// The first type with one direction, the second with two.
@@ -104,9 +109,7 @@ struct FrictionStep {
 
     Force force_per_width = detail::nothing<Force>();  ///< F_bar on body 1 [N/m]
     Force force = detail::nothing<Force>();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2]. Where slip
-    /// is turned (see Friction), at constant angles, which leaves out how they follow the creepage: 2 % of the largest
-    /// derivative on 40 elements.
+    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2].
     Tangent tangent_per_width = detail::nothing<Tangent>();
     Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
     /// Derivatives by the load at the end of a step, at constant half-length and half-width, and by these; if they

@@ -95,7 +95,7 @@ public:
 
     /// Throws std::invalid_argument if assemble_G_prime refuses the scheme, if the law does not meet the requirements
     /// of Friction, or if the kernel's half-width is not the contact's.
-    template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
+    template <RollingScheme<Scalar> Scheme, ElementKernel Kernel>
     requires(directions_ == 1)
         SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                             const Kernel& kernel, const Friction<Law, Scalar>& friction, Checks checks = {})
@@ -104,7 +104,7 @@ public:
         detail::require_same_aspect(name, contact, detail::aspect_of<Scalar>(kernel));
     }
     /// The kernels of both directions.
-    template <RollingScheme<Scalar> Scheme, LineKernel Kernel>
+    template <RollingScheme<Scalar> Scheme, ElementKernel Kernel>
     requires(directions_ == 2)
         SteadyFrictionModel(const Contact<Scalar>& contact, const Mesh<Scalar>& mesh, const Scheme& scheme,
                             const Kernel& longitudinal, const Kernel& lateral, const Friction<Law, Scalar>& friction,

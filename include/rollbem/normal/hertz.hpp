@@ -22,6 +22,23 @@ struct ElasticBody {
     Scalar shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }  ///< G [Pa]
 };
 
+namespace detail {
+
+/// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker).
+template <class Scalar>
+struct CombinedBodies {
+    Scalar shear_modulus, poisson_ratio;
+
+    CombinedBodies(const ElasticBody<Scalar>& one, const ElasticBody<Scalar>& two) {
+        const Scalar compliance_1 = 1 / one.shear_modulus(), compliance_2 = 1 / two.shear_modulus();
+        const Scalar compliance = (compliance_1 + compliance_2) / 2;
+        shear_modulus = 1 / compliance;
+        poisson_ratio = (one.poisson_ratio * compliance_1 + two.poisson_ratio * compliance_2) / 2 / compliance;
+    }
+};
+
+}  // namespace detail
+
 template <class Scalar>
 ArrayX<Scalar> mean_hertz_pressure(const Mesh<Scalar>& mesh);
 
@@ -92,15 +109,8 @@ public:
     /// the pressure itself causes slip, which the tangential theory neglects. Throws std::invalid_argument unless
     /// half_width > 0.
     Contact<Scalar> contact(Scalar half_width) const {
-        const ElasticBody<Scalar>& one = parameters_.body_1;
-        const ElasticBody<Scalar>& two = parameters_.body_2;
-        const Scalar compliance_1 = 1 / one.shear_modulus(), compliance_2 = 1 / two.shear_modulus();
-        const Scalar compliance = (compliance_1 + compliance_2) / 2;
-        return Contact<Scalar>(
-            {.half_length = half_length_,
-             .half_width = half_width,
-             .shear_modulus = 1 / compliance,
-             .poisson_ratio = (one.poisson_ratio * compliance_1 + two.poisson_ratio * compliance_2) / 2 / compliance});
+        const detail::CombinedBodies<Scalar> bodies(parameters_.body_1, parameters_.body_2);
+        return Contact<Scalar>({half_length_, half_width, bodies.shear_modulus, bodies.poisson_ratio});
     }
 
 private:

@@ -13,6 +13,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../types.hpp"
 #include "hertz.hpp"
 
@@ -77,7 +78,7 @@ Scalar ellipse_of_curvatures(Scalar q) {
         const EllipticIntegrals<Scalar> at(kappa);
         const Scalar excess = 2 * log_kappa + std::log(at.D / at.B / q);
         const Scalar change = excess / (1 + at.C / at.D + kappa * kappa * at.C / at.B);
-        log_kappa = std::min(log_kappa - change, Scalar(0));
+        log_kappa = (std::min)(log_kappa - change, Scalar(0));
         if (std::abs(change) <= 4 * std::numeric_limits<Scalar>::epsilon() * (1 + std::abs(log_kappa))) break;
     }
     return std::exp(log_kappa);
@@ -91,10 +92,10 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     std::array<Scalar, 6> ends = {unit.y_1, unit.y_2, 0, 0, 0, 0};
     for (std::size_t k = 0; k < 2; ++k) {
         const Scalar x = k == 0 ? unit.x_1 : unit.x_2;
-        ends[2 + 2 * k] = std::sqrt(std::max((1 - x) * (1 + x), Scalar(0)));
+        ends[2 + 2 * k] = std::sqrt((std::max)((1 - x) * (1 + x), Scalar(0)));
         ends[3 + 2 * k] = -ends[2 + 2 * k];
     }
-    for (Scalar& y : ends) y = std::clamp(y, std::max(unit.y_1, Scalar(-1)), std::min(unit.y_2, Scalar(1)));
+    for (Scalar& y : ends) y = std::clamp(y, (std::max)(unit.y_1, Scalar(-1)), (std::min)(unit.y_2, Scalar(1)));
     std::sort(ends.begin(), ends.end());
     std::array<Scalar, 2> integrals{0, 0};
     for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
@@ -203,6 +204,14 @@ public:
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 
+    /// The contact that rolls along a, with the combined constants of HertzLine::contact. Throws std::invalid_argument
+    /// if the ellipse is turned from the rolling direction.
+    PatchContact<Scalar> contact() const {
+        detail::require(std::abs(turn_) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), "HertzEllipse", "turn",
+                        turn_, "be 0: a PatchContact rolls along one of its axes");
+        return PatchContact<Scalar>({a_, b_, bodies_.shear_modulus, bodies_.poisson_ratio});
+    }
+
     /// The same bodies under another load [N]: a, b and p0 vary as its cube root, the approach as its square. Throws
     /// std::invalid_argument unless the load is positive and finite.
     HertzEllipse under(Scalar load) const {
@@ -236,10 +245,12 @@ private:
     }
 
     Scalar load_, a_ = 0, b_ = 0, approach_ = 0, turn_ = 0;
+    detail::CombinedBodies<Scalar> bodies_;
 };
 
 template <class Scalar_>
-HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parameters.load) {
+HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters)
+    : load_(parameters.load), bodies_(parameters.body_1, parameters.body_2) {
     detail::require_positive("HertzEllipse", "load", load_);
     detail::require_finite("HertzEllipse", "angle", parameters.angle);
     Scalar compliance = 0;
@@ -258,13 +269,13 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters) : load_(parame
     const Scalar xy = (x_2 - y_2) * sine * cosine;
     // principal curvatures of the gap; the smaller by the determinant, so that a long ellipse keeps its digits
     const Scalar larger = (xx + yy) / 2 + std::hypot((xx - yy) / 2, xy);
-    const Scalar smaller = xy == 0 ? std::min(xx, yy) : yy * (xx / larger) - xy * (xy / larger);
+    const Scalar smaller = xy == 0 ? (std::min)(xx, yy) : yy * (xx / larger) - xy * (xy / larger);
     detail::require(larger > 0 && smaller > 0, "HertzEllipse", "smaller principal curvature of the gap", smaller,
                     "be positive");
     const bool across = xx < yy;  // the larger curvature, and with it the shorter axis
     turn_ = std::atan2(across ? -2 * xy : 2 * xy, std::abs(xx - yy)) / 2;
 
-    const Scalar kappa = detail::ellipse_of_curvatures<Scalar>(std::min(smaller / larger, Scalar(1)));
+    const Scalar kappa = detail::ellipse_of_curvatures<Scalar>((std::min)(smaller / larger, Scalar(1)));
     const detail::EllipticIntegrals<Scalar> integrals(kappa);
     const Scalar pi = std::numbers::pi_v<Scalar>;
     const Scalar longer = std::cbrt(3 * load_ * compliance * integrals.D / (pi * smaller)), shorter = kappa * longer;

@@ -132,10 +132,10 @@ private:
                              : begins       ? element.trailing_2
                              : ends         ? element.leading_1
                                             : element.width;
-        return detail::integrate_semicircle<Scalar>({std::max(element.trailing_1, Scalar(0)) / radius,
-                                                     std::min(element.leading_1, whole) / radius,
-                                                     std::min(element.trailing_2, whole) / radius,
-                                                     std::max(element.leading_2, Scalar(0)) / radius, width / radius});
+        return detail::integrate_semicircle<Scalar>(
+            {(std::max)(element.trailing_1, Scalar(0)) / radius, (std::min)(element.leading_1, whole) / radius,
+             (std::min)(element.trailing_2, whole) / radius, (std::max)(element.leading_2, Scalar(0)) / radius,
+             width / radius});
     }
 
     HertzLine<Scalar> line_;

@@ -34,6 +34,9 @@ public:
         detail::require_positive("PressureGrid", "load", load);
     }
 
+    const ArrayX<Scalar>& x() const { return x_; }
+    const ArrayX<Scalar>& y() const { return y_; }
+
     /// Integral of the pressure over the grid.
     Scalar integral() const { return over({x_[0], x_[x_.size() - 1], y_[0], y_[y_.size() - 1]}); }
 
@@ -69,7 +72,7 @@ private:
         Eigen::Index k = std::max<Eigen::Index>(std::upper_bound(begin, begin + size, low) - begin - 1, 0);
         Weights found{k, {0}};
         for (; k + 1 < size && knots[k] < high; ++k) {
-            const Scalar from = std::max(low, knots[k]), to = std::max(std::min(high, knots[k + 1]), from);
+            const Scalar from = (std::max)(low, knots[k]), to = (std::max)((std::min)(high, knots[k + 1]), from);
             const Scalar part = ((from + to) / 2 - knots[k]) / (knots[k + 1] - knots[k]);
             found.values.back() += (to - from) * (1 - part);
             found.values.push_back((to - from) * part);

@@ -61,7 +61,7 @@ public:
             const Scalar low = mesh.edges_from_trailing()[i] - 1, high = mesh.edges_from_trailing()[i + 1] - 1;
             while (k < x_.size() && x_[k] <= low) ++k;
             for (Eigen::Index j = k; j < x_.size() && x_[j - 1] < high; ++j) {
-                const Scalar from = std::max(low, x_[j - 1]), to = std::min(high, x_[j]);
+                const Scalar from = (std::max)(low, x_[j - 1]), to = (std::min)(high, x_[j]);
                 // an element within a segment has its own width, which is more accurate than a difference of edges
                 const Scalar share = from == low && to == high ? Scalar(1) : (to - from) / mesh.widths()[i];
                 if (to > from) mean[i] += share * at((from + to) / 2, j);

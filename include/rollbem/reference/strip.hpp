@@ -86,7 +86,7 @@ inline EstimatedC11<double> strip_c11(std::complex<double> s, double poisson_rat
     detail::require(std::abs(s) <= 1000, "reference::strip_c11", "|s|", std::abs(s), "be at most 1000");
     const double c1 = 1 - poisson_ratio, c2 = poisson_ratio;
     const Eigen::Index order =
-        3 * static_cast<Eigen::Index>(std::ceil(12 + std::abs(s) / 2 + 7 / std::min(aspect, 1.0)));
+        3 * static_cast<Eigen::Index>(std::ceil(12 + std::abs(s) / 2 + 7 / (std::min)(aspect, 1.0)));
     const auto solve = [&](Eigen::Index at) -> std::complex<double> {
         if (s == 0.0) return detail::strip_c11_once<double>(0, c1, c2, aspect, at);
         return detail::strip_c11_once<std::complex<double>>(s, c1, c2, aspect, at);

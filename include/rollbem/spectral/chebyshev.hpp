@@ -130,7 +130,7 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 /// Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at about
 /// m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a steady
 /// solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never is.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     require_stable_model(kernel);
@@ -178,7 +178,7 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
 
 namespace detail {
 
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);
@@ -213,18 +213,18 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Ch
 
 /// Steady rolling at unit creepage. There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not
 /// needed and an infinite half-width has a solution. For the plane kernel a single state is exact. The kernel must be a
-/// SmoothSplitKernel. Throws std::invalid_argument unless there is at least one state and b/a >= 0.001.
-template <SmoothSplitKernel Kernel>
+/// LineKernel. Throws std::invalid_argument unless there is at least one state and b/a >= 0.001.
+template <LineKernel Kernel>
 ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
 }
 template <class Kernel>
-void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a SmoothSplitKernel
+void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a LineKernel
 
 /// Steady rolling of a contact at a creepage [-] along the direction of one of its kernels (positive creepage, negative
 /// traction). Throws std::invalid_argument unless there is at least one state, b/a >= 0.001 and the kernel's b/a is the
 /// contact's; a creepage or a result that is not finite gives Status::not_finite.
-template <class Scalar, SmoothSplitKernel Kernel>
+template <class Scalar, LineKernel Kernel>
 ChebyshevSteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
                                              const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
     detail::require_same_aspect("solve_steady", contact, detail::aspect_of<Scalar>(kernel));

@@ -148,7 +148,7 @@ public:
           element_count_(longitudinal.element_count()),
           aspect_(longitudinal.aspect()),
           log_strength_{longitudinal.log_strength(), lateral.log_strength()},
-          half_length_limit_(std::min(longitudinal.half_length_limit(), lateral.half_length_limit())) {
+          half_length_limit_((std::min)(longitudinal.half_length_limit(), lateral.half_length_limit())) {
         const Eigen::Index n = lateral.size();
         detail::require(n == size(), "ElementSystem", "number of lateral elements", n,
                         "equal the number of longitudinal ones");

@@ -64,8 +64,8 @@ public:
     BasicCreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
 
     /// From what write() wrote. The stream must be binary; it is read to the end of the table. Throws
-    /// std::invalid_argument if the stream ends too early or holds something else, another version, or numbers that do
-    /// not agree with their checksum.
+    /// std::invalid_argument if the stream could not be opened, ends too early or holds something else, another version,
+    /// or numbers that do not agree with their checksum.
     static BasicCreepForceTable read(std::istream& stream);
 
     /// Little-endian, version 4: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
@@ -335,12 +335,10 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
                        k = cell(spin, 0, n_ - 1);
     const detail::SplineWeights by_shape(shape - static_cast<double>(s)), by_x(x - static_cast<double>(i)),
         by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
-    // Rows of four neighbours in phi, each of four numbers, of which the last is not used. Ellipses are mixed in single
-    // precision: that changes no derivative by creepage.
+    // Rows of four neighbours in phi, each of four numbers, of which the last is not used.
     using Number = Eigen::Array4d;
     Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
-    std::array<float, 4> share;
-    for (std::size_t r = 0; r < 4; ++r) share[r] = static_cast<float>(by_shape.value[r]);
+    const std::array<double, 4>& share = by_shape.value;
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
     for (std::size_t p = 0; p < 4; ++p) {
         Number row = Number::Zero(), row_y = row, row_spin = row;
@@ -349,11 +347,10 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
                                                           j - 1 + static_cast<Eigen::Index>(q), k - 1);
             Number here = Number::Zero(), here_spin = here;
             for (std::size_t t = 0; t < 4; ++t, from += width) {
-                using Four = Eigen::Map<const Eigen::Array4f>;
-                const Eigen::Array4f mixed = share[0] * Four(from) + share[1] * Four(from + next_shape) +
-                                             share[2] * Four(from + 2 * next_shape) +
-                                             share[3] * Four(from + 3 * next_shape);
-                const Number node = mixed.cast<double>();
+                const auto of_shape = [&](std::size_t r) {
+                    return share[r] * Eigen::Map<const Eigen::Array4f>(from + r * next_shape).cast<double>();
+                };
+                const Number node = of_shape(0) + of_shape(1) + of_shape(2) + of_shape(3);
                 here += by_spin.value[t] * node;
                 here_spin += by_spin.slope[t] * node;
             }
@@ -390,7 +387,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double position = (std::log(contact.a_over_b()) - first) / (last - first);
     result.a_over_b_on_table = position >= -1e-12 && position <= 1 + 1e-12;
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
-    const auto cell = std::min(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
+    const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
     const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
     Eigen::Array4d linear = Eigen::Array4d::Zero();
     for (Eigen::Index k = 0; k < 4; ++k) {
@@ -493,6 +490,7 @@ public:
     explicit Reader(std::istream& stream) : stream_(stream) {}
 
     void bytes(char* data, std::size_t count) {
+        if (!stream_) throw std::invalid_argument("CreepForceTable: the stream must be readable: is the file there?");
         if (!stream_.read(data, static_cast<std::streamsize>(count))) {
             throw std::invalid_argument("CreepForceTable: the stream must not end within the table");
         }

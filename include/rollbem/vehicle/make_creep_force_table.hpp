@@ -63,7 +63,7 @@ public:
         solution.force = (1 - share) * solution.force + share * other.force;
         solution.step.status = other.step.status;
         solution.step.complementarity_residual =
-            std::max(solution.step.complementarity_residual, other.step.complementarity_residual);
+            (std::max)(solution.step.complementarity_residual, other.step.complementarity_residual);
         return solution;
     }
 
@@ -113,9 +113,9 @@ private:
         detail::require(n >= 2 && n <= 1000, "CreepForceSource", "n", n, "lie in [2, 1000]");
         const double per_strip = std::clamp(std::pow(contact_.a_over_b(), 0.6), 0.25, 2.0),
                      side = static_cast<double>(n);
-        const long along = std::max(std::lround(side * std::sqrt(per_strip)), 2L);
-        const long across = 2 * std::max(std::lround(side * side / static_cast<double>(2 * along)), 1L);
-        return patch_mesh(contact_, cosine_mesh(std::min(along, 2 * across)), uniform_mesh(across));
+        const long along = (std::max)(std::lround(side * std::sqrt(per_strip)), 2L);
+        const long across = 2 * (std::max)(std::lround(side * side / static_cast<double>(2 * along)), 1L);
+        return patch_mesh(contact_, cosine_mesh((std::min)(along, 2 * across)), uniform_mesh(across));
     }
 
     /// One more element in each strip and one more strip: one mesh has an edge where the other has centres, across at
@@ -136,7 +136,7 @@ private:
         const double a_over_b = contact_.a_over_b(), spin = std::abs(v.spin),
                      pole = std::hypot(v.longitudinal * std::sqrt(a_over_b), v.lateral / std::sqrt(a_over_b));
         const double sliding = (spin - 2) / 2, inside = (1.5 * spin - pole) / (0.3 * spin);
-        return spin > 2 ? 0.5 * std::clamp(std::min(sliding, inside), 0.0, 1.0) : 0;
+        return spin > 2 ? 0.5 * std::clamp((std::min)(sliding, inside), 0.0, 1.0) : 0;
     }
 
     PatchContact<double> contact_;
@@ -148,7 +148,7 @@ private:
 struct CreepForceRange {
     double poisson_ratio = 0.28;
     double smallest_a_over_b = 0.1, largest_a_over_b = 10;
-    Eigen::Index shapes = 20;  ///< ellipses
+    Eigen::Index shapes = 13;  ///< ellipses
     int levels = 19;           ///< nodes between no creepage and full sliding
     Eigen::Index n = 17;       ///< patches of some n^2 elements
 };

@@ -20,11 +20,11 @@ void multiply(const A& a, const B& b, C& c) {
     constexpr Eigen::Index tile = 64;
     c.setZero();
     for (Eigen::Index j = 0; j < b.cols(); j += tile) {
-        const Eigen::Index columns = std::min(tile, b.cols() - j);
+        const Eigen::Index columns = (std::min)(tile, b.cols() - j);
         for (Eigen::Index m = 0; m < a.cols(); m += tile) {
-            const Eigen::Index depth = std::min(tile, a.cols() - m);
+            const Eigen::Index depth = (std::min)(tile, a.cols() - m);
             for (Eigen::Index i = 0; i < a.rows(); i += tile) {
-                const Eigen::Index rows = std::min(tile, a.rows() - i);
+                const Eigen::Index rows = (std::min)(tile, a.rows() - i);
                 c.block(i, j, rows, columns).noalias() += a.block(i, m, rows, depth) * b.block(m, j, depth, columns);
             }
         }

@@ -26,7 +26,7 @@ public:
     void add(MatrixX<Scalar>& result) const {
         for (Eigen::Index m = 0; m < result.cols(); ++m) {
             const Scalar h = entries_.columns.half[m];
-            const Scalar from = std::min(entries_.columns.from_trailing[m], entries_.columns.from_leading[m]);
+            const Scalar from = (std::min)(entries_.columns.from_trailing[m], entries_.columns.from_leading[m]);
             const bool leading = entries_.columns.from_leading[m] < 3 * h / 2;  // its leading edge is the contact's
             const Scalar front = leading && entries_.rows.unloaded_ahead ? Scalar(0) : Scalar(0.5);
             for (Eigen::Index l = 0; l < result.rows(); ++l) {
@@ -35,7 +35,7 @@ public:
                 if (std::abs(d) > 2 * reach) continue;
                 // distances are as accurate as positions, which are measured from the nearer edge of the contact
                 const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * (from + reach);
-                result(l, m) += compliance_ * entry(d, h, delta, front, std::min(rounding, h / 8));
+                result(l, m) += compliance_ * entry(d, h, delta, front, (std::min)(rounding, h / 8));
             }
         }
     }
@@ -46,7 +46,7 @@ private:
         const int differences = entries_.slope() ? 1 : 0, averages = entries_.averages - differences;
         const auto share = [&](Scalar x) {
             if (averages == 0) return inside(x, h, front, rounding);
-            return std::max(Scalar(0), std::min(x + delta, h) - std::max(x - delta, -h)) / (2 * delta);
+            return (std::max)(Scalar(0), (std::min)(x + delta, h) - (std::max)(x - delta, -h)) / (2 * delta);
         };
         return differences == 0 ? share(d) : (share(d + delta) - share(d - delta)) / (2 * delta);
     }

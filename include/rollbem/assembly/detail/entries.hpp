@@ -41,6 +41,8 @@ template <class Scalar>
 struct Entries {
     using Array = ArrayX<Scalar>;
 
+    /// ((h + averages delta) / d)^2 below which entries are far and a series is used.
+    static constexpr Scalar far_ratio = Scalar(1) / 16;
     static constexpr Eigen::Index chunk = 8;  ///< rows for which a series is evaluated at once: a few registers
     using Chunk = Eigen::Array<Scalar, chunk, 1>;
 
@@ -50,8 +52,6 @@ struct Entries {
     RowPoints<Scalar> rows;          ///< padded to whole chunks by repeating the last
     ColumnElements<Scalar> columns;  ///< n
     Eigen::Index count;              ///< number of rows to be computed
-    /// ((h + averages delta) / d)^2 below which entries are far and a series is used; 0: there is no series.
-    Scalar far_ratio = 0;
 
     Entries(Quantity which, int average_count, const RowPoints<Scalar>& points, const ColumnElements<Scalar>& elements,
             bool widths_are_equal)
@@ -78,23 +78,13 @@ struct Entries {
         return !(size * size < far_ratio * d * d);
     }
 
-    /// The largest |d| + h + averages delta.
-    Scalar reach() const {
-        Array from(count);
-        for (Eigen::Index l = 0; l < count; ++l) {
-            from[l] = std::max(rows.from_leading[l], rows.from_trailing[l]) + std::abs(rows.offset[l]) +
-                      Scalar(averages) * rows.half[l];
-        }
-        return from.maxCoeff() + columns.half.maxCoeff();
-    }
-
 private:
     static RowPoints<Scalar> padded(const RowPoints<Scalar>& points) {
         const Eigen::Index size = points.half.size();
         const Eigen::Index full = (size + chunk - 1) / chunk * chunk;
         const auto pad = [&](const Array& values) {
             Array result(full);
-            for (Eigen::Index l = 0; l < full; ++l) result[l] = values[std::min(l, size - 1)];
+            for (Eigen::Index l = 0; l < full; ++l) result[l] = values[(std::min)(l, size - 1)];
             return result;
         };
         return {pad(points.from_trailing), pad(points.from_leading), pad(points.offset), pad(points.half),

@@ -115,7 +115,7 @@ VectorX<Scalar> influence_product(const Mesh<Scalar>& mesh, const SchemeRows<Sca
     MatrixX<Scalar> rows;
     VectorX<Scalar> part;
     for (Eigen::Index l = 0; l < n; l += block) {
-        rows.resize(std::min(block, n - l), n);
+        rows.resize((std::min)(block, n - l), n);
         influence_rows<Scalar>(mesh, scheme, scheme.first_equation + l, kernel, quantity, rows);
         part.noalias() = rows * p;
         std::copy_n(part.data(), part.size(), product.data() + l);

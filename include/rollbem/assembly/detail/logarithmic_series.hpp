@@ -1,4 +1,4 @@
-// Far entries of a split kernel: a series for its logarithm that neither cancels nor, for the slope, needs a logarithm.
+// Far entries of the logarithm: a series that neither cancels nor, for the slope, needs a logarithm.
 // Several rows are computed at once, in registers.
 #pragma once
 
@@ -9,10 +9,9 @@
 #include <Eigen/Core>
 
 #include "../../detail/gauss_legendre.hpp"
-#include "../../elasticity/line_kernel.hpp"
+#include "../../elasticity/kernel_concepts.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"
-#include "polynomial_part.hpp"
 
 namespace rollbem::detail {
 
@@ -24,13 +23,10 @@ namespace rollbem::detail {
 template <class Scalar>
 class LogarithmicSeries {
 public:
-    LogarithmicSeries(const Entries<Scalar>& entries, const LogSplit<Scalar>& split,
-                      const PolynomialPart<Scalar>& polynomial)
+    LogarithmicSeries(const Entries<Scalar>& entries, const SmoothSplit<Scalar>& split)
         : entries_(entries),
-          polynomial_(polynomial),
           averages_(entries.averages),
           slope_(entries.slope()),
-          far_ratio_(entries.far_ratio),
           strength_(split.strength),
           constant_(split.constant),
           coefficients_(last + 1) {
@@ -51,24 +47,20 @@ public:
     void fill(MatrixX<Scalar>& result) const {
         const bool twice = entries_.averages == 2, single_ratio = entries_.averages == 0 || entries_.equal_widths;
         const QuadratureRule<Scalar> rule = second_average<Scalar>(entries_.averages);
-        const Eigen::Index degree = polynomial_.length();
-        typename PolynomialPart<Scalar>::Table powers = polynomial_.common_coefficients();
         for (Eigen::Index m = 0; m < entries_.columns.half.size(); ++m) {
             const Scalar h = entries_.columns.half[m];
             const bool trailing = entries_.columns.from_trailing[m] <= 1;
             const Scalar origin = trailing ? entries_.columns.from_trailing[m] : entries_.columns.from_leading[m];
             const Scalar* from = trailing ? entries_.rows.from_trailing.data() : entries_.rows.from_leading.data();
             const Scalar sign = trailing ? 1 : -1;
-            if (!entries_.equal_widths) polynomial_.coefficients(m, powers);
             for (Eigen::Index l = 0; l < entries_.count; l += chunk) {
                 Chunk d;
                 for (Eigen::Index i = 0; i < chunk; ++i)
                     d[i] = entries_.rows.offset[l + i] + sign * (from[l + i] - origin);
                 const Scalar* delta = entries_.rows.half.data() + l;
-                Chunk value = twice          ? twice_averaged(rule, d, h, delta)
-                              : single_ratio ? log_series<true>(d, h, delta)
-                                             : log_series<false>(d, h, delta);
-                if (degree > 0) polynomial_.add(powers, d, l, value);
+                const Chunk value = twice          ? twice_averaged(rule, d, h, delta)
+                                    : single_ratio ? log_series<true>(d, h, delta)
+                                                   : log_series<false>(d, h, delta);
                 Scalar* out = result.data() + m * result.rows() + l;
                 if (l + chunk <= entries_.count) {
                     for (Eigen::Index i = 0; i < chunk; ++i) out[i] = value[i];
@@ -124,8 +116,8 @@ private:
                 B[i] = difference * difference;
             }
         }
-        A = A.min(far_ratio_);
-        if constexpr (!SingleRatio) B = B.min(far_ratio_);
+        A = (A.min)(Entries<Scalar>::far_ratio);
+        if constexpr (!SingleRatio) B = (B.min)(Entries<Scalar>::far_ratio);
         const Scalar scale = 2 * h * strength_;
         Chunk result = moment_sum<SingleRatio>(A, SingleRatio ? A : B);
         if (slope_) {
@@ -153,10 +145,9 @@ private:
     }
 
     const Entries<Scalar>& entries_;
-    const PolynomialPart<Scalar>& polynomial_;
     int averages_;  // copied for the inner loop
     bool slope_;
-    Scalar far_ratio_, strength_, constant_;
+    Scalar strength_, constant_;
     ArrayX<Scalar> coefficients_;
     Scalar bound_of_4_ = 0, bound_of_6_ = 0;
 };

@@ -1,48 +1,41 @@
-// Entries near the singularity: differences of the kernel's antiderivatives, in closed form. With equal widths,
+// Entries near the singularity: differences of the logarithm's antiderivatives, in closed form. With equal widths,
 // neighbours in a row share the values of the antiderivatives.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
-#include "../../elasticity/line_kernel.hpp"
+#include "../../elasticity/kernel_concepts.hpp"
 #include "../../types.hpp"
 #include "entries.hpp"
-#include "kernel_view.hpp"
-#include "polynomial_part.hpp"
 
 namespace rollbem::detail {
 
-/// The integral of g over an element is a difference of H at its edges; each average over 2 delta adds one more
-/// difference, of the next antiderivative. For a split kernel this applies to the logarithm, and the polynomial is
-/// added. Keeps references to its arguments.
+/// The integral over an element is a difference of the antiderivative at its edges; each average over 2 delta adds one
+/// more difference, of the next antiderivative. Keeps references to its arguments.
 template <class Scalar>
 class NearDifferences {
 public:
     using Array = ArrayX<Scalar>;
 
-    /// `split` and `polynomial` are either both present or both empty.
-    NearDifferences(const Entries<Scalar>& entries, const KernelView<Scalar>& kernel,
-                    const std::optional<LogSplit<Scalar>>& split,
-                    const std::optional<PolynomialPart<Scalar>>& polynomial)
-        : entries_(entries), kernel_(kernel), split_(split), polynomial_(polynomial) {}
+    NearDifferences(const Entries<Scalar>& entries, const SmoothSplit<Scalar>& split)
+        : entries_(entries), split_(split) {}
 
     /// Writes every near entry to result(l, m).
     void fill(MatrixX<Scalar>& result) const {
         const Entries<Scalar>& entries = entries_;  // a local reference, which stays in a register
         const Eigen::Index n = entries.columns.half.size();
-        const Scalar spread = Scalar(entries.averages + 1) / (2 * std::sqrt(entries.far_ratio));
+        const Scalar spread = Scalar(entries.averages + 1) / (2 * std::sqrt(Entries<Scalar>::far_ratio));
         std::vector<Run> runs;
         std::vector<Scalar> arguments;
         runs.reserve(static_cast<std::size_t>(entries.count));
         arguments.reserve(static_cast<std::size_t>(std::min<Eigen::Index>(16 * entries.count, 2048)));
         for (Eigen::Index l = 0; l < entries.count; ++l) {
-            if (entries.equal_widths && entries.far_ratio > 0) {  // the near columns surround the point
+            if (entries.equal_widths) {  // the near columns surround the point
                 const Scalar nearest = entries.distance(l, 0) / (2 * entries.columns.half[0]);
                 const Eigen::Index first = clamp_index(std::ceil(nearest - spread), n);
                 const Eigen::Index end = clamp_index(std::floor(nearest + spread) + 1, n);
@@ -67,16 +60,15 @@ private:
         Eigen::Index row, first, count, position;
     };
 
-    // The slope uses g (0), H (1), H_integral (2) for 0, 1, 2 averages; the displacement uses the next one.
+    // How often the logarithm is integrated: for the slope once for each average, for the displacement once more.
     int level() const { return entries_.averages + (entries_.slope() ? 0 : 1); }
 
-    // the antiderivative of the singular part, or of the whole kernel; constants that cancel in the slope are left out
+    // of the logarithm; constants that cancel in the slope are left out
     Array antiderivative(const Array& x) const {
-        if (!split_) return kernel_.antiderivative(level(), x);
-        const Scalar s = split_->strength;
+        const Scalar s = split_.strength;
         const bool slope = entries_.slope();
         if (level() == 1) {
-            const Scalar constant = split_->constant + s;
+            const Scalar constant = split_.constant + s;
             Array result = finite_log(x);
             for (Eigen::Index i = 0; i < x.size(); ++i) {
                 result[i] = slope ? -s * x[i] * result[i] : x[i] * (constant - s * result[i]);
@@ -84,7 +76,7 @@ private:
             return result;
         }
         if (level() == 2) {
-            const Scalar constant = (2 * split_->constant + 3 * s) / 4;
+            const Scalar constant = (2 * split_.constant + 3 * s) / 4;
             Array result = finite_log(x);
             for (Eigen::Index i = 0; i < x.size(); ++i) {
                 const Scalar square = x[i] * x[i];
@@ -134,7 +126,6 @@ private:
         std::copy(arguments.begin(), arguments.end(), x.data());
         const Array values = antiderivative(x);
         const Entries<Scalar>& entries = entries_;
-        const PolynomialPart<Scalar>* polynomial = polynomial_ ? &*polynomial_ : nullptr;
         for (const Run& run : runs) {
             Scalar divisor = 1;
             for (int i = 0; i < entries.averages; ++i) divisor *= 2 * entries.rows.half[run.row];
@@ -155,17 +146,13 @@ private:
                           : entries.averages == 1 ? element(0) - element(1)
                                                   : (element(0) - element(1)) - (element(1) - element(2));
                 }
-                sum /= divisor;
-                if (polynomial) sum += polynomial->at(run.row, run.first + i);
-                result(run.row, run.first + i) = sum;
+                result(run.row, run.first + i) = sum / divisor;
             }
         }
     }
 
     const Entries<Scalar>& entries_;
-    const KernelView<Scalar>& kernel_;
-    const std::optional<LogSplit<Scalar>>& split_;
-    const std::optional<PolynomialPart<Scalar>>& polynomial_;
+    const SmoothSplit<Scalar>& split_;
 };
 
 }  // namespace rollbem::detail

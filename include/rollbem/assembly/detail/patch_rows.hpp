@@ -52,8 +52,8 @@ StripRows<Scalar> strip_rows(const Mesh<Scalar>& along, const Scheme& scheme, Qu
         const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * along.widths()[i];
         const auto back = place(-half);
         const bool shared = slope && i > 0 &&
-                            std::min(std::abs(back.from_trailing - rows.places.back().from_trailing),
-                                     std::abs(back.from_leading - rows.places.back().from_leading)) <= rounding;
+                            (std::min)(std::abs(back.from_trailing - rows.places.back().from_trailing),
+                                       std::abs(back.from_leading - rows.places.back().from_leading)) <= rounding;
         if (!shared) rows.places.push_back(back);
         rows.behind.push_back(rows.places.size() - 1);
         if (slope) rows.places.push_back(place(half));
@@ -75,11 +75,11 @@ public:
         // the squares of the points are the roots of z^2 - 2 p z + q
         const Scalar determinant = m6 * m2 - m4 * m4;
         const Scalar p = (m8 * m2 - m6 * m4) / (2 * determinant), q = (m8 * m4 - m6 * m6) / determinant;
-        const Scalar root = std::sqrt(p * p - q), large = p + root, small = q / large;
-        near_ = std::sqrt(small);
-        far_ = std::sqrt(large);
-        far_weight_ = (m4 - small * m2) / (large * (large - small));
-        near_weight_ = (m2 - large * far_weight_) / small;
+        const Scalar root = std::sqrt(p * p - q), outer = p + root, inner = q / outer;
+        near_ = std::sqrt(inner);
+        far_ = std::sqrt(outer);
+        far_weight_ = (m4 - inner * m2) / (outer * (outer - inner));
+        near_weight_ = (m2 - outer * far_weight_) / inner;
     }
 
     /// Whether the error of this rule, about (t/distance)^10/250 for t = (d + h)/2, is less than the rounding of
@@ -133,7 +133,7 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
                     *entry++ = kernel.corner(x, y0) - kernel.corner(x, y1);
                 }
             }
-            const Scalar beside = j == k ? Scalar(0) : std::min(std::abs(y0), std::abs(y1));
+            const Scalar beside = j == k ? Scalar(0) : (std::min)(std::abs(y0), std::abs(y1));
             for (Eigen::Index c = 0; c < n; ++c) {
                 const rollbem::Influence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
                 const rollbem::Influence<Scalar>* const leading = trailing + height;

@@ -16,14 +16,14 @@ void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2)
     require_finite(who, "c2", c2);
 }
 
-/// The kernel of a contact, with the (c1, c2) of each direction of creepage.
-template <class Kernel>
-Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact) {
-    return Kernel(contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
+/// The kernel of a contact, with the (c1, c2) of each direction of creepage; of a model if there are several.
+template <class Kernel, class... Model>
+Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact, Model... model) {
+    return Kernel(model..., contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
 }
-template <class Kernel>
-Kernel lateral_kernel(const Contact<typename Kernel::Scalar>& contact) {
-    return Kernel(contact.aspect(), typename Kernel::Scalar(1), -contact.poisson_ratio());
+template <class Kernel, class... Model>
+Kernel lateral_kernel(const Contact<typename Kernel::Scalar>& contact, Model... model) {
+    return Kernel(model..., contact.aspect(), typename Kernel::Scalar(1), -contact.poisson_ratio());
 }
 
 }  // namespace rollbem::detail

@@ -201,7 +201,7 @@ private:
             const Index offenders = move_offenders(bound);
             if (offenders == 0) return true;
             idle = offenders < fewest ? 0 : idle + 1;
-            fewest = std::min(fewest, offenders);
+            fewest = (std::min)(fewest, offenders);
             if (idle > patience) return false;
         }
     }
@@ -274,9 +274,9 @@ private:
     }
 
     Outcome judge(const Vector& bound, Outcome outcome) const {
-        const Scalar wrong_slip = std::max({creep_, wrong_slip_, Scalar(0)});
+        const Scalar wrong_slip = (std::max)({creep_, wrong_slip_, Scalar(0)});
         outcome.residual = imposed_ > 0 ? wrong_slip / imposed_ : wrong_slip;
-        if (excess_ > 0) outcome.residual = std::max(outcome.residual, excess_ / bound.maxCoeff());
+        if (excess_ > 0) outcome.residual = (std::max)(outcome.residual, excess_ / bound.maxCoeff());
         outcome.status = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding()
                              ? StepStatus::ok
                              : StepStatus::no_solution;

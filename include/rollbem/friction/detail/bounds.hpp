@@ -69,21 +69,24 @@ public:
         if constexpr (directions == 1) {
             return solver.solve(bound, start.zones);
         } else {
-            return solver.solve(bound, start.traction, start.zones);
+            return solver.solve(bound, start);
         }
     }
     /// dp in the stage solved last caused by a change dc and by a change of the bounds, `share` times bound_change.
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t,
                  const VectorX<Scalar>* bound_change = nullptr, Scalar share = 1) noexcept {
-        if (bound_change == nullptr) {
+        if constexpr (directions == 2) {
+            solver.respond(change, traction_change, bound_change, share);
+        } else if (bound_change == nullptr) {
             solver.respond(change, traction_change);
         } else {
             solver.respond(change, *bound_change, traction_change, share);
         }
     }
     /// dp caused by the half-length at the end of the step, which changes the constants by `change`.
-    void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t) noexcept {
-        solver.respond(change, traction_change);
+    void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
+                                std::size_t parameter) noexcept {
+        respond(solver, change, traction_change, parameter);
     }
     /// Keeps the response of the first of two stages for that of the second.
     void carry_response(std::size_t) noexcept {}
@@ -111,7 +114,6 @@ public:
                   const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
-          with_tangents_(friction.with_tangents),
           points_(friction.memory.distance > 0 ? &points : nullptr),
           start_(from.friction_coefficient),
           unit_(unit),
@@ -130,7 +132,6 @@ public:
                   Scalar speed, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
-          with_tangents_(friction.with_tangents),
           start_(from.friction_coefficient),
           steady_(true),
           velocity_per_slip_(speed),
@@ -168,16 +169,15 @@ public:
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
             const Scalar before = start(origin(i)) + sdirk2_ratio<Scalar> * rise(between(i));
-            scratch_.before[i] = std::max(before, Scalar(0));
+            scratch_.before[i] = (std::max)(before, Scalar(0));
         }
     }
 
     typename Slip::Outcome solve(Solver& solver, const Vector& pressure, const typename Slip::Start& from) noexcept {
         typename FallingSet<Slip>::Outcome outcome =
             scratch_.set.solve(law_, memory_, passage(pressure), from, solver, scratch_.friction);
-        outcome.solution.residual = std::max(outcome.solution.residual, outcome.change);
+        outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
-        outcome.solution.tangent_exists = outcome.solution.tangent_exists && with_tangents_;
         is_easy_ = outcome.solutions <= 4 && (is_easy_ || !second_);
         if (!second_) scratch_.first_friction = scratch_.friction;
         pressure_ = &pressure;
@@ -274,7 +274,6 @@ private:
 
     const Law& law_;
     const FrictionMemory<Scalar>& memory_;
-    bool with_tangents_;
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     const ArrayX<Scalar>* first_start_ = nullptr;

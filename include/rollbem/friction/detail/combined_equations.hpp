@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -38,8 +39,9 @@ public:
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
 
-    /// `coupled`: traction in one direction causes slip in the other, too.
-    explicit CombinedEquations(Index n, bool coupled = false)
+    /// `coupled`: traction in one direction causes slip in the other, too. Without `matrices` only exchange_factors()
+    /// gives it factors.
+    explicit CombinedEquations(Index n, bool coupled = false, bool matrices = true)
         : size_(n),
           coupled_(coupled),
           side_{Side(coupled ? 0 : n), Side(coupled ? 0 : n)},
@@ -56,7 +58,7 @@ public:
           sticking_(n),
           eliminated_for_(n),
           swaps_(static_cast<std::size_t>(2 * n)) {
-        for (Matrix& block : block_) block.resize(coupled ? n : 0, coupled ? n : 0);
+        for (Matrix& block : block_) block.resize(coupled && matrices ? n : 0, coupled && matrices ? n : 0);
     }
 
     Index size() const { return size_; }
@@ -70,6 +72,13 @@ public:
     Matrix& new_matrix(std::size_t slip, std::size_t by) {
         released_.forget();
         return coupled_ ? block_[2 * slip + by] : side_[slip].sticking.new_matrix();
+    }
+    /// Exchanges the factors for those kept in `other`; M stays.
+    void exchange_factors(CombinedEquations& other) {
+        std::swap(*this, other);
+        block_.swap(other.block_);
+        released_.exchange_matrix(other.released_);
+        for (std::size_t d = 0; d < 2; ++d) side_[d].sticking.exchange_matrix(other.side_[d].sticking);
     }
     /// s = M p
     void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const {
@@ -111,15 +120,38 @@ public:
     /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, against its present slip, due
     /// to a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
     /// that do not slip are left unchanged.
-    void couple(Matrix& coupling) {
+    /// With `turning`, those entries hold before what the increase adds to the slip across, by turning it.
+    void couple(Matrix& coupling, bool turning = false) {
         if (way_ == Way::reduced) find_across();
         for (Index k = 0; k < slipping_.count; ++k) {
+            for (Index l = 0; l < slipping_.count; ++l) right_[l] = turning ? coupling(slipping_[l], k) : Scalar(0);
             if (way_ == Way::reduced) {
                 couple_reduced(k);
             } else {
                 couple_whole(k);
             }
             for (Index l = 0; l < slipping_.count; ++l) coupling(slipping_[l], k) = right_[l];
+        }
+    }
+    /// The change of slip due to the same increase for element i, which slips as in `part`.
+    void couple(const CombinedPartition<Scalar>& part, Index i, ElementVectors<Scalar>& slip_change) {
+        Index k = 0;
+        while (slipping_[k] != i) ++k;
+        right_.head(slipping_.count).setZero();
+        if (way_ != Way::reduced) {
+            couple_whole(k);
+            slip_change = slip_;
+            return;
+        }
+        slip_change.setZero();
+        find_across();
+        couple_reduced(k);
+        for (Index l = 0; l < slipping_.count; ++l) {
+            const Scalar across = part.stiffness[slipping_[l]] * right_[slipping_.count + l];
+            for (Index d = 0; d < 2; ++d) {
+                const Scalar along = against(l, static_cast<std::size_t>(d)) * right_[l];
+                slip_change(slipping_[l], d) = along + across * test_(l, d);
+            }
         }
     }
 
@@ -322,14 +354,15 @@ private:
         }
     }
 
-    // A column of couple(), into right_.
+    // A column of couple(), into right_, which holds what is added to the slip across.
     void couple_reduced(Index k) {
         const Index count = slipping_.count;
         auto turn = right_.segment(count, count);
         for (Index l = 0; l < count; ++l) {
             const Scalar x = side_[0].reduced(l, k) * along(k, 0), y = side_[1].reduced(l, k) * along(k, 1);
+            const Scalar added = right_[l];
             right_[l] = against(l, 0) * x + against(l, 1) * y;
-            turn[l] = test_(l, 0) * x + test_(l, 1) * y;
+            turn[l] = added + test_(l, 0) * x + test_(l, 1) * y;
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), turn);
         right_.head(count).noalias() -= whole_.topLeftCorner(count, count) * turn;
@@ -339,6 +372,7 @@ private:
         for (std::size_t d = 0; d < 2; ++d) change_(slipping_[k], column(d)) = along(k, d);
         multiply(change_, slip_);
         across_ = slip_;
+        for (Index l = 0; l < slipping_.count; ++l) across_.row(slipping_[l]) += right_[l] * test_.row(l);
         solve(across_, change_);
         multiply(change_, across_);
         slip_ += across_;

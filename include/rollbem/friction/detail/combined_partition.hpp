@@ -31,7 +31,7 @@ struct CombinedPartition {
         direction(i, 0) = x / norm;
         direction(i, 1) = y / norm;
         // finite, however small the bound
-        stiffness[i] = std::min(k, std::numeric_limits<Scalar>::max() / 1000);
+        stiffness[i] = (std::min)(k, (std::numeric_limits<Scalar>::max)() / 1000);
     }
 
     /// Zone from the natural map, (x, y) = p - reach s. `margin`: round-off relative to the bound.

@@ -17,7 +17,7 @@
 #include "../state.hpp"
 #include "combined_equations.hpp"
 #include "combined_partition.hpp"
-#include "combined_split.hpp"
+#include "combined_path.hpp"
 #include "slip_turn.hpp"
 
 namespace rollbem::detail {
@@ -28,13 +28,13 @@ namespace rollbem::detail {
 /// Newton's method on the natural map p_i = P(p_i - rho_i s_i), P the projection onto the circle of the bound
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
-/// two. A step is halved while the residual of the map would grow. As M may be any matrix, that can get stuck. Further
-/// attempts take full steps, and start from full sliding or from the result of CombinedSplit. If all fail, the best
-/// point is returned together with its violation. Each attempt takes at most `longest` steps.
+/// two. A step is halved while the residual of the map would grow. That can get stuck; then CombinedPath leads to a
+/// point near a solution, from which Newton's method finishes. If that fails, too, the best point is returned together
+/// with its violation.
 ///
 /// If the rows behind are known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i in
-/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that has no
-/// solution (2 of 1e5 random patches stepped in time, few wide elements under large spin), all angles are halved.
+/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not found,
+/// all angles are halved.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier
 /// solutions. All memory is allocated by the constructor.
@@ -44,10 +44,11 @@ public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
+    using Vectors = ElementVectors<Scalar>;
     using Zones = std::vector<Zone>;
 
     struct Outcome {
-        int rounds = 0;  ///< Newton steps, of all attempts
+        int rounds = 0;  ///< Newton steps, those along CombinedPath not counted
         /// Largest violation of a bound, or traction below it where an element slips (relative to the largest bound),
         /// or wrong slip: of a sticking element, across the traction or along it (relative to the largest |c|).
         Scalar residual = 0;
@@ -58,8 +59,10 @@ public:
     /// `coupled`: traction in one direction causes slip in the other, too.
     explicit CombinedSolver(Index n, bool coupled = false)
         : equations_(n, coupled),
+          kept_(n, coupled, false),
           zones_(static_cast<std::size_t>(n), Zone::stick),
           part_(n),
+          plain_part_(n),
           reach_(Vector::Zero(n)),
           traction_(Vectors::Zero(n, 2)),
           slip_(Vectors::Zero(n, 2)),
@@ -70,13 +73,22 @@ public:
           best_(n, 2),
           against_slip_(Vectors::Zero(n, 2)),
           begin_(n, 2),
+          plain_traction_(n, 2),
+          plain_constant_(n, 2),
+          plain_response_(n, 2),
           begin_zones_(static_cast<std::size_t>(n), Zone::stick),
+          turned_change_(n, 2),
+          plain_change_(Vectors::Zero(n, 2)),
+          angle_change_(n),
           turn_(n),
-          split_(n) {}
+          path_(n) {}
 
     /// Turns slip from now on; the row behind each in its strip, -1 for a trailing element. With an empty list slip is
-    /// not turned, as after construction.
-    void turn_slip(const std::vector<Index>& behind) { turn_.set_behind(behind); }
+    /// not turned, as after construction. Without `tangents` respond() must not be called.
+    void turn_slip(const std::vector<Index>& behind, bool tangents = true) {
+        turn_.set_behind(behind);
+        with_tangents_ = tangents;
+    }
 
     Index size() const { return equations_.size(); }
 
@@ -85,6 +97,7 @@ public:
     /// (0 longitudinal, 1 lateral) by tractions in direction `by`. Unless coupled, both directions are the same.
     Matrix& new_matrix(std::size_t slip, std::size_t by) {
         reach_is_known_ = false;
+        kept_.new_matrix(slip, by);
         return equations_.new_matrix(slip, by);
     }
     Matrix& new_matrix(std::size_t direction) { return new_matrix(direction, direction); }
@@ -94,6 +107,8 @@ public:
     void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const { equations_.multiply(p, s); }
     /// c, to be filled before each solve.
     ElementVectors<Scalar>& constant() { return constant_; }
+    /// c of the solution whose slip is not turned, to be filled if that starts from tractions of its own.
+    ElementVectors<Scalar>& plain_constant() { return plain_constant_; }
 
     const ElementVectors<Scalar>& traction() const { return traction_; }
     /// s, exactly zero where elements stick. Where they slip it is against the traction, or, if slip is turned, R s is;
@@ -103,22 +118,55 @@ public:
     Index stick_count() const { return stick_count_; }
 
     /// Solves for bounds >= 0, all finite, starting from tractions and zones that hold for other c and bounds.
-    Outcome solve(const Vector& bound, const ElementVectors<Scalar>& traction, const Zones& zones) noexcept;
+    Outcome solve(const Vector& bound, const SolutionStart<2, Scalar>& start) noexcept;
 
-    /// dp due to a change dc while no element changes between stick and slip. Only if a tangent exists according to the
-    /// last outcome.
-    void respond(const ElementVectors<Scalar>& change, ElementVectors<Scalar>& traction_change) {
-        equations_.solve(change, traction_change);
+    /// dp due to a change dc, and to `share` times that of the bounds unless null, while no element changes between stick and slip. Slipping
+    /// elements follow their bounds along their traction. If angles_follow(), angles of turned slip change with the
+    /// solution that they belong to, due to plain_change() and the same change of the bounds. Only if a tangent exists
+    /// according to the last outcome.
+    void respond(const Vectors& change, Vectors& traction_change, const Vector* bound_change = nullptr,
+                 Scalar share = 1) {
+        turned_change_ = change;
+        if (keeps_plain()) {
+            exchange_plain();
+            answer(plain_part_, plain_part_.direction, plain_change_, bound_change, share, plain_response_);
+            exchange_plain();
+        }
+        if (turn_.follows()) {
+            multiply(plain_response_, trial_slip_);
+            trial_slip_ += plain_change_;
+            turn_.follow(trial_slip_, angle_change_);
+            turned_change_.col(0) -= angle_change_.cwiseProduct(slip_.col(1));
+            turned_change_.col(1) += angle_change_.cwiseProduct(slip_.col(0));
+        }
+        answer(part_, against_slip_, turned_change_, bound_change, share, traction_change);
     }
-    /// The same if the bounds change too, by `share` times `bound_change`: slipping elements follow theirs along their
-    /// traction.
-    void respond(const ElementVectors<Scalar>& change, const Vector& bound_change,
-                 ElementVectors<Scalar>& traction_change, Scalar share = 1) {
-        trial_ = (share * bound_change).asDiagonal() * part_.direction;
-        multiply(trial_, trial_slip_);
-        trial_slip_ += change;
-        equations_.solve(trial_slip_, traction_change);
-        traction_change += trial_;
+    bool angles_follow() const { return turn_.follows(); }
+    bool keeps_plain() const { return is_apart_ || turn_.follows(); }
+    /// The tractions for slip that is not turned, of which the angles of turned slip are those.
+    const Vectors& plain_traction() const { return is_apart_ ? plain_traction_ : traction_; }
+    /// Their change in the last respond(), if keeps_plain().
+    const Vectors& plain_response() const { return plain_response_; }
+    /// dc of the equations for slip that is not turned, to be filled before respond().
+    Vectors& plain_change() { return plain_change_; }
+
+    /// Derivatives of slip by bounds, as CombinedEquations::couple(), with angles that follow.
+    void couple(Matrix& coupling) {
+        const Index count = equations_.slipping_count();
+        coupling.leftCols(count).setZero();
+        if (turn_.follows()) {
+            exchange_plain();
+            const CombinedEquations<Scalar>& turned = is_apart_ ? kept_ : equations_;
+            for (Index k = 0; k < count; ++k) {
+                const Index i = turned.slipping(k);
+                if (plain_part_.slide[i] == 0) continue;
+                equations_.couple(plain_part_, i, trial_slip_);
+                turn_.follow(trial_slip_, angle_change_);
+                coupling.col(k) = -angle_change_.cwiseProduct(slip_.rowwise().norm());
+            }
+            exchange_plain();
+        }
+        equations_.couple(coupling, true);
     }
 
     /// Unit vector along the traction of each element that slips, zero for others.
@@ -131,11 +179,7 @@ public:
     CombinedEquations<Scalar>& equations() { return equations_; }
 
 private:
-    using Vectors = ElementVectors<Scalar>;
-
-    enum class Start { given, sliding, split };
-
-    static constexpr int longest = 60;  // steps of an attempt; rolling takes at most 16
+    static constexpr int longest = 60;  // Newton steps; rolling takes at most 16
     static constexpr int most_halvings = 3;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
@@ -149,34 +193,96 @@ private:
         if (reach_is_known_) return;
         for (Index i = 0; i < size(); ++i) {
             const Scalar largest =
-                std::max(matrix(0).row(i).cwiseAbs().maxCoeff(), matrix(1).row(i).cwiseAbs().maxCoeff());
+                (std::max)(matrix(0).row(i).cwiseAbs().maxCoeff(), matrix(1).row(i).cwiseAbs().maxCoeff());
             reach_[i] = largest > 0 ? 1 / largest : Scalar(1);
         }
         reach_is_known_ = true;
     }
 
+    // Whether there is another solution to find, with slip turned.
+    bool find_turn() { return turn_.find(slip_, part_.stick, part_.slide) || has_own_plain_; }
+
+    // Keeps what the tangents of the present solution need, whose slip is not turned.
+    void keep_plain() {
+        plain_part_ = part_;
+        bool stale = false;  // the last step was long, although the solution is found
+        for (Index i = 0; i < size(); ++i) {
+            if (part_.slide[i] == 0) continue;
+            slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), plain_part_);
+            const Scalar k = plain_part_.stiffness[i];
+            stale = stale || (plain_part_.direction.row(i) - part_.direction.row(i)).norm() > Scalar(1e-3) ||
+                    std::abs(k - part_.stiffness[i]) > Scalar(1e-3) * (k + 1 / reach_[i]);
+        }
+        const SlipTurn<Scalar> none(0);
+        plain_is_regular_ = true;
+        if (stale) {
+            plain_is_regular_ = equations_.factorise(plain_part_, none);
+        } else {
+            equations_.aim(plain_part_, none);
+        }
+        equations_.exchange_factors(kept_);
+    }
+    // The factors for slip that is not turned, or again those for slip that is.
+    void exchange_plain() {
+        if (is_apart_) equations_.exchange_factors(kept_);
+    }
+
+    // dp by the present factors, those of `part`, at constant angles; `against`: see against_slip().
+    void answer(const CombinedPartition<Scalar>& part, const Vectors& against, const Vectors& change,
+                const Vector* bound_change, Scalar share, Vectors& traction_change) {
+        trial_slip_ = change;
+        if (bound_change != nullptr) {
+            trial_ = (share * *bound_change).asDiagonal() * part.direction;
+            multiply(trial_, change_);
+            trial_slip_ += change_;
+        }
+        equations_.solve(trial_slip_, traction_change);
+        // once more for what remains, as the factors may be those of an earlier Newton step
+        multiply(traction_change, change_);
+        change_ += trial_slip_;
+        for (Index i = 0; i < size(); ++i) {
+            if (part.stick[i] != 0) continue;
+            const Scalar x = -against(i, 1), y = against(i, 0);  // 0 without pressure
+            const Scalar turned =
+                part.direction(i, 0) * traction_change(i, 1) - part.direction(i, 1) * traction_change(i, 0);
+            const Scalar rest = x * change_(i, 0) + y * change_(i, 1) + part.stiffness[i] * turned;
+            change_(i, 0) = rest * x;
+            change_(i, 1) = rest * y;
+        }
+        equations_.solve(change_, trial_slip_);
+        traction_change += trial_slip_;
+        if (bound_change != nullptr) traction_change += trial_;
+    }
+
     Zone zone(Index i) const { return part_.stick[i] != 0 ? Zone::stick : Zone::slip; }
 
-    // All attempts for the present turn of the slip; `solves_unturned`: the present point is the solution for slip as it
-    // is. False if none succeeds; then the best point remains.
+    // For the present turn of the slip; `solves_unturned`: the present point is the solution for slip as it is. False if
+    // there is no success; then the best point remains.
     bool search(const Vector& bound, const Vectors& traction, const Zones& zones, bool solves_unturned,
                 Outcome& outcome) {
-        least_ = std::numeric_limits<Scalar>::max();
+        least_ = (std::numeric_limits<Scalar>::max)();
         slip_is_known_ = false;
-        for (const Start start : {Start::given, Start::sliding, Start::split}) {
-            if (start == Start::split) find_split(bound);
+        if (solves_unturned) {
+            start_turned();
+        } else {
+            start_from(bound, traction, zones);
+        }
+        if (settle(bound, true, outcome) || follow_path(bound, outcome)) return true;
+        return_to_best(bound);
+        return false;
+    }
+
+    bool follow_path(const Vector& bound, Outcome& outcome) {
+        const typename CombinedPath<Scalar>::Problem problem{equations_, constant_, bound, reach_, turn_};
+        path_.begin(problem, imposed_);
+        while (path_.advance(problem)) {
             for (const bool careful : {true, false}) {
-                if (start == Start::given && careful && solves_unturned) {
-                    start_turned();
-                } else if (start == Start::given) {
-                    start_from(bound, traction, zones);
-                }
-                if (start == Start::sliding) start_sliding(bound);
-                if (start == Start::split) start_from(bound, split_.traction(), split_.zones());
+                traction_ = path_.traction();
+                find_turned_slip(traction_, slip_);
+                for (Index i = 0; i < size(); ++i) place(i, bound[i]);
                 if (settle(bound, careful, outcome)) return true;
             }
         }
-        return_to_best(bound);
         return false;
     }
 
@@ -217,7 +323,7 @@ private:
             } else if (zones[static_cast<std::size_t>(i)] == Zone::stick) {
                 part_.let_stick(i);
             } else if (norm > 0) {
-                slide_on(i, norm);
+                slide_on(i, norm, part_);
             } else {
                 place(i, bound[i]);
             }
@@ -230,34 +336,13 @@ private:
         slip_is_known_ = true;
         turn_.apply(slip_);
         for (Index i = 0; i < size(); ++i) {
-            if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)));
+            if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), part_);
         }
     }
     // Slip along the present traction, of size `norm`.
-    void slide_on(Index i, Scalar norm) {
+    void slide_on(Index i, Scalar norm, CombinedPartition<Scalar>& part) const {
         const Scalar x = traction_(i, 0), y = traction_(i, 1), against = -(x * slip_(i, 0) + y * slip_(i, 1));
-        part_.let_slide(i, x, y, norm, std::max(against, Scalar(0)) / (norm * norm));
-    }
-
-    void start_sliding(const Vector& bound) {
-        slip_ = constant_;
-        turn_.apply(slip_);
-        for (Index i = 0; i < size(); ++i) {
-            const Scalar x = -slip_(i, 0), y = -slip_(i, 1), norm = std::hypot(x, y);
-            if (bound[i] == 0 || norm == 0) {
-                let_go(i);
-                if (bound[i] > 0) part_.let_stick(i);
-            } else {
-                part_.let_slide(i, x, y, norm, norm / bound[i]);
-            }
-        }
-        traction_ = bound.asDiagonal() * part_.direction;
-    }
-
-    void find_split(const Vector& bound) {
-        split_.find(matrix(0), matrix(1), constant_, bound, 4 * rounding());
-        find_turned_slip(split_.traction(), trial_slip_);
-        note(split_.traction(), natural_residual(bound, reach_, split_.traction(), trial_slip_));
+        part.let_slide(i, x, y, norm, (std::max)(against, Scalar(0)) / (norm * norm));
     }
 
     // The best point so far.
@@ -269,7 +354,7 @@ private:
 
     // Newton steps. False if they do not converge; `careful`: halved while the residual grows.
     bool settle(const Vector& bound, bool careful, Outcome& outcome) {
-        Scalar before = std::numeric_limits<Scalar>::max();
+        Scalar before = (std::numeric_limits<Scalar>::max)();
         bool keeps_factors = false;  // of the step before
         has_tangent_ = false;
         for (int step = 0; step < longest; ++step) {
@@ -290,10 +375,10 @@ private:
             note(traction_, residual);
             if (done || (stalls && settled(bound, Scalar(1000)))) return true;
             const bool is_close = residual < nearly * bound.sum();
-            if (is_close && !turn_.turns() && turn_.find(slip_, part_.stick, part_.slide)) return true;
+            if (is_close && !is_apart_ && find_turn()) return true;
             for (Index i = 0; i < size(); ++i) place(i, bound[i]);
             const bool contracts = coupled() && residual < Scalar(1e-3) * before;
-            keeps_factors = (contracts || (is_close && turn_.turns())) && equations_.slips_as(part_);
+            keeps_factors = (contracts || (is_close && is_apart_)) && equations_.slips_as(part_);
             has_tangent_ = keeps_factors && is_close;
             before = residual;
         }
@@ -336,7 +421,7 @@ private:
     }
 
     void return_to_best(const Vector& bound) {
-        if (least_ < std::numeric_limits<Scalar>::max()) traction_ = best_;
+        if (least_ < (std::numeric_limits<Scalar>::max)()) traction_ = best_;
         find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
             place(i, bound[i]);
@@ -357,17 +442,17 @@ private:
             zones_[static_cast<std::size_t>(i)] = zone(i);
             const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
             const Scalar norm = std::hypot(x, y);
-            excess = std::max(excess, norm - bound[i]);
+            excess = (std::max)(excess, norm - bound[i]);
             if (part_.stick[i] != 0) {
                 ++stick_count_;
-                slip = std::max(slip, std::hypot(u, v));
+                slip = (std::max)(slip, std::hypot(u, v));
                 slip_.row(i).setZero();
             } else if (part_.slide[i] != 0) {
-                excess = std::max(excess, bound[i] - norm);
+                excess = (std::max)(excess, bound[i] - norm);
                 const Scalar size = norm > 0 ? norm : Scalar(1), along = (x * u + y * v) / size;
-                slip = std::max({slip, std::abs(x * v - y * u) / size, along});
-                part_.let_slide(i, x, y, size, std::max(-along, Scalar(0)) / bound[i]);
-                slip_.row(i) = std::min(along, Scalar(0)) * part_.direction.row(i);
+                slip = (std::max)({slip, std::abs(x * v - y * u) / size, along});
+                part_.let_slide(i, x, y, size, (std::max)(-along, Scalar(0)) / bound[i]);
+                slip_.row(i) = (std::min)(along, Scalar(0)) * part_.direction.row(i);
                 turn_.take_back(i, slip_, i);
                 against_slip_.row(i) = part_.direction.row(i);
                 turn_.take_back(i, against_slip_, i);
@@ -376,50 +461,72 @@ private:
         }
         if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
         const Scalar largest = bound.maxCoeff();
-        return std::max(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
+        return (std::max)(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
     }
 
     CombinedEquations<Scalar> equations_;
+    CombinedEquations<Scalar> kept_;  // factors for slip that is not turned, if it is and tangents are wanted
     Zones zones_;
-    CombinedPartition<Scalar> part_;
-    Vector reach_;  // rho
+    CombinedPartition<Scalar> part_, plain_part_;  // plain: with the same slip
+    Vector reach_;                                 // rho
     Vectors traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
     Vectors against_slip_;
     Vectors begin_;  // where the search with turned slip begins
+    Vectors plain_traction_, plain_constant_, plain_response_;
     Zones begin_zones_;
+    Vectors turned_change_, plain_change_;
+    Vector angle_change_;
     SlipTurn<Scalar> turn_;
-    CombinedSplit<Scalar> split_;  // where the last attempts start
-    bool has_tangent_ = false;     // the factors are those of the solution
-    bool slip_is_known_ = false;   // trial_slip_ is that of traction_, not turned
-    Scalar imposed_ = 0;           // max |c|
-    Scalar slip_scale_ = 0;        // rounding of the slip
-    Scalar least_ = 0;             // residual of the natural map at best_
+    CombinedPath<Scalar> path_;
+    bool has_tangent_ = false;    // the factors are those of the solution
+    bool slip_is_known_ = false;  // trial_slip_ is that of traction_, not turned
+    Scalar imposed_ = 0;          // max |c|
+    Scalar slip_scale_ = 0;       // rounding of the slip
+    Scalar least_ = 0;            // residual of the natural map at best_
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
+    bool with_tangents_ = true, plain_is_regular_ = true;
+    bool is_apart_ = false;       // the solution is not that for slip as it is
+    bool has_own_plain_ = false;  // which has another c
 };
 
 template <class Scalar>
 typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vector& bound,
-                                                                       const ElementVectors<Scalar>& traction,
-                                                                       const Zones& zones) noexcept {
-    imposed_ = 0;
-    for (Index i = 0; i < size(); ++i) imposed_ = std::max(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+                                                                       const SolutionStart<2, Scalar>& start) noexcept {
+    const auto impose = [&] {
+        imposed_ = 0;
+        for (Index i = 0; i < size(); ++i)
+            imposed_ = (std::max)(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+    };
+    has_own_plain_ = start.plain_traction != nullptr;
+    is_apart_ = false;
+    if (has_own_plain_) constant_.swap(plain_constant_);
+    impose();
     find_reach();
     turn_.stop();
     Outcome outcome;
-    bool settled = search(bound, traction, zones, false, outcome);
-    if (settled && (turn_.turns() || turn_.find(slip_, part_.stick, part_.slide))) {
-        begin_ = traction_;
+    bool settled = search(bound, has_own_plain_ ? *start.plain_traction : start.traction, start.zones, false, outcome);
+    if (has_own_plain_) constant_.swap(plain_constant_);
+    if (settled && (turn_.turns() || find_turn())) {
+        plain_traction_ = begin_ = traction_;
         for (Index i = 0; i < size(); ++i) begin_zones_[static_cast<std::size_t>(i)] = zone(i);
-        settled = search(bound, begin_, begin_zones_, true, outcome);
-        for (int k = 0; k < most_halvings && !settled; ++k) {
+        if (with_tangents_) keep_plain();
+        is_apart_ = true;
+        if (has_own_plain_) {
+            begin_ += start.traction - *start.plain_traction;
+            impose();
+        }
+        settled = search(bound, begin_, begin_zones_, !has_own_plain_, outcome);
+        for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
             turn_.halve();
             settled = search(bound, begin_, begin_zones_, false, outcome);
         }
     }
     outcome.residual = publish(bound);
+    if (!is_apart_) plain_part_ = part_;
     if (has_tangent_) equations_.aim(part_, turn_);
     outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
+    if (is_apart_ && with_tangents_) outcome.tangent_exists = outcome.tangent_exists && plain_is_regular_;
     const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * rounding();
     outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
     return outcome;

@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    static constexpr Scalar endless = std::numeric_limits<Scalar>::max();
+    static constexpr Scalar endless = (std::numeric_limits<Scalar>::max)();
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
 
     // The first condition to be met within `step`, which is shortened accordingly; -1 if there is none.
@@ -115,8 +115,8 @@ private:
             } else if (bound[i] > 0 && sign_[i] * change_[i] < 0) {
                 room = -slip_[i] / change_[i];
             }
-            if (std::max(room, Scalar(0)) < step) {
-                step = std::max(room, Scalar(0));
+            if ((std::max)(room, Scalar(0)) < step) {
+                step = (std::max)(room, Scalar(0));
                 blocking = i;
             }
         }
@@ -135,7 +135,7 @@ private:
             // rounding errors accumulated by the updates of the inverse make stick elements slip
             Scalar creep = 0;
             for (Index i = 0; i < n; ++i) {
-                if (sign_[i] == 0 && i != driven) creep = std::max(creep, std::abs(change_[i]));
+                if (sign_[i] == 0 && i != driven) creep = (std::max)(creep, std::abs(change_[i]));
             }
             if (creep <= Scalar(0.01) * std::sqrt(epsilon) * change_.cwiseAbs().maxCoeff()) return true;
         }

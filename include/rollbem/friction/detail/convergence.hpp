@@ -1,5 +1,5 @@
-// Whether a scheme converges to full adhesion, judged from its tractions in steady rolling. Slip hides what is wrong
-// with a scheme that does not; in full adhesion it shows.
+// Whether a scheme converges to full adhesion: by proof, else judged from its tractions in steady rolling. Slip hides
+// what is wrong with a scheme that does not; in full adhesion it shows.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "../../adhesion/detail/consistency.hpp"
+#include "../../adhesion/dissipation.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
@@ -48,10 +49,12 @@ void require_gradient(const char* who, const DirectionBlocks<Scalar>& G_prime, E
     require_blocks(who, "G_prime", G_prime, n);
 }
 
-/// False if the tractions of full adhesion at unit creepages, G' p = inputs, assist the creepage. True also if G' is so
-/// nearly singular that nothing follows from them. The first n unknowns are tractions along the first input, and so on.
+/// True if G' is dissipative. Otherwise false if the tractions of full adhesion at unit creepages, G' p = inputs, assist
+/// the creepage by more than the `allowed` share. True also if G' is so nearly singular that nothing follows from them.
+/// The first n unknowns are tractions along the first input, and so on.
 template <class Scalar>
-bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas) {
+bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas, double allowed = largest_assisting_share) {
+    if (is_dissipative(G_prime, areas)) return true;
     const Eigen::Index n = areas.size(), count = G_prime.rows() / n;
     const Scalar norm = G_prime.cwiseAbs().rowwise().sum().maxCoeff();
     std::vector<Eigen::Index> swaps(static_cast<std::size_t>(G_prime.rows()));
@@ -64,13 +67,13 @@ bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas) {
         const Scalar rounding = static_cast<Scalar>(G_prime.rows()) * std::numeric_limits<Scalar>::epsilon();
         if (!all_finite(p) || !(condition * rounding * 100 < 1)) return true;
         const VectorX<Scalar> along = p.segment(d * n, n);
-        if (!opposes_creepage<Scalar>(along, areas)) return false;
+        if (!opposes_creepage<Scalar>(along, areas, allowed)) return false;
     }
     return true;
 }
 template <class Scalar>
 bool converges(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
-    if (G_prime[0][1].size() > 0) return converges(joined(G_prime), areas);
+    if (G_prime[0][1].size() > 0) return converges(joined(G_prime), areas, largest_assisting_share_of_patch);
     return converges(G_prime[0][0], areas) && converges(G_prime[1][1], areas);
 }
 

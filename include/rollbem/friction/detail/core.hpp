@@ -103,11 +103,13 @@ public:
                     half_width_,
                     fingerprint_,
                     {},
+                    {},
                     {}};
         if constexpr (slip_dependent) {
             state.friction_coefficient.setConstant(size(), static_cast<Scalar>(friction_.law(Scalar(0))));
             state.solver.stage_coefficient = state.friction_coefficient;
         }
+        if (behind_.size() > 0) state.plain_traction = state.traction;
         return state;
     }
 
@@ -189,6 +191,7 @@ private:
     static bool turns(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements) {
         return directions == 2 && friction.turned && elements.half_element_ahead;
     }
+    bool wants_tangents(const Progress& progress) const { return progress.tangent_exists && friction_.with_tangents; }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
 
     static bool are_coefficients(const ArrayX<Scalar>& values) {
@@ -215,7 +218,9 @@ private:
         scratch.slip.setZero();
         scratch.work.setZero();
         scratch.start = from.traction / shear_modulus_;
-        if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
+        scratch.plain_start = scratch.start;
+        if (from.plain_traction.rows() > 0) scratch.plain_start = from.plain_traction / shear_modulus_;
+        if constexpr (directions == 2) scratch.solver.turn_slip(behind_, friction_.with_tangents);
     }
 
     // Whether the matrices of a stage have to be filled.
@@ -283,16 +288,13 @@ private:
         }
     }
 
-    // One stage, c = factor motion - displacement, at these semi-axes; its slip is weighted by `weight`. The next
-    // stage is sought from its tractions.
-    void solve_stage(Bounds& bounds, const Value& motion, Scalar factor, const std::vector<Zone>& zones, Scalar weight,
-                     const Axes& axes, Scratch& scratch, Progress& progress) const {
-        auto& solver = scratch.solver;
-        auto& constant = solver.constant();
+    // c = factor motion - displacement
+    void impose(const Value& motion, Scalar factor, [[maybe_unused]] const Axes& axes, const Vectors& displacement,
+                Vectors& constant) const {
         if constexpr (directions == 1) {
-            constant.array() = factor * motion - scratch.displacement.array();
+            constant.array() = factor * motion - displacement.array();
         } else {
-            constant = -scratch.displacement;
+            constant = -displacement;
             constant.col(0).array() += factor * motion.longitudinal;
             constant.col(1).array() += factor * motion.lateral;
             if (motion.spin != 0) {
@@ -301,8 +303,21 @@ private:
                 constant.col(1) += angle * axes.half_length * spin_.col(1);
             }
         }
-        const auto outcome = bounds.solve(solver, scratch.bound, {scratch.start, zones});
-        progress.residual = std::max(progress.residual, outcome.residual);
+    }
+
+    // One stage, c = factor motion - displacement, at these semi-axes; its slip is weighted by `weight`. The next
+    // stage is sought from its tractions.
+    void solve_stage(Bounds& bounds, const Value& motion, Scalar factor, const std::vector<Zone>& zones, Scalar weight,
+                     const Axes& axes, Scratch& scratch, Progress& progress) const {
+        auto& solver = scratch.solver;
+        impose(motion, factor, axes, scratch.displacement, solver.constant());
+        const bool has_plain = behind_.size() > 0 && scratch.stage.distance != steadily;
+        if constexpr (directions == 2) {
+            if (has_plain) impose(motion, factor, axes, scratch.plain_displacement, solver.plain_constant());
+        }
+        const auto outcome =
+            bounds.solve(solver, scratch.bound, {scratch.start, zones, has_plain ? &scratch.plain_start : nullptr});
+        progress.residual = (std::max)(progress.residual, outcome.residual);
         progress.rounds += outcome.rounds;
         if constexpr (directions == 1) progress.pivots += outcome.pivots;
         progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;
@@ -317,6 +332,7 @@ private:
         }
         scratch.slip += scratch.stage_slip;
         scratch.start = solver.traction();
+        if constexpr (directions == 2) scratch.plain_start = solver.plain_traction();
         for (Eigen::Index d = 0; d < directions; ++d) {
             slip_work_.add(scratch.start.col(d), scratch.stage_slip.col(d), scratch.work,
                            axes.half_length * axes.half_width);
@@ -344,6 +360,7 @@ private:
             return failed(StepStatus::not_finite);
         }
         to.traction = shear_modulus_ * scratch.start;
+        if (behind_.size() > 0) to.plain_traction = shear_modulus_ * scratch.plain_start;
         to.zones = scratch.solver.zones();
         to.normal_pressure = load.pressure.head(size());
         to.half_length = load.half_length;
@@ -595,8 +612,9 @@ auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State
                                                   const Workspace& workspace) const noexcept -> StepStatus {
     const Eigen::Index n = size();
     const auto sized = [n](const State& state) {
-        return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
-               state.normal_pressure.size() == n && state.friction_coefficient.size() == (slip_dependent ? n : 0);
+        return state.traction.rows() == n && (state.plain_traction.size() == 0 || state.plain_traction.rows() == n) &&
+               state.zones.size() == static_cast<std::size_t>(n) && state.normal_pressure.size() == n &&
+               state.friction_coefficient.size() == (slip_dependent ? n : 0);
     };
     const bool belongs = &from != &to && from.system == fingerprint_ && sized(from) && sized(to) &&
                          workspace.fits(n, slip_dependent, coupled_);
@@ -641,7 +659,7 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     Progress progress;
     solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
-    if (progress.tangent_exists) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
+    if (wants_tangents(progress)) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
     add_totals(step);
     return step;
 }
@@ -678,6 +696,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
         scratch.solver.begin(start != end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
     }
     find_displacements(system, start, scratch.start, scratch.displacement);
+    if (behind_.size() > 0) find_displacements(system, start, scratch.plain_start, scratch.plain_displacement);
     Progress progress;
     Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
     if (two_stages) {
@@ -691,11 +710,15 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
                     progress);
         carried = motion.is_linear() ? gamma * imposed : imposed;
         if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-        if (progress.tangent_exists) {
+        if (wants_tangents(progress)) {
             carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
         }
         find_displacements(system, axes_of(scratch.stage), scratch.start, scratch.change);
         scratch.displacement += ratio * (scratch.change - scratch.displacement);
+        if (behind_.size() > 0) {
+            find_displacements(system, axes_of(scratch.stage), scratch.plain_start, scratch.change);
+            scratch.plain_displacement += ratio * (scratch.change - scratch.plain_displacement);
+        }
     }
     enter(system, {part, 1}, Stage::of(part, Scalar(1), dq, start, end), bounds, scratch);
     if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
@@ -703,7 +726,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
                 axes_of(scratch.stage), scratch, progress);
     Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
     if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
-    if (progress.tangent_exists) {
+    if (wants_tangents(progress)) {
         add_tangents(bounds, &system, {part, 1}, imposed, carried, imposed * spin_of(motion.end()), asked, load,
                      scratch, step);
     }

@@ -94,7 +94,7 @@ public:
         start_ = friction;
         slip_.begin(start);
         const Scalar rounding = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon();
-        const Scalar largest = std::max(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
+        const Scalar largest = (std::max)(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
         Scalar settled = 0;  // what rounding explains; a law that rises may lead far above where it starts
         const auto find = [&](const Vector& mu) {
             tried_ = mu.cwiseProduct(passage.pressure);
@@ -104,7 +104,7 @@ public:
             ++outcome.solutions;
             evaluate(law, memory, passage, solver, mu);
             outcome.change = largest_difference();
-            settled = rounding * std::max(largest, mu.maxCoeff());
+            settled = rounding * (std::max)(largest, mu.maxCoeff());
         };
         find(friction);
         Scalar scale = residual_.norm();
@@ -128,18 +128,14 @@ public:
     void respond(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                  Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
                  Vector& friction_change) {
-        factorise(law, memory, passage, solver, friction);
-        const bool constant_only = change.before == nullptr && change.bound == nullptr;
+        factorise(law, memory, passage, solver, friction, true);
+        const bool constant_only = Slip::directions == 1 && change.before == nullptr && change.bound == nullptr;
         if (constant_only && answered_ && same_bits(change.constant, asked_)) {
             traction_change = answer_;
             friction_change = friction_answer_;
             return;
         }
-        if (change.bound == nullptr) {
-            solver.respond(change.constant, traction_change);
-        } else {
-            solver.respond(change.constant, *change.bound, traction_change);
-        }
+        Slip::respond(solver, change.constant, change.bound, traction_change);
         slip_.change_size(solver, change.constant, traction_change, response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
@@ -152,7 +148,7 @@ public:
         spread(friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
         if (change.bound != nullptr) tried_ += *change.bound;
-        solver.respond(change.constant, tried_, traction_change);
+        Slip::respond(solver, change.constant, &tried_, traction_change);
         if (!constant_only) return;
         answered_ = true;
         asked_ = change.constant;
@@ -236,11 +232,11 @@ private:
             flat = !leaps && std::abs(size - before) < before / 100 ? flat + 1 : leaps ? 1 : 0;
             falling = size < before ? falling + 1 : 0;
             before = size;
-            peak = std::max(peak, size);
+            peak = (std::max)(peak, size);
             const bool passed = peak > 50 * scale && falling >= 25 && size < peak / 5;
             if (size <= settled || passed) break;
         }
-        return std::max(scale, peak / 50);
+        return (std::max)(scale, peak / 50);
     }
 
     // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
@@ -248,7 +244,7 @@ private:
     template <class Law>
     void linearise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
-        factorise(law, memory, passage, solver, mu);
+        factorise(law, memory, passage, solver, mu, false);
         step_ = residual_;
         spread(step_);
     }
@@ -266,16 +262,17 @@ private:
     }
 
     // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
-    // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero.
+    // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero. Tangents
+    // need the `exact` derivatives; Newton's method does without those of the angles of turned slip.
     template <class Law>
     void factorise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                   Solver& solver, const Vector& mu) {
-        slip_.linearise(solver);
+                   Solver& solver, const Vector& mu, bool exact) {
+        slip_.linearise(solver, exact);
         const bool steady = passage.before == nullptr;
         // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
         // far above any slip
         const Scalar fastest = rounded(velocity_.maxCoeff());
-        const Scalar unit = std::min(memory.least_velocity, fastest) + fastest / 1000;
+        const Scalar unit = (std::min)(memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
         Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
         for (Index i = size() - 1; i >= 0; --i) {
@@ -287,8 +284,8 @@ private:
             const Scalar v = rounded(velocity_[i]), duration = passage.duration[i];
             if (steady) kept_[i] = memory.kept(v, duration);
             if (!slips) continue;
-            const Scalar nearby = share * (v + unit) + std::numeric_limits<Scalar>::min();
-            const Scalar low = std::max(v - nearby, Scalar(0)), high = v + nearby;
+            const Scalar nearby = share * (v + unit) + (std::numeric_limits<Scalar>::min)();
+            const Scalar low = (std::max)(v - nearby, Scalar(0)), high = v + nearby;
             slope_[i] = (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
                         (high - low);
         }
@@ -339,7 +336,7 @@ private:
         }
     }
 
-    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    static constexpr unsigned long never = (std::numeric_limits<unsigned long>::max)();
 
     Slip slip_;
     Vector start_, residual_, tried_, step_;

@@ -42,7 +42,7 @@ protected:
     MatrixX<Scalar> by_traction_;
     std::vector<Index> slipping_;
     Index count_ = 0;
-    unsigned long revision_ = std::numeric_limits<unsigned long>::max();
+    unsigned long revision_ = (std::numeric_limits<unsigned long>::max)();
 };
 
 template <class Scalar>
@@ -73,13 +73,21 @@ public:
 
     /// |s| of an element.
     static Scalar size(const Solver& solver, Index i) {
-        return std::max(Scalar(0), solver.signs()[i] * solver.slip()[i]);
+        return (std::max)(Scalar(0), solver.signs()[i] * solver.slip()[i]);
     }
     /// 0 for a sticking element, else a sign.
     static const Vector& sense(const Solver& solver) { return solver.signs(); }
 
+    /// dp caused by the changes, and by those of the bounds unless null.
+    static void respond(Solver& solver, const Vector& change, const Vector* bound_change, Vector& traction_change) {
+        if (bound_change == nullptr) {
+            solver.respond(change, traction_change);
+        } else {
+            solver.respond(change, *bound_change, traction_change);
+        }
+    }
     /// Computes by_traction() for the zones of the solver's solution.
-    void linearise(Solver& solver) {
+    void linearise(Solver& solver, bool) {
         if (this->revision_ == solver.revision()) return;
         this->revision_ = solver.revision();
         this->count_ = 0;
@@ -116,17 +124,24 @@ public:
     using Start = SolutionStart<2, Scalar>;
     static constexpr int directions = 2;
 
-    explicit CombinedSlip(Index n) : SlippingElements<Scalar>(n), traction_(Vectors::Zero(n, 2)), slip_change_(n, 2) {}
+    explicit CombinedSlip(Index n)
+        : SlippingElements<Scalar>(n),
+          traction_(Vectors::Zero(n, 2)),
+          plain_traction_(Vectors::Zero(n, 2)),
+          slip_change_(n, 2) {}
 
     static Vectors zero(Index n) { return Vectors::Zero(n, 2); }
 
     void begin(const Start& start) {
         traction_ = start.traction;
+        has_plain_ = start.plain_traction != nullptr;
+        if (has_plain_) plain_traction_ = *start.plain_traction;
         this->zones_ = start.zones;
     }
     Outcome solve(const Vector& bound, Solver& solver) {
-        const Outcome outcome = solver.solve(bound, traction_, this->zones_);
+        const Outcome outcome = solver.solve(bound, {traction_, this->zones_, has_plain_ ? &plain_traction_ : nullptr});
         traction_ = solver.traction();
+        if (has_plain_) plain_traction_ = solver.plain_traction();
         this->zones_ = solver.zones();
         is_regular_ = outcome.tangent_exists;
         ++solution_;
@@ -137,17 +152,27 @@ public:
     static Scalar size(const Solver& solver, Index i) { return std::hypot(solver.slip()(i, 0), solver.slip()(i, 1)); }
     static const Vector& sense(const Solver& solver) { return solver.slides(); }
 
-    /// If there is no tangent, the derivatives are those without slip.
-    void linearise(Solver& solver) {
-        if (this->revision_ == solution_) return;
-        this->revision_ = solution_;
+    static void respond(Solver& solver, const Vectors& change, const Vector* bound_change, Vectors& traction_change) {
+        solver.respond(change, traction_change, bound_change);
+    }
+    /// If there is no tangent, the derivatives are those without slip. Angles of turned slip follow if it has to be
+    /// `exact`.
+    void linearise(Solver& solver, bool exact) {
+        const unsigned long revision = 2 * solution_ + (exact && solver.angles_follow() ? 1 : 0);
+        if (this->revision_ == revision) return;
+        this->revision_ = revision;
         CombinedEquations<Scalar>& equations = solver.equations();
         this->count_ = is_regular_ ? equations.slipping_count() : 0;
         for (Index k = 0; k < this->count_; ++k) {
             this->slipping_[static_cast<std::size_t>(k)] = equations.slipping(k);
         }
         this->by_traction_.leftCols(this->count_).setZero();
-        if (is_regular_) equations.couple(this->by_traction_);
+        if (!is_regular_) return;
+        if (exact) {
+            solver.couple(this->by_traction_);
+        } else {
+            equations.couple(this->by_traction_);
+        }
     }
 
     void change_size(const Solver& solver, const Vectors& change, const Vectors& traction_change, Vector& size_change) {
@@ -157,8 +182,8 @@ public:
     }
 
 private:
-    Vectors traction_, slip_change_;
-    bool is_regular_ = false;
+    Vectors traction_, plain_traction_, slip_change_;
+    bool has_plain_ = false, is_regular_ = false;
     unsigned long solution_ = 0;
 };
 

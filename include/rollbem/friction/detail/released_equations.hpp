@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -58,6 +59,14 @@ public:
         compliance_ = inverse_.cwiseAbs().maxCoeff();
         exists_ = is_finite(condition) && condition * std::numeric_limits<Scalar>::epsilon() < largest_error;
         return exists_;
+    }
+
+    /// Exchanges M and B with those of `other`, and what is known of them.
+    void exchange_matrix(ReleasedEquations& other) {
+        inverse_.swap(other.inverse_);
+        std::swap(compliance_, other.compliance_);
+        std::swap(is_known_, other.is_known_);
+        std::swap(exists_, other.exists_);
     }
 
     void clear() { count_ = 0; }

@@ -72,6 +72,8 @@ struct FrictionScratch {
           stage_slip(slip),
           start(slip),
           displacement(slip),
+          plain_start(slip),
+          plain_displacement(slip),
           change(slip),
           right(slip),
           response(slip),
@@ -81,26 +83,29 @@ struct FrictionScratch {
           rate(work),
           jump_work(n) {
         carried.fill(right);
+        plain_carried.fill(right);
     }
 
     Solver solver;
     FallingScratch<typename Directions<directions, Scalar>::Slip> falling;
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
     RollingStage<Scalar> stage{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
-    Vectors slip, stage_slip;  // of all stages so far; of the present one
-    Vectors start;             // tractions from which the search for the present stage starts
-    Vectors displacement;      // from which the present stage starts
+    Vectors slip, stage_slip;                 // of all stages so far; of the present one
+    Vectors start;                            // tractions from which the search for the present stage starts
+    Vectors displacement;                     // from which the present stage starts
+    Vectors plain_start, plain_displacement;  // the same for slip that is not turned, where it is
     Vectors change, right, response;
     Vector work;        // of all stages so far
     Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip
     Vector bound_rate;  // its derivative by the load
     Vector rate;
     JumpWork<directions, Scalar> jump_work;
-    std::array<Vectors, TangentBy<directions>::count> carried;  // dc of the second stage, from the first
+    // dc of the second stage, from the first
+    std::array<Vectors, TangentBy<directions>::count> carried, plain_carried;
 
     // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
     // then belongs to a unit dc of the first stage.
-    static constexpr unsigned long never = std::numeric_limits<unsigned long>::max();
+    static constexpr unsigned long never = (std::numeric_limits<unsigned long>::max)();
     unsigned long tangent_revision = never, carried_revision = never;
     Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,7 +29,12 @@ public:
     using Vectors = ElementVectors<Scalar>;
 
     explicit SlipTurn(Index n)
-        : behind_(static_cast<std::size_t>(n)), ahead_(behind_), rotation_(Vectors::Zero(n, 2)) {}
+        : behind_(static_cast<std::size_t>(n)),
+          ahead_(behind_),
+          rotation_(Vectors::Zero(n, 2)),
+          slip_(rotation_),
+          share_(VectorX<Scalar>::Zero(n)),
+          rate_(share_) {}
 
     /// The row behind each in its strip, -1 for a trailing element. Empty: slip is not turned.
     void set_behind(const std::vector<Index>& behind) {
@@ -38,33 +44,39 @@ public:
         for (std::size_t i = 0; i < behind.size(); ++i) {
             if (behind_[i] >= 0) ahead_[at(behind_[i])] = static_cast<Index>(i);
         }
-        turns_ = false;
+        stop();
     }
 
     bool turns() const { return turns_; }
-    void stop() { turns_ = false; }
+    /// Whether any angle changes with the slip that find() was called with.
+    bool follows() const { return follows_; }
+    void stop() { turns_ = follows_ = false; }
     /// Finds the angles of a solution whose slip has not been turned; `stick` is 1 for elements that stick, `slide` for
     /// those that slip. False if there is nothing to turn.
     bool find(const Vectors& slip, const VectorX<Scalar>& stick, const VectorX<Scalar>& slide) {
-        turns_ = false;
+        stop();
         if (!is_known_) return false;
         rotation_.col(0).setOnes();
         rotation_.col(1).setZero();
+        slip_ = slip;
+        rate_.setZero();
         for (std::size_t k = 0; k < behind_.size(); ++k) {
             const auto i = static_cast<Index>(k);
             if (slide[i] == 0) continue;
-            const bool trails = behind_[k] < 0;
-            const Index other = trails ? ahead_[k] : behind_[k];
+            const Index other = partner(k);
             if (other < 0) continue;
-            const Scalar own = trails ? Scalar(3) : Scalar(1), share = stick[other] != 0 ? 0 : trails ? -1 : 1;
-            const Scalar x = own * slip(i, 0) + share * slip(other, 0), y = own * slip(i, 1) + share * slip(other, 1);
+            share_[i] = stick[other] != 0 ? 0 : behind_[k] < 0 ? -1 : 1;
+            const auto [x, y] = at_centre(i, slip);
             const Scalar size = std::hypot(slip(i, 0), slip(i, 1)), length = std::hypot(x, y);
             if (!(size > 0) || !(length > 0)) continue;
             // unit vectors, as products of large slips overflow
             const Scalar along = slip(i, 0) / size, across = slip(i, 1) / size;
             const Scalar cosine = (along * x + across * y) / length, sine = (along * y - across * x) / length;
-            if (!(sine != 0) || !is_finite(cosine)) continue;
+            if (!is_finite(cosine)) continue;
             const bool cut = cosine < Scalar(0.5);
+            rate_[i] = cut ? 0 : 1;
+            follows_ = follows_ || !cut;
+            if (!(sine != 0)) continue;
             rotation_(i, 0) = cut ? Scalar(0.5) : cosine;
             rotation_(i, 1) = cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine;
             turns_ = true;
@@ -78,6 +90,23 @@ public:
             const Scalar cosine = std::sqrt((1 + rotation_(i, 0)) / 2);  // at least cos 30 degrees
             rotation_(i, 0) = cosine;
             rotation_(i, 1) /= 2 * cosine;
+        }
+        rate_ /= 2;
+    }
+
+    /// The derivatives of the angles by those of the slip that find() was called with.
+    void follow(const Vectors& slip_change, VectorX<Scalar>& angle_change) const {
+        const auto turning = [](Scalar x, Scalar y, Scalar dx, Scalar dy) {
+            const Scalar size = std::hypot(x, y);
+            return x / size * (dy / size) - y / size * (dx / size);
+        };
+        angle_change.setZero();
+        for (Index i = 0; i < rate_.size(); ++i) {
+            if (rate_[i] == 0) continue;
+            const auto [x, y] = at_centre(i, slip_);
+            const auto [dx, dy] = at_centre(i, slip_change);
+            angle_change[i] = rate_[i] * (turning(x, y, dx, dy) -
+                                          turning(slip_(i, 0), slip_(i, 1), slip_change(i, 0), slip_change(i, 1)));
         }
     }
 
@@ -100,9 +129,21 @@ public:
 private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+    // The element whose slip counts for the direction at the centre of element k; -1 if none does.
+    Index partner(std::size_t k) const { return behind_[k] < 0 ? ahead_[k] : behind_[k]; }
+    // m_i of element i, which has a partner.
+    std::pair<Scalar, Scalar> at_centre(Index i, const Vectors& slip) const {
+        const Index other = partner(at(i));
+        const Scalar own = behind_[at(i)] < 0 ? 3 : 1, share = share_[i];
+        return {own * slip(i, 0) + share * slip(other, 0), own * slip(i, 1) + share * slip(other, 1)};
+    }
+
     std::vector<Index> behind_, ahead_;
-    Vectors rotation_;  // cosine and sine of the angles
-    bool is_known_ = false, turns_ = false;
+    Vectors rotation_;       // cosine and sine of the angles
+    Vectors slip_;           // of which they are the angles
+    VectorX<Scalar> share_;  // of the partner's slip in m_i
+    VectorX<Scalar> rate_;   // 0 for angles that do not follow the slip, half for those that are halved
+    bool is_known_ = false, turns_ = false, follows_ = false;
 };
 
 }  // namespace rollbem::detail

@@ -130,7 +130,7 @@ private:
         between = {.behind = element, .ahead = element};
         if (points.size() == 0 || size() < 2) return;
         const auto point = [&](Index k) { return 1 + points[k]; };
-        Index behind = std::min(element, size() - 2);
+        Index behind = (std::min)(element, size() - 2);
         while (behind > 0 && point(behind) > centre) --behind;
         while (behind < size() - 2 && point(behind + 1) <= centre) ++behind;
         const Scalar distance = point(behind + 1) - point(behind);

@@ -51,6 +51,8 @@ public:
         return matrix_;
     }
 
+    void exchange_matrix(StickEquations& other) { matrix_.swap(other.matrix_); }
+
     /// Factorises for the elements with stick = 1. False if M(S, S) is singular to working precision.
     bool factorise(const Vector& stick) {
         Index count = 0;
@@ -147,8 +149,8 @@ private:
             Scalar pivot = matrix_(own, own), scale = std::abs(pivot), multiplier = 0;
             for (Index j = 0; j < k; ++j) {
                 pivot -= row_[j] * solution_[j];
-                scale = std::max(scale, std::abs(right_[j]));
-                multiplier = std::max(multiplier, std::abs(row_[j]));
+                scale = (std::max)(scale, std::abs(right_[j]));
+                multiplier = (std::max)(multiplier, std::abs(row_[j]));
             }
             const bool sound = std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier;
             if (!sound || !is_finite(pivot)) return false;

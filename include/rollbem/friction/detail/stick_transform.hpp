@@ -32,8 +32,8 @@ public:
         if (count == 0) return;
         Index first = equations.size(), last = 0;
         for (Index k = 0; k < count; ++k) {
-            first = std::min(first, equations.listed(k));
-            last = std::max(last, equations.listed(k));
+            first = (std::min)(first, equations.listed(k));
+            last = (std::max)(last, equations.listed(k));
         }
         const Index length = last - first + 1;
         column_.setZero();
@@ -56,7 +56,7 @@ public:
 private:
     MatrixX<Scalar> matrix_;  // column k belongs to the k-th element in the list of the equations
     Vector listed_, column_, slip_;
-    unsigned long revision_ = std::numeric_limits<unsigned long>::max();
+    unsigned long revision_ = (std::numeric_limits<unsigned long>::max)();
 };
 
 }  // namespace rollbem::detail

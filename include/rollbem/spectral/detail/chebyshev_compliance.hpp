@@ -48,7 +48,7 @@ private:
 
 /// Checks the number of states and the kernel; returns the kernel's split. The number of points for its smooth part
 /// grows like a/b, and their cost like (a/b)^2: seconds at the smallest b/a, where some hundred states are also needed.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     require(states >= 1, "Chebyshev", "states", states, "be at least 1");
@@ -73,13 +73,13 @@ template <class Scalar>
 Eigen::Index smooth_quadrature_points(Eigen::Index m, Scalar b) {
     if (!is_finite(b)) return m + 1;
     const Scalar extra = -std::log(std::numeric_limits<Scalar>::epsilon()) / std::asinh(b) + 10;
-    return std::max(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
+    return (std::max)(m + 1, (m + static_cast<Eigen::Index>(std::ceil(extra)) + 1) / 2);
 }
 
 /// Entry (j, k), 0 <= j, k <= m: the coefficient of T_j(x) in the integral of e(x - y) T_k(y)/sqrt(1 - y^2), where e is
 /// the smooth part, from `points` Gauss-Chebyshev points in x and y. As e is even, entries with odd j + k vanish, and
 /// half of the points x suffice.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::Index m, Eigen::Index points) {
     using Scalar = typename Kernel::Scalar;
     const CircleTable<Scalar> circle(points);
@@ -89,12 +89,10 @@ MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::
         for (Eigen::Index q = 0; q < points; ++q) polynomials(q, k) = circle.cosine(angle(k, q));
     }
     MatrixX<Scalar> compliance = MatrixX<Scalar>::Zero(m + 1, m + 1);
-    ArrayX<Scalar> distance(points);
-    VectorX<Scalar> displacement(m + 1);
+    VectorX<Scalar> smooth(points), displacement(m + 1);
     for (Eigen::Index p = 0; 2 * p < points; ++p) {
-        for (Eigen::Index q = 0; q < points; ++q) distance[q] = polynomials(p, 1) - polynomials(q, 1);
-        const ArrayX<Scalar> smooth = kernel.smooth_part(distance);
-        displacement.noalias() = polynomials.transpose() * smooth.matrix();
+        for (Eigen::Index q = 0; q < points; ++q) smooth[q] = kernel.smooth_part(polynomials(p, 1) - polynomials(q, 1));
+        displacement.noalias() = polynomials.transpose() * smooth;
         const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // -x counts too
         for (Eigen::Index k = 0; k <= m; ++k) {
             for (Eigen::Index j = k % 2; j <= m; j += 2) {
@@ -110,7 +108,7 @@ MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::
 
 /// K of u = K a, row j >= 1 times j/(pi S), row 0 over pi S, where S is the strength: for j >= 1 the identity plus a
 /// smooth remainder.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 MatrixX<typename Kernel::Scalar> scaled_compliance(const Kernel& kernel,
                                                    const SmoothSplit<typename Kernel::Scalar>& split, Eigen::Index m) {
     using Scalar = typename Kernel::Scalar;
@@ -128,7 +126,7 @@ MatrixX<typename Kernel::Scalar> scaled_compliance(const Kernel& kernel,
 }
 
 /// K^-1.
-template <SmoothSplitKernel Kernel>
+template <LineKernel Kernel>
 MatrixX<typename Kernel::Scalar> chebyshev_stiffness(const Kernel& kernel,
                                                      const SmoothSplit<typename Kernel::Scalar>& split,
                                                      Eigen::Index m) {

@@ -41,10 +41,10 @@ void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scala
     if (!is_finite(distance)) return rule.set(points, 0, 0, 0);
     const Scalar digits = -std::log(std::numeric_limits<Scalar>::epsilon());
     const Scalar ellipse = std::acosh((std::sqrt(4 + distance * distance) + distance) / 2), line = std::asinh(distance);
-    const auto N = static_cast<Eigen::Index>(4 + 14 / ellipse) * (std::min(level, 2) + 2) / 2;
-    const auto P = std::max(2 * N, (N + static_cast<Eigen::Index>(digits / line)) / 2 + 5);
+    const auto N = static_cast<Eigen::Index>(4 + 14 / ellipse) * ((std::min)(level, 2) + 2) / 2;
+    const auto P = (std::max)(2 * N, (N + static_cast<Eigen::Index>(digits / line)) / 2 + 5);
     const auto K = std::min<Eigen::Index>(static_cast<Eigen::Index>(4 + 12 / line) * (level + 2) / 2, 1000);
-    rule.set(points, N, P, std::max(std::min<Eigen::Index>(points.size(), 512), K));
+    rule.set(points, N, P, (std::max)(std::min<Eigen::Index>(points.size(), 512), K));
 }
 
 /// The border whose creepage is `creepage` > 0, starting from `y`: secant steps within a bracket, and bisection if they
@@ -53,7 +53,7 @@ template <class Scalar, class Problem>
 std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const StickZoneRule<Scalar>& rule,
                                                        Scalar creepage, Scalar y, int& evaluations) {
     // x/a is rounded, which matters if the distance y to the trailing edge is small
-    const Scalar small = 4 * std::numeric_limits<Scalar>::epsilon();
+    const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
     ++evaluations;
     typename Problem::Point point = problem.evaluate(2, rule);
     if (creepage >= point.creepage) return {Scalar(2), point};
@@ -66,10 +66,10 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
         ++evaluations;
         point = problem.evaluate(y, rule);
         const Scalar excess = point.creepage - creepage;
-        if (!is_finite(excess) || std::abs(excess) <= small * (1 + 1 / y) * creepage) break;
+        if (!is_finite(excess) || std::abs(excess) <= rounding * (1 + 1 / y) * creepage) break;
         (excess < 0 ? low : high) = y;
         (excess < 0 ? low_excess : high_excess) = excess;
-        if (high - low <= small * std::min(high, Scalar(1))) break;
+        if (high - low <= rounding * (std::min)(high, Scalar(1))) break;
         Scalar next = y - excess * (y - y_before) / (excess - excess_before);
         if (!(next > low && next < high)) next = low - low_excess * (high - low) / (high_excess - low_excess);
         if (iteration % 3 == 2) {
@@ -138,18 +138,18 @@ struct Violation {
 template <class Scalar, class Function>
 Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Scalar unit, const Function& f) {
     constexpr int dense = 5;  // 512 points
-    level = std::min(level, dense);
+    level = (std::min)(level, dense);
     const AngularPoints<Scalar>& points = levels[level];
     const Eigen::Index M = points.size();
     const Scalar rounding = 256 * std::numeric_limits<Scalar>::epsilon() * unit;
     Violation<Scalar> violation;
     Scalar last = 0, before = 0;
-    const auto see = [&](Scalar value) { violation.largest = std::max(violation.largest, value); };
+    const auto see = [&](Scalar value) { violation.largest = (std::max)(violation.largest, value); };
     for (Eigen::Index j = 0; j < M; ++j) {
         const Scalar value = f(points.rise[j]);
         see(value);
         if (!is_finite(value)) return {value, value};
-        violation.integral += std::max(value, Scalar(0)) * points.weight(j);
+        violation.integral += (std::max)(value, Scalar(0)) * points.weight(j);
         if (j > 1 && last >= before && last >= value && (last > before || last > value)) {
             const Scalar shift = (value - before) / (2 * (2 * last - before - value));
             const Scalar half = (static_cast<Scalar>(j) - Scalar(0.5) + shift) / static_cast<Scalar>(2 * M);
@@ -179,15 +179,15 @@ LawCheck<Scalar> check_law(PointsOfLevels<Scalar>& levels, int level, const Stic
     if (y > 0 && y < 2) {
         above = worst_violation(levels, level, largest_bound, [&](Scalar part) {
             const Scalar x = y - 1 + (2 - y) * part, p = zone.traction(x);
-            return std::max(std::abs(p) - bound(x), p);
+            return (std::max)(std::abs(p) - bound(x), p);
         });
     }
     if (y > 0) {
         against = worst_violation(levels, level, creepage,
                                   [&](Scalar part) { return -zone.slip(-1 + y * part, smooth_slope); });
     }
-    return {std::max(largest_bound > 0 ? above.largest / largest_bound : Scalar(0),
-                     creepage > 0 ? against.largest / creepage : Scalar(0)),
+    return {(std::max)(largest_bound > 0 ? above.largest / largest_bound : Scalar(0),
+                       creepage > 0 ? against.largest / creepage : Scalar(0)),
             above.integral * (2 - y) + against.integral * y / zone.strength};
 }
 
@@ -213,10 +213,10 @@ std::optional<ExactBorder<Scalar>> find_exact_border(const Kernel& kernel, const
     if (!is_finite(settled_to) || !is_finite(point.tangent)) return std::nullopt;
 
     const StickZone<Scalar>& zone = problem.zone(y < 2 ? point.creepage : creepage, rule);
-    const LawCheck<Scalar> law = check_law(levels, std::max(scan.level, levels.of(*rule.points)), zone, bound,
+    const LawCheck<Scalar> law = check_law(levels, (std::max)(scan.level, levels.of(*rule.points)), zone, bound,
                                            scan.largest, creepage, [&](Scalar x) { return kernel.smooth_slope(x); });
     const Scalar error = settled_to + law.force;
-    const Scalar tolerance = std::max(Scalar(1e-6), 64 * std::numeric_limits<Scalar>::epsilon()) * scan.load;
+    const Scalar tolerance = (std::max)(Scalar(1e-6), 64 * std::numeric_limits<Scalar>::epsilon()) * scan.load;
     const bool holds =
         is_finite(law.force) && is_finite(law.residual) && error <= tolerance && law.residual <= Scalar(0.01);
     if (!holds) return std::nullopt;

@@ -68,14 +68,14 @@ struct StickBorderSolution {
     Scalar traction(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->traction[elements->index(x_over_a)];
-        const Scalar p = x_over_a > border ? zone_.traction(x_over_a) : -bound_(x_over_a);
-        return sign_ * shear_modulus_ * p;
+        const Scalar p = x_over_a > border ? zone.traction(x_over_a) : -bound(x_over_a);
+        return sign * shear_modulus * p;
     }
     /// Slip s/V [-] at x/a, zero in stick. NaN where the traction is.
     Scalar slip(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->slip[elements->index(x_over_a)];
-        return x_over_a > border || !(zone_.y > 0) ? Scalar(0) : sign_ * zone_.slip(x_over_a, smooth_slope_);
+        return x_over_a > border || !(zone.y > 0) ? Scalar(0) : sign * zone.slip(x_over_a, smooth_slope);
     }
 
     /// The solution by elements, if it is not exact.
@@ -92,22 +92,16 @@ struct StickBorderSolution {
     };
     std::optional<Elements> elements;  ///< empty if the solution is exact
 
-    template <class S, SlopeSplitKernel Kernel, PressureLaw<S> Pressure>
-    friend StickBorderSolution<S> solve_stick_border(const Contact<S>& contact, const Kernel& kernel,
-                                                     std::type_identity_t<S> friction_coefficient,
-                                                     const Pressure& pressure, std::type_identity_t<S> creepage,
-                                                     Eigen::Index fallback_elements);
+    // of an exact solution, for traction and slip
+    detail::StickZone<Scalar> zone;
+    std::function<Scalar(Scalar)> bound, smooth_slope;
+    Scalar sign = 1, shear_modulus = 1;
 
 private:
     bool defined_at(Scalar x) const {
         const bool solved = status == StepStatus::ok || status == StepStatus::no_solution;
         return solved && detail::is_finite(x) && x >= -1 && x <= 1;
     }
-
-    // of an exact solution
-    detail::StickZone<Scalar> zone_;
-    std::function<Scalar(Scalar)> bound_, smooth_slope_;
-    Scalar sign_ = 1, shear_modulus_ = 1;
 };
 
 namespace detail {
@@ -152,7 +146,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument unless fallback_elements >= 1, the
 /// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
-template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage,
@@ -169,24 +163,24 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
                     "be positive");
 
     StickBorderSolution<Scalar> result;
-    result.shear_modulus_ = contact.shear_modulus();
+    result.shear_modulus = contact.shear_modulus();
     if (!detail::is_finite(creepage)) return result;
-    result.sign_ = creepage < 0 ? Scalar(-1) : Scalar(1);
+    result.sign = creepage < 0 ? Scalar(-1) : Scalar(1);
     const Scalar force_unit = contact.half_length() * contact.shear_modulus();
     const std::optional<detail::ExactBorder<Scalar>> exact =
         detail::find_exact_border(kernel, bound, scan, levels, std::abs(creepage), result.evaluations);
     if (exact) {
         result.exact = true;
         result.border = exact->zone.y - 1;
-        result.force_per_width = result.sign_ * force_unit * exact->force;
+        result.force_per_width = result.sign * force_unit * exact->force;
         result.force_error = force_unit * exact->force_error;
         result.tangent_per_width = force_unit * exact->tangent;
         result.complementarity_residual = exact->residual;
         result.coefficients = exact->coefficients;
         result.unknowns = exact->unknowns;
-        result.zone_ = exact->zone;
-        result.bound_ = bound;
-        result.smooth_slope_ = [kernel](Scalar x) { return kernel.smooth_slope(x); };
+        result.zone = exact->zone;
+        result.bound = bound;
+        result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
         result.status = StepStatus::ok;
     } else {
         detail::solve_on_elements<Scalar>(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements,
@@ -197,7 +191,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
 }
 
 /// The same with 40 elements, should they be needed.
-template <class Scalar, SlopeSplitKernel Kernel, PressureLaw<Scalar> Pressure>
+template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage) {

@@ -79,8 +79,8 @@ namespace detail {
 
 /// Condition above which the status is ill_conditioned; 1e12 in double.
 template <std::floating_point Scalar>
-inline constexpr Scalar largest_monomial_condition = std::min(Scalar(1e12),
-                                                              Scalar(2e-4) / std::numeric_limits<Scalar>::epsilon());
+inline constexpr Scalar largest_monomial_condition = (std::min)(Scalar(1e12),
+                                                                Scalar(2e-4) / std::numeric_limits<Scalar>::epsilon());
 
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eigen::Ref<const MatrixX<Scalar>>& b) {

@@ -77,7 +77,7 @@ PressureScan<Scalar> scan_pressure(const Bound& bound, PointsOfLevels<Scalar>& l
         for (Eigen::Index j = 0; j < points.size(); ++j) {
             const Scalar value = bound(points.cosine[j]);
             require_not_negative("solve_stick_border", "mu p_n / G", value);
-            scan.largest = std::max(scan.largest, value);
+            scan.largest = (std::max)(scan.largest, value);
             load += 2 * points.weight(j) * value;
         }
         const Scalar change = std::abs(load - scan.load);

@@ -54,7 +54,7 @@ struct StickZone {
     }
 
     Scalar traction(Scalar x) const {  // in stick
-        const Scalar behind = std::max(x + (1 - y), Scalar(0)), root = std::sqrt(1 + x) + std::sqrt(behind);
+        const Scalar behind = (std::max)(x + (1 - y), Scalar(0)), root = std::sqrt(1 + x) + std::sqrt(behind);
         if (!(y > 0)) return 0;
         Scalar p = -std::sqrt((1 - x) / (1 + x)) * power_sum(y / (root * root));
         if (q.size() > 0 && y < 2) {
@@ -68,7 +68,7 @@ struct StickZone {
     template <class SmoothSlope>
     Scalar slip(Scalar x, const SmoothSlope& smooth_slope) const {  // in the slip zone, over the rolling velocity
         const Scalar pi = std::numbers::pi_v<Scalar>;
-        const Scalar to_border = std::max(y - (1 + x), Scalar(0));
+        const Scalar to_border = (std::max)(y - (1 + x), Scalar(0));
         const Scalar cosine = std::clamp<Scalar>(1 - 2 * to_border / y, -1, 1);
         Scalar slip = creepage - pi * strength * (h.size() > 0 ? h[0] : Scalar(0));
         slip += 2 * pi * strength * std::sqrt((1 - x) * to_border) / y * second_kind_sum(h, 1, cosine);

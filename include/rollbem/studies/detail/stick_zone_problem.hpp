@@ -100,7 +100,7 @@ private:
         Scalar largest = 0;
         for (Eigen::Index n = 0; n < count; ++n) {
             h[n] *= (n == 0 ? 1 : 2) / static_cast<Scalar>(M);
-            largest = std::max(largest, std::abs(h[n]));
+            largest = (std::max)(largest, std::abs(h[n]));
         }
         Eigen::Index kept = count;
         while (kept > 1 && std::abs(h[kept - 1]) <= 4 * std::numeric_limits<Scalar>::epsilon() * largest) --kept;
@@ -172,8 +172,8 @@ private:
             const Scalar u = U * (1 - eta * eta), wave = std::sinh(u), rho = std::exp(-2 * u);
             const Scalar ahead = y * std::sinh(U * eta * eta) * std::sinh(U + u);  // 1 - x
             zone_.places[K + j] = y * wave * wave + (y - 1);
-            zone_.loads[K + j] =
-                -4 * std::sqrt(std::max(ahead, Scalar(0)) * y) * wave * zone_.power_sum(rho) * U * eta * rule.omega[j];
+            zone_.loads[K + j] = -4 * std::sqrt((std::max)(ahead, Scalar(0)) * y) * wave * zone_.power_sum(rho) * U *
+                                 eta * rule.omega[j];
         }
     }
 

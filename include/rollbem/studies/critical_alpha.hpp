@@ -65,7 +65,7 @@ private:
 /// The smallest alpha_T in [first, last] at which an eigenvalue certainly grows, to within `tolerance` from above;
 /// empty if there is none. `scheme_of(alpha_T)` makes the scheme. Throws std::invalid_argument for an invalid range or
 /// step, if a scheme does not fit the mesh, if G is not finite, or for a plane kernel with Lambda <= 0.
-template <class Scalar, class SchemeOf, LineKernel Kernel>
+template <class Scalar, class SchemeOf, ElementKernel Kernel>
 requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> std::optional<double> critical_alpha_T(
     const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
     const CriticalAlphaOptions& options = {}) {
@@ -82,12 +82,12 @@ requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> st
     if (here.unstable) return grid(0);
     long k = 0, fine_until = 0;
     while (k < count) {
-        const long stride = k < fine_until ? 1 : std::min(here.regular ? detail::largest_stride : 1, count - k);
+        const long stride = k < fine_until ? 1 : (std::min)(here.regular ? detail::largest_stride : 1, count - k);
         const auto next = search.look(grid(k + stride));
         if (stride > 1) {
             const bool quiet = !next.unstable && next.regular &&
                                std::abs(next.flattest_cosine - here.flattest_cosine) <=
-                                   std::min(-here.flattest_cosine, -next.flattest_cosine) / 4;
+                                   (std::min)(-here.flattest_cosine, -next.flattest_cosine) / 4;
             if (!quiet) {
                 fine_until = k + stride;
                 continue;
