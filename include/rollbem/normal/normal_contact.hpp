@@ -159,7 +159,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         for (Eigen::Index k = 0; k < p_.size(); ++k) {
             double& p = p_.data()[k];
             const bool touched = p > 0;
-            if (touched) p = std::max(p - tau * t_.data()[k], 0.0);
+            if (touched) p = (std::max)(p - tau * t_.data()[k], 0.0);
             if (!(p > 0) && !touched && g_.data()[k] < 0) {
                 p = -tau * g_.data()[k];
                 grown = true;

@@ -243,8 +243,8 @@ Profile sampled(double from, double to, double step, const Height& height) {
     std::vector<double> y{from}, z{height(from)};
     while (y.back() < to) {
         double dy = step;
-        while (std::hypot(dy, height(std::min(y.back() + dy, to)) - z.back()) > 1.01 * step && dy > 1e-6) dy *= 0.9;
-        y.push_back(std::min(y.back() + dy, to));
+        while (std::hypot(dy, height((std::min)(y.back() + dy, to)) - z.back()) > 1.01 * step && dy > 1e-6) dy *= 0.9;
+        y.push_back((std::min)(y.back() + dy, to));
         z.push_back(height(y.back()));
     }
     const auto map = [](const std::vector<double>& values) {

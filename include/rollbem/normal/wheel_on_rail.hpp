@@ -150,7 +150,7 @@ private:
     // sin theta = `sine`; not defined where the wheel turns away too fast for a section
     Place place(const Attitude& attitude, const Point& p, double sine) const {
         const double eta = wheel_origin_ + p.y, r = dimensions_.radius + p.z;
-        const double cosine = std::sqrt(std::max(1 - sine * sine, 0.0));
+        const double cosine = std::sqrt((std::max)(1 - sine * sine, 0.0));
         const double across = attitude.sin_yaw * r * sine + attitude.cos_yaw * eta;
         return {attitude.cos_yaw * r * sine - attitude.sin_yaw * eta,
                 attitude.at.lateral + attitude.cos_roll * across - attitude.sin_roll * r * cosine,
@@ -225,7 +225,7 @@ inline double WheelOnRail::rail_place(double y) const {
     const double at = y - rail_origin_;
     const double *const first = rail_.y().data() + rail_first_, *const last = rail_.y().data() + rail_last_;
     if (!(at >= *first && at <= *last)) return std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Index i = std::min(std::upper_bound(first, last, at), last) - rail_.y().data();
+    const Eigen::Index i = (std::min)(std::upper_bound(first, last, at), last) - rail_.y().data();
     double s = rail_.s()[i - 1] +
                (rail_.s()[i] - rail_.s()[i - 1]) * (at - rail_.y()[i - 1]) / (rail_.y()[i] - rail_.y()[i - 1]);
     for (int k = 0; k < 2; ++k) {
@@ -260,7 +260,7 @@ inline auto WheelOnRail::regions(double height, const Workspace& workspace) cons
 
 inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Region& region) const -> Plane {
     const double from = sample_s_[region.first > 0 ? region.first - 1 : 0],
-                 to = sample_s_[std::min(region.last + 1, sample_s_.size() - 1)];
+                 to = sample_s_[(std::min)(region.last + 1, sample_s_.size() - 1)];
     constexpr int count = 160;
     struct Cut {
         double s, x, y, z, depth, angle;
@@ -276,7 +276,7 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
                at.x,
                at.y,
                below.z,
-               std::max(height + at.z - below.z, 0.0),
+               (std::max)(height + at.z - below.z, 0.0),
                std::atan2(below.slope[1], below.slope[0])};
         if (!detail::is_finite(cut.depth)) cut.depth = 0;
         const double weight = std::pow(cut.depth, 2.5);
@@ -284,7 +284,7 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
         sum += weight;
         y += weight * cut.y;
         angle += weight * cut.angle;
-        deepest = std::max(deepest, cut.depth);
+        deepest = (std::max)(deepest, cut.depth);
     }
     y /= sum;
     angle /= sum;
@@ -323,13 +323,13 @@ inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane,
         for (int k = 0; k < 12; ++k) {
             rail = rail_.at(rail_s);
             const double off = plane.s(rail_origin_ + rail.y, rail.z) - s;
-            rail_s -= off / std::max(rail.slope[0] * plane.cosine + rail.slope[1] * plane.sine, 0.1);
+            rail_s -= off / (std::max)(rail.slope[0] * plane.cosine + rail.slope[1] * plane.sine, 0.1);
             if (std::abs(off) < 1e-13) break;
         }
         const double n_rail = plane.n(rail_origin_ + rail.y, rail.z);
         const Eigen::Index centre = grid.nx / 2;
         double at = j == 0 ? plane.wheel_s + s : workspace.at[centre] + grid.dy;
-        workspace.at.resize(std::max(workspace.at.size(), grid.nx));
+        workspace.at.resize((std::max)(workspace.at.size(), grid.nx));
         // from the middle outwards, each column from its neighbour
         for (Eigen::Index c = 0; c < grid.nx; ++c) {
             const Eigen::Index i = c < grid.nx - centre ? centre + c : grid.nx - 1 - c;
@@ -354,7 +354,7 @@ inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane,
                 const double down = p.slope[1] * cosine - r * sine / cosine * turn;
                 const double rate = (cos_roll * across - sin_roll * down) * plane.cosine +
                                     (sin_roll * across + cos_roll * down) * plane.sine;
-                at -= off / std::max(rate, 0.1);
+                at -= off / (std::max)(rate, 0.1);
             }
             workspace.at[i] = at;
             h(i, j) = n_rail - n_wheel;
@@ -377,15 +377,15 @@ inline CellGrid WheelOnRail::finer(const CellGrid& grid, const NormalContact::Gr
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
         for (Eigen::Index i = 0; i < grid.nx; ++i) {
             if (!(p(i, j) > 0)) continue;
-            left = std::min(left, i);
-            right = std::max(right, i);
-            bottom = std::min(bottom, j);
-            top = std::max(top, j);
+            left = (std::min)(left, i);
+            right = (std::max)(right, i);
+            bottom = (std::min)(bottom, j);
+            top = (std::max)(top, j);
         }
     }
     constexpr Eigen::Index margin = 2, most = 60;
-    const Eigen::Index nx = lobes ? std::max(options.cells_x, most) : options.cells_x,
-                       ny = lobes ? std::max(options.cells_s, most) : options.cells_s;
+    const Eigen::Index nx = lobes ? (std::max)(options.cells_x, most) : options.cells_x,
+                       ny = lobes ? (std::max)(options.cells_s, most) : options.cells_s;
     const double dx = grid.dx * double(right - left + 1) / double(nx - 2 * margin),
                  dy = grid.dy * double(top - bottom + 1) / double(ny - 2 * margin);
     return {
@@ -410,7 +410,7 @@ inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane,
     for (const Eigen::Index step : {-1, 1}) {
         double ridge = least;
         for (Eigen::Index j = deepest + step; j >= 0 && j < count; j += step) {
-            ridge = std::max(ridge, h[j]);
+            ridge = (std::max)(ridge, h[j]);
             if (h[j] < ridge + least / 200) return true;
         }
     }
@@ -430,8 +430,8 @@ inline void WheelOnRail::add_patches(const Plane& plane, const CellGrid& grid, c
             for (open.push_back({i, j}); !open.empty();) {
                 const auto [k, l] = open.back();
                 open.pop_back();
-                for (Eigen::Index m = std::max<Eigen::Index>(l - 1, 0); m <= std::min(l + 1, p.cols() - 1); ++m) {
-                    for (Eigen::Index o = std::max<Eigen::Index>(k - 1, 0); o <= std::min(k + 1, p.rows() - 1); ++o) {
+                for (Eigen::Index m = std::max<Eigen::Index>(l - 1, 0); m <= (std::min)(l + 1, p.cols() - 1); ++m) {
+                    for (Eigen::Index o = std::max<Eigen::Index>(k - 1, 0); o <= (std::min)(k + 1, p.rows() - 1); ++o) {
                         if (!(p(o, m) > 0) || label(o, m) != 0) continue;
                         label(o, m) = count;
                         open.push_back({o, m});
@@ -466,8 +466,8 @@ inline void WheelOnRail::add_patches(const Plane& plane, const CellGrid& grid, c
             patch.half_width = (outline.high() - outline.low()) / 2;
             double ahead = outline.leading(outline.low()), behind = ahead;
             for (const double at : outline.y()) {
-                ahead = std::max(ahead, outline.leading(at));
-                behind = std::min(behind, outline.trailing(at));
+                ahead = (std::max)(ahead, outline.leading(at));
+                behind = (std::min)(behind, outline.trailing(at));
             }
             patch.half_length = (ahead - behind) / 2;
             const auto angle = [&](double s) {
@@ -629,7 +629,7 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
     std::sort(contact.patches.begin(), contact.patches.end(),
               [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
     contact.status = contact.patches.empty() ? NormalStatus::no_contact : NormalStatus::ok;
-    for (const RailPatch& patch : contact.patches) contact.status = std::max(contact.status, patch.status);
+    for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
     return contact;
 }
 

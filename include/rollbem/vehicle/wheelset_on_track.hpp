@@ -103,7 +103,7 @@ inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<d
             contacts.wheels[k] =
                 wheel_.carry(seen_from(side, position), loads[k], friction[k], workspace.wheels[k], options);
         }
-        contacts.status = std::max(contacts.wheels[0].status, contacts.wheels[1].status);
+        contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
         return contacts.wheels[1].height - contacts.wheels[0].height;
     };
     const auto found = [&] { return contacts.status <= NormalStatus::doubtful_plane; };

@@ -33,7 +33,7 @@ public:
         height_ = good_size(2 * ny);
         half_ = width_ / 2 + 1;
         if (row_.size() < width_) row_.resize(width_);
-        if (column_.size() < std::max(height_, half_)) column_.resize(std::max(height_, half_));
+        if (column_.size() < (std::max)(height_, half_)) column_.resize((std::max)(height_, half_));
         if (spectrum_.size() < half_ * height_) spectrum_.resize(half_ * height_);
         fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
         Grid corners(nx + 1, ny + 1);  // at ((i - 1/2) dx, (j - 1/2) dy)
@@ -45,10 +45,10 @@ public:
         // mirrored into all four quadrants
         spectrum_.setZero();
         for (Eigen::Index j = 0; j < height_; ++j) {
-            const Eigen::Index q = std::min(j, height_ - j);
+            const Eigen::Index q = (std::min)(j, height_ - j);
             row_.head(width_).setZero();
             for (Eigen::Index i = 0; q < ny && i < width_; ++i) {
-                const Eigen::Index p = std::min(i, width_ - i);
+                const Eigen::Index p = (std::min)(i, width_ - i);
                 if (p >= nx) continue;
                 row_[i] = corners(p + 1, q + 1) - corners(p, q + 1) - corners(p + 1, q) + corners(p, q);
             }

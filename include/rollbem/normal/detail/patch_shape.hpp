@@ -28,7 +28,7 @@ double edge_distance(const Squares& squares, Eigen::Index count) {
     if (used <= degree) {  // a parabola that has its zeros half a cell outside, or none
         return 0.5;
     }
-    const double middle = double(count - 1) / 2, scale = std::max(middle, 1.0);
+    const double middle = double(count - 1) / 2, scale = (std::max)(middle, 1.0);
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
     Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
     for (Eigen::Index i = skip; i < count - skip; ++i) {
@@ -128,7 +128,7 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
     const auto end = [&](const Row& outermost, bool high) {
         double farthest = -1;
         const Eigen::Index centre = (outermost.first + outermost.last) / 2;
-        for (Eigen::Index i = std::max<Eigen::Index>(centre - 1, 0); i <= std::min(centre + 1, grid.nx - 1); ++i) {
+        for (Eigen::Index i = std::max<Eigen::Index>(centre - 1, 0); i <= (std::min)(centre + 1, grid.nx - 1); ++i) {
             Eigen::Index low = first_row, top = last_row;
             while (low <= last_row && !(p(i, low) > 0)) ++low;
             while (top >= first_row && !(p(i, top) > 0)) --top;
@@ -136,7 +136,7 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
             const Eigen::Index edge = high ? top : low;
             const double beyond = edge_distance(
                 [&](Eigen::Index j) { return std::pow(p(i, high ? top - j : low + j), 2); }, top - low + 1);
-            farthest = std::max(farthest, (high ? double(edge - last_row) : double(first_row - edge)) + beyond);
+            farthest = (std::max)(farthest, (high ? double(edge - last_row) : double(first_row - edge)) + beyond);
         }
         return std::clamp(farthest, 0.02, 1.0) * grid.dy;
     };
@@ -156,7 +156,7 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
                 : k == lines - 1
                     ? high
                     : (low + high) / 2 - (high - low) / 2 * std::cos(std::numbers::pi * double(k) / (lines - 1));
-        const double half = tip ? 0 : std::max(std::sqrt(std::max(squares(at[k]), 0.0)) / 2, 1e-6 * grid.dx),
+        const double half = tip ? 0 : (std::max)(std::sqrt((std::max)(squares(at[k]), 0.0)) / 2, 1e-6 * grid.dx),
                      x = middles(at[k]);
         trailing[k] = x - half;
         leading[k] = x + half;
