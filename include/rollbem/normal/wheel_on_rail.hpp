@@ -577,15 +577,15 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
         if (!(to > low && to < high)) to = detail::is_finite(high) ? (low + high) / 2 : 2 * approach;
         approach = to;
     };
-    bool near = false;
-    for (int k = 0; k < 40 && !near; ++k) {
+    bool settled = false;
+    for (int k = 0; k < 40 && !settled; ++k) {
         if (!press(touch + approach, false, 1e-3)) return contact;
         const double found = carried();
-        near = std::abs(found / load - 1) < 0.02;
-        if (!near) next(found);
+        settled = std::abs(found / load - 1) < 0.02;
+        if (!settled) next(found);
     }
     contact.status = NormalStatus::load_not_reached;
-    if (!near) return contact;
+    if (!settled) return contact;
 
     // 2. On fine grids: one patch carries the load itself, and tells by how much the wheel is too high
     if (parts.size() == 1) {
@@ -611,14 +611,14 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
             if (std::abs(part.solution.approach) < 1e-4 * part.plane.deepest) break;
         }
     } else {
-        near = false;
-        for (int k = 0; k < 25 && !near; ++k) {
+        settled = false;
+        for (int k = 0; k < 25 && !settled; ++k) {
             if (!press(touch + approach, true, options.tolerance)) return contact;
             const double found = carried();
-            near = std::abs(found / load - 1) < options.tolerance;
-            if (!near) next(found);
+            settled = std::abs(found / load - 1) < options.tolerance;
+            if (!settled) next(found);
         }
-        if (!near) return contact;
+        if (!settled) return contact;
     }
     workspace.approach = approach;
     contact.height = touch + approach;
@@ -626,8 +626,14 @@ inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, do
         if (parts[k].load > 0)
             add_patches(parts[k].plane, parts[k].grid, workspace.normal[k], parts[k].solution, contact.patches);
     }
-    std::sort(contact.patches.begin(), contact.patches.end(),
-              [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
+    std::vector<RailPatch> found = std::exchange(contact.patches, {});
+    while (!found.empty()) {
+        const auto largest =
+            std::max_element(found.begin(), found.end(),
+                             [](const RailPatch& one, const RailPatch& other) { return one.load < other.load; });
+        contact.patches.push_back(std::move(*largest));
+        found.erase(largest);
+    }
     contact.status = contact.patches.empty() ? NormalStatus::no_contact : NormalStatus::ok;
     for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
     return contact;
