@@ -7,8 +7,10 @@
 #include <utility>
 
 #include <rollbem/adhesion/stability.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/mesh.hpp>
+#include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
 #include "contact_variables.hpp"
