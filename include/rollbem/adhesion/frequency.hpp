@@ -14,6 +14,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../status.hpp"
