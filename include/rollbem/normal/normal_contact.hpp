@@ -53,8 +53,8 @@ struct CellGrid {
     double y(Eigen::Index j) const { return y_0 + double(j) * dy; }
 };
 
-/// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Keeps its memory from one solution to
-/// the next, so that a time loop does not allocate once grids no longer grow.
+/// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Its memory is kept from one solution
+/// to the next.
 class NormalContact {
 public:
     using Grid = Eigen::ArrayXXd;

@@ -189,7 +189,7 @@ inline std::vector<CreepForceSlab> slabs_of(const CreepForceGrid& grid) {
 
 /// A table of steady creep forces, of the ellipses and creepages of `range`. `jobs` threads share the work, and the
 /// result does not depend on their number; progress(done, all) is called as forces become known, by one thread at a
-/// time. The default range takes about a minute per shape. Throws std::invalid_argument as make_creep_force_grid, and
+/// time. The default range takes some 11 minutes with two jobs. Throws std::invalid_argument as make_creep_force_grid, and
 /// std::runtime_error where a patch has no solution.
 inline CreepForceTable make_creep_force_table(
     const CreepForceRange& range, std::size_t jobs = 1,

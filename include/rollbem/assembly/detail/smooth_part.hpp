@@ -52,7 +52,7 @@ public:
         }
     }
 
-    /// b/a at which 10^-6 of the largest entries are wrong in double, 2 * 10^-3 in float.
+    /// b/a at which eps/b is 10^-6 in double, 2 * 10^-3 in float.
     static Scalar least_width() { return std::pow(std::numeric_limits<Scalar>::epsilon(), Scalar(0.625)); }
 
 private:

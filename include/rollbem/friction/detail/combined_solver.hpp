@@ -120,10 +120,10 @@ public:
     /// Solves for bounds >= 0, all finite, starting from tractions and zones that hold for other c and bounds.
     Outcome solve(const Vector& bound, const SolutionStart<2, Scalar>& start) noexcept;
 
-    /// dp due to a change dc, and to `share` times that of the bounds unless null, while no element changes between stick and slip. Slipping
-    /// elements follow their bounds along their traction. If angles_follow(), angles of turned slip change with the
-    /// solution that they belong to, due to plain_change() and the same change of the bounds. Only if a tangent exists
-    /// according to the last outcome.
+    /// dp due to a change dc, and to `share` times that of the bounds unless null, while no element changes between
+    /// stick and slip. Slipping elements follow their bounds along their traction. If angles_follow(), angles of turned
+    /// slip change with the solution that they belong to, due to plain_change() and the same change of the bounds. Only
+    /// if a tangent exists according to the last outcome.
     void respond(const Vectors& change, Vectors& traction_change, const Vector* bound_change = nullptr,
                  Scalar share = 1) {
         turned_change_ = change;
