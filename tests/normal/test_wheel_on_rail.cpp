@@ -158,6 +158,22 @@ TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions 
     CHECK(other.wheels[1].patches[0].angle == Approx(one.wheels[0].patches[0].angle).epsilon(1e-6));
 }
 
+TEST_CASE("wheelset_on_track: a braked wheel creeps forwards, a driven one backwards", "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    WheelsetPosition position;
+    const auto contact = standard().carry(position, 1e5, workspace);
+    REQUIRE(contact.status == NormalStatus::ok);
+    position.height = contact.height;
+    const RailPatch& patch = contact.patches[0];
+    const auto longitudinal = [&](double share) {
+        return creepage_of(patch, position, {.forward = 20, .pitch_rate = -share * 20 / patch.rolling_radius}, 0.46)
+            .longitudinal;
+    };
+    CHECK(longitudinal(0) == Approx(2));  // slides at V, over the mean of V and 0
+    CHECK(longitudinal(0.99) == Approx(0.01).epsilon(0.02));
+    CHECK(longitudinal(1.01) == Approx(-0.01).epsilon(0.02));
+}
+
 TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation it was given", "[profiles]") {
     const auto refused = [](const std::vector<double>& y, const std::vector<double>& z) {
         return refusal([&] {

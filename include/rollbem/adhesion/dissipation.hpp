@@ -15,8 +15,8 @@ namespace rollbem {
 ///
 /// In steady rolling, G' p = creepage, p^T S p is the work of the creepage: if S is positive definite, the force opposes
 /// the creepage. Friction, slip = creepage - A p with |p_i| bounded, then has exactly one solution whatever the bounds,
-/// as it is strongly monotone in the inner product of the areas. The converse does not hold: on graded meshes schemes
-/// with S indefinite may converge to the right force. One Cholesky decomposition.
+/// as it is strongly monotone in the inner product of the areas. The converse does not hold: patches 20 times longer
+/// than wide may have the right force though S is indefinite. One Cholesky decomposition.
 template <class Scalar>
 bool is_dissipative(MatrixX<Scalar> A, const ArrayX<Scalar>& areas) {
     const Eigen::Index size = A.rows();
