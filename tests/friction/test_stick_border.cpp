@@ -12,6 +12,7 @@
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/studies/stick_border.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
