@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 
@@ -36,7 +37,7 @@ struct CombinedPartition {
 
     /// Zone from the natural map, (x, y) = p - reach s. `margin`: round-off relative to the bound.
     void place(Index i, Scalar x, Scalar y, Scalar bound, Scalar reach, Scalar margin) {
-        const Scalar norm = std::hypot(x, y);
+        const Scalar norm = length(x, y);
         if (bound == 0) {
             let_go(i);
         } else if (norm > (1 + margin) * bound) {
@@ -50,10 +51,10 @@ struct CombinedPartition {
     /// slip.
     bool holds(const Vector& bound, const Vectors& p, const Vectors& s, Scalar margin, Scalar creep) const {
         for (Index i = 0; i < bound.size(); ++i) {
-            const Scalar x = p(i, 0), y = p(i, 1), u = s(i, 0), v = s(i, 1), norm = std::hypot(x, y);
+            const Scalar x = p(i, 0), y = p(i, 1), u = s(i, 0), v = s(i, 1), norm = length(x, y);
             if (stick[i] != 0) {
                 if (!(norm <= (1 + margin) * bound[i])) return false;
-                if (!(std::hypot(u, v) <= creep)) return false;
+                if (!(length(u, v) <= creep)) return false;
             } else if (slide[i] != 0) {
                 if (!(std::abs(norm - bound[i]) <= margin * bound[i])) return false;
                 if (!(std::abs(x * v - y * u) <= creep * bound[i])) return false;
@@ -84,9 +85,9 @@ Scalar natural_residual(const VectorX<Scalar>& bound, const VectorX<Scalar>& rea
     Scalar sum = 0;
     for (Eigen::Index i = 0; i < bound.size(); ++i) {
         if (bound[i] == 0) continue;
-        const Scalar x = p(i, 0) - reach[i] * s(i, 0), y = p(i, 1) - reach[i] * s(i, 1), norm = std::hypot(x, y);
+        const Scalar x = p(i, 0) - reach[i] * s(i, 0), y = p(i, 1) - reach[i] * s(i, 1), norm = length(x, y);
         const Scalar share = norm > bound[i] ? bound[i] / norm : Scalar(1);
-        sum += std::hypot(p(i, 0) - share * x, p(i, 1) - share * y);
+        sum += length(p(i, 0) - share * x, p(i, 1) - share * y);
     }
     return sum;
 }

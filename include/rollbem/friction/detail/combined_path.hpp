@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/in_place_lu.hpp"
+#include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "combined_equations.hpp"
@@ -67,7 +68,7 @@ public:
         problem.turn.apply(column_);
         for (Index i = 0; i < n; ++i) {
             const Scalar x = -problem.reach[i] * column_(i, 0), y = -problem.reach[i] * column_(i, 1);
-            scale_[i] = std::sqrt(static_cast<Scalar>(n)) * (problem.bound[i] + std::hypot(x, y));
+            scale_[i] = std::sqrt(static_cast<Scalar>(n)) * (problem.bound[i] + length(x, y));
             if (!(scale_[i] > 0)) scale_[i] = 1;
             trial_[i] = x / scale_[i];
             trial_[n + i] = y / scale_[i];
@@ -196,9 +197,9 @@ private:
         const Index n = scale_.size();
         const Scalar t = trial_[2 * n];
         for (Index i = 0; i < n; ++i) {
-            const Scalar x = scale_[i] * trial_[i], y = scale_[i] * trial_[n + i], r = std::hypot(x, y);
+            const Scalar x = scale_[i] * trial_[i], y = scale_[i] * trial_[n + i], r = length(x, y);
             const Scalar g = t * problem.bound[i], w = 2 * (1 - t) * g;
-            const Scalar low = std::hypot(r - g, w), high = std::hypot(r + g, w), sum = low + high;
+            const Scalar low = length(r - g, w), high = length(r + g, w), sum = low + high;
             if (!(sum > 0) || problem.bound[i] == 0) {
                 traction_.row(i).setZero();
                 growth_.row(i).setZero();

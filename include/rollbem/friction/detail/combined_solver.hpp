@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
+#include "../../detail/length.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
@@ -78,6 +79,7 @@ public:
           plain_response_(n, 2),
           begin_zones_(static_cast<std::size_t>(n), Zone::stick),
           turned_change_(n, 2),
+          plain_slip_change_(n, 2),
           plain_change_(Vectors::Zero(n, 2)),
           angle_change_(n),
           turn_(n),
@@ -129,17 +131,15 @@ public:
         turned_change_ = change;
         if (keeps_plain()) {
             exchange_plain();
-            answer(plain_part_, plain_part_.direction, plain_change_, bound_change, share, plain_response_);
+            answer(plain_part_, plain_change_, bound_change, share, plain_response_, plain_slip_change_);
             exchange_plain();
         }
         if (turn_.follows()) {
-            multiply(plain_response_, trial_slip_);
-            trial_slip_ += plain_change_;
-            turn_.follow(trial_slip_, angle_change_);
+            turn_.follow(plain_slip_change_, angle_change_);
             turned_change_.col(0) -= angle_change_.cwiseProduct(slip_.col(1));
             turned_change_.col(1) += angle_change_.cwiseProduct(slip_.col(0));
         }
-        answer(part_, against_slip_, turned_change_, bound_change, share, traction_change);
+        answer(part_, turned_change_, bound_change, share, traction_change, change_);
     }
     bool angles_follow() const { return turn_.follows(); }
     bool keeps_plain() const { return is_apart_ || turn_.follows(); }
@@ -205,10 +205,10 @@ private:
     // Keeps what the tangents of the present solution need, whose slip is not turned.
     void keep_plain() {
         plain_part_ = part_;
-        bool stale = false;  // the last step was long, although the solution is found
+        bool stale = !coupled();  // also where the last step was long, although the solution is found
         for (Index i = 0; i < size(); ++i) {
             if (part_.slide[i] == 0) continue;
-            slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), plain_part_);
+            slide_on(i, length(traction_(i, 0), traction_(i, 1)), plain_part_);
             const Scalar k = plain_part_.stiffness[i];
             stale = stale || (plain_part_.direction.row(i) - part_.direction.row(i)).norm() > Scalar(1e-3) ||
                     std::abs(k - part_.stiffness[i]) > Scalar(1e-3) * (k + 1 / reach_[i]);
@@ -227,30 +227,17 @@ private:
         if (is_apart_) equations_.exchange_factors(kept_);
     }
 
-    // dp by the present factors, those of `part`, at constant angles; `against`: see against_slip().
-    void answer(const CombinedPartition<Scalar>& part, const Vectors& against, const Vectors& change,
-                const Vector* bound_change, Scalar share, Vectors& traction_change) {
+    // dp and ds by the present factors, those of `part`, at constant angles.
+    void answer(const CombinedPartition<Scalar>& part, const Vectors& change, const Vector* bound_change, Scalar share,
+                Vectors& traction_change, Vectors& slip_change) {
         trial_slip_ = change;
         if (bound_change != nullptr) {
             trial_ = (share * *bound_change).asDiagonal() * part.direction;
             multiply(trial_, change_);
             trial_slip_ += change_;
         }
-        equations_.solve(trial_slip_, traction_change);
-        // once more for what remains, as the factors may be those of an earlier Newton step
-        multiply(traction_change, change_);
-        change_ += trial_slip_;
-        for (Index i = 0; i < size(); ++i) {
-            if (part.stick[i] != 0) continue;
-            const Scalar x = -against(i, 1), y = against(i, 0);  // 0 without pressure
-            const Scalar turned =
-                part.direction(i, 0) * traction_change(i, 1) - part.direction(i, 1) * traction_change(i, 0);
-            const Scalar rest = x * change_(i, 0) + y * change_(i, 1) + part.stiffness[i] * turned;
-            change_(i, 0) = rest * x;
-            change_(i, 1) = rest * y;
-        }
-        equations_.solve(change_, trial_slip_);
-        traction_change += trial_slip_;
+        equations_.solve(trial_slip_, part, traction_change, slip_change);
+        slip_change += trial_slip_;
         if (bound_change != nullptr) traction_change += trial_;
     }
 
@@ -312,12 +299,12 @@ private:
     void start_from(const Vector& bound, const Vectors& traction, const Zones& zones) {
         traction_ = traction;
         for (Index i = 0; i < size(); ++i) {
-            const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
+            const Scalar norm = length(traction_(i, 0), traction_(i, 1));
             if (zones[static_cast<std::size_t>(i)] == Zone::slip && norm > 0) traction_.row(i) *= bound[i] / norm;
         }
         find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
-            const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
+            const Scalar norm = length(traction_(i, 0), traction_(i, 1));
             if (bound[i] == 0) {
                 let_go(i);
             } else if (zones[static_cast<std::size_t>(i)] == Zone::stick) {
@@ -336,7 +323,7 @@ private:
         slip_is_known_ = true;
         turn_.apply(slip_);
         for (Index i = 0; i < size(); ++i) {
-            if (part_.slide[i] != 0) slide_on(i, std::hypot(traction_(i, 0), traction_(i, 1)), part_);
+            if (part_.slide[i] != 0) slide_on(i, length(traction_(i, 0), traction_(i, 1)), part_);
         }
     }
     // Slip along the present traction, of size `norm`.
@@ -397,7 +384,7 @@ private:
         equations_.solve(trial_slip_, change_);
         trial_ += change_;
         for (Index i = 0; i < size(); ++i) {
-            if (part_.slide[i] != 0) trial_.row(i) *= bound[i] / std::hypot(trial_(i, 0), trial_(i, 1));
+            if (part_.slide[i] != 0) trial_.row(i) *= bound[i] / length(trial_(i, 0), trial_(i, 1));
         }
         find_turned_slip(trial_, trial_slip_);
     }
@@ -425,7 +412,7 @@ private:
         find_turned_slip(traction_, slip_);
         for (Index i = 0; i < size(); ++i) {
             place(i, bound[i]);
-            const Scalar norm = std::hypot(traction_(i, 0), traction_(i, 1));
+            const Scalar norm = length(traction_(i, 0), traction_(i, 1));
             if (norm > bound[i] || part_.slide[i] != 0) traction_.row(i) *= norm > 0 ? bound[i] / norm : Scalar(0);
         }
         find_turned_slip(traction_, slip_);
@@ -441,11 +428,11 @@ private:
         for (Index i = 0; i < size(); ++i) {
             zones_[static_cast<std::size_t>(i)] = zone(i);
             const Scalar x = traction_(i, 0), y = traction_(i, 1), u = slip_(i, 0), v = slip_(i, 1);
-            const Scalar norm = std::hypot(x, y);
+            const Scalar norm = length(x, y);
             excess = (std::max)(excess, norm - bound[i]);
             if (part_.stick[i] != 0) {
                 ++stick_count_;
-                slip = (std::max)(slip, std::hypot(u, v));
+                slip = (std::max)(slip, length(u, v));
                 slip_.row(i).setZero();
             } else if (part_.slide[i] != 0) {
                 excess = (std::max)(excess, bound[i] - norm);
@@ -474,7 +461,7 @@ private:
     Vectors begin_;  // where the search with turned slip begins
     Vectors plain_traction_, plain_constant_, plain_response_;
     Zones begin_zones_;
-    Vectors turned_change_, plain_change_;
+    Vectors turned_change_, plain_change_, plain_slip_change_;
     Vector angle_change_;
     SlipTurn<Scalar> turn_;
     CombinedPath<Scalar> path_;
@@ -495,8 +482,7 @@ typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vec
                                                                        const SolutionStart<2, Scalar>& start) noexcept {
     const auto impose = [&] {
         imposed_ = 0;
-        for (Index i = 0; i < size(); ++i)
-            imposed_ = (std::max)(imposed_, std::hypot(constant_(i, 0), constant_(i, 1)));
+        for (Index i = 0; i < size(); ++i) imposed_ = (std::max)(imposed_, length(constant_(i, 0), constant_(i, 1)));
     };
     has_own_plain_ = start.plain_traction != nullptr;
     is_apart_ = false;
@@ -524,6 +510,7 @@ typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vec
     }
     outcome.residual = publish(bound);
     if (!is_apart_) plain_part_ = part_;
+    has_tangent_ = has_tangent_ && coupled();  // without coupling factors cost less than to correct their errors
     if (has_tangent_) equations_.aim(part_, turn_);
     outcome.tangent_exists = settled && (has_tangent_ || equations_.factorise(part_, turn_));
     if (is_apart_ && with_tangents_) outcome.tangent_exists = outcome.tangent_exists && plain_is_regular_;

@@ -35,6 +35,7 @@ public:
         : inverse_(2 * n, 2 * n),
           factors_(2 * n, 2 * n),
           right_(2 * n),
+          total_(2 * n),
           change_(n, 2),
           tangent_(n, 2),
           test_(n, 2),
@@ -74,9 +75,7 @@ public:
     template <class Row>
     void add(Index element, const Row& tangent, const Row& test, Scalar stiffness) {
         elements_[at(count_)] = element;
-        const Scalar ratio = 1 / (1 + stiffness * compliance_);
-        kappa_[count_] = 1 - ratio;
-        sigma_[count_] = compliance_ * ratio;
+        resist(count_, stiffness);
         aim(count_++, tangent, test);
     }
     /// Other t and w for the k-th of them, the factors kept.
@@ -113,6 +112,38 @@ public:
 
     /// dp for the slip s.
     void solve(const Vectors& s, Vectors& change) {
+        start(s, change);
+        take_remainder(change);
+        correct();
+        multiply(change);
+        for (Index k = 0; k < count_; ++k) change.row(elements_[at(k)]) = sigma_[k] * total_[2 * k] * tangent_.row(k);
+    }
+    /// The same to working precision where the factors are those of almost the same t, w and k; k is `stiffness`.
+    /// `slip_change` becomes M dp.
+    void solve(const Vectors& s, const Vector& stiffness, Vectors& change, Vectors& slip_change) {
+        for (Index k = 0; k < count_; ++k) {
+            if (sigma_[k] != 0) resist(k, stiffness[elements_[at(k)]]);
+        }
+        start(s, change);
+        for (int round = 0; round < 2; ++round) {
+            take_remainder(change);
+            correct();
+            multiply(change);
+        }
+        slip_change = change_;
+        for (Index k = 0; k < count_; ++k) change.row(elements_[at(k)]) = sigma_[k] * total_[2 * k] * tangent_.row(k);
+    }
+
+private:
+    void resist(Index k, Scalar stiffness) {
+        const Scalar ratio = 1 / (1 + stiffness * compliance_);
+        kappa_[k] = 1 - ratio;
+        sigma_[k] = compliance_ * ratio;
+    }
+
+    // ds with gamma = beta = 0, and dp = B ds
+    void start(const Vectors& s, Vectors& change) {
+        total_.setZero();
         change_ = -s;
         for (Index k = 0; k < count_; ++k) {
             const Index i = elements_[at(k)];
@@ -120,24 +151,28 @@ public:
             change_.row(i) = -size * test_.row(k);
         }
         multiply(change);
+    }
+    // What dp still violates.
+    void take_remainder(const Vectors& change) {
         for (Index k = 0; k < count_; ++k) {
             const Index i = elements_[at(k)];
             const Scalar a = tangent_(k, 0), b = tangent_(k, 1);
             right_[2 * k] = a * change(i, 1) - b * change(i, 0);
-            right_[2 * k + 1] = -(a * change(i, 0) + b * change(i, 1));
+            right_[2 * k + 1] = sigma_[k] * total_[2 * k] - (a * change(i, 0) + b * change(i, 1));
         }
+    }
+    // gamma, beta and ds
+    void correct() {
         solve_in_place<Scalar>(factors_.topLeftCorner(2 * count_, 2 * count_), swaps_.data(), right_.head(2 * count_));
+        total_.head(2 * count_) += right_.head(2 * count_);
         for (Index k = 0; k < count_; ++k) {
             const Index i = elements_[at(k)];
             const Scalar x = test_(k, 0), y = test_(k, 1), gamma = kappa_[k] * right_[2 * k], beta = right_[2 * k + 1];
             change_(i, 0) += beta * y - gamma * x;
             change_(i, 1) -= beta * x + gamma * y;
         }
-        multiply(change);
-        for (Index k = 0; k < count_; ++k) change.row(elements_[at(k)]) = sigma_[k] * right_[2 * k] * tangent_.row(k);
     }
 
-private:
     static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
     static Scalar norm_of(const Matrix& A) { return A.cwiseAbs().colwise().sum().maxCoeff(); }
 
@@ -151,8 +186,8 @@ private:
     static constexpr Scalar largest_error = Scalar(1e-3);
 
     Matrix inverse_, factors_;
-    Vector right_;
-    Vectors change_;
+    Vector right_, total_;    // gamma and beta of each element
+    Vectors change_;          // ds
     Vectors tangent_, test_;  // t and w
     Vector kappa_, sigma_;
     std::vector<Index> elements_, swaps_;

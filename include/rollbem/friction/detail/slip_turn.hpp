@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
+#include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 
@@ -67,11 +68,11 @@ public:
             if (other < 0) continue;
             share_[i] = stick[other] != 0 ? 0 : behind_[k] < 0 ? -1 : 1;
             const auto [x, y] = at_centre(i, slip);
-            const Scalar size = std::hypot(slip(i, 0), slip(i, 1)), length = std::hypot(x, y);
-            if (!(size > 0) || !(length > 0)) continue;
+            const Scalar size = length(slip(i, 0), slip(i, 1)), centre = length(x, y);
+            if (!(size > 0) || !(centre > 0)) continue;
             // unit vectors, as products of large slips overflow
             const Scalar along = slip(i, 0) / size, across = slip(i, 1) / size;
-            const Scalar cosine = (along * x + across * y) / length, sine = (along * y - across * x) / length;
+            const Scalar cosine = (along * x + across * y) / centre, sine = (along * y - across * x) / centre;
             if (!is_finite(cosine)) continue;
             const bool cut = cosine < Scalar(0.5);
             rate_[i] = cut ? 0 : 1;
@@ -97,7 +98,7 @@ public:
     /// The derivatives of the angles by those of the slip that find() was called with.
     void follow(const Vectors& slip_change, VectorX<Scalar>& angle_change) const {
         const auto turning = [](Scalar x, Scalar y, Scalar dx, Scalar dy) {
-            const Scalar size = std::hypot(x, y);
+            const Scalar size = length(x, y);
             return x / size * (dy / size) - y / size * (dx / size);
         };
         angle_change.setZero();
