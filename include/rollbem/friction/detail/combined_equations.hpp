@@ -137,25 +137,28 @@ public:
             for (Index l = 0; l < slipping_.count; ++l) coupling(slipping_[l], k) = right_[l];
         }
     }
-    /// The change of slip due to the same increase for element i, which slips as in `part`.
-    void couple(const CombinedPartition<Scalar>& part, Index i, ElementVectors<Scalar>& slip_change) {
-        Index k = 0;
-        while (slipping_[k] != i) ++k;
-        right_.head(slipping_.count).setZero();
-        if (way_ != Way::reduced) {
-            couple_whole(k);
-            slip_change = slip_;
-            return;
-        }
+    /// Calls use(i, ds) with the change of slip due to the same increase for each element i that slips, as in `part`.
+    template <class Use>
+    void couple(const CombinedPartition<Scalar>& part, ElementVectors<Scalar>& slip_change, const Use& use) {
+        const Index count = slipping_.count;
+        if (way_ == Way::reduced) find_across();
         slip_change.setZero();
-        find_across();
-        couple_reduced(k);
-        for (Index l = 0; l < slipping_.count; ++l) {
-            const Scalar across = part.stiffness[slipping_[l]] * right_[slipping_.count + l];
-            for (Index d = 0; d < 2; ++d) {
-                const Scalar along = against(l, static_cast<std::size_t>(d)) * right_[l];
-                slip_change(slipping_[l], d) = along + across * test_(l, d);
+        for (Index k = 0; k < count; ++k) {
+            right_.head(count).setZero();
+            if (way_ != Way::reduced) {
+                couple_whole(k);
+                use(slipping_[k], slip_);
+                continue;
             }
+            couple_reduced(k);
+            for (Index l = 0; l < count; ++l) {
+                const Scalar across = part.stiffness[slipping_[l]] * right_[count + l];
+                for (Index d = 0; d < 2; ++d) {
+                    const Scalar along = against(l, static_cast<std::size_t>(d)) * right_[l];
+                    slip_change(slipping_[l], d) = along + across * test_(l, d);
+                }
+            }
+            use(slipping_[k], slip_change);
         }
     }
 

@@ -157,13 +157,13 @@ public:
         if (turn_.follows()) {
             exchange_plain();
             const CombinedEquations<Scalar>& turned = is_apart_ ? kept_ : equations_;
-            for (Index k = 0; k < count; ++k) {
-                const Index i = turned.slipping(k);
-                if (plain_part_.slide[i] == 0) continue;
-                equations_.couple(plain_part_, i, trial_slip_);
-                turn_.follow(trial_slip_, angle_change_);
+            equations_.couple(plain_part_, trial_slip_, [&](Index i, const Vectors& slip_change) {
+                Index k = 0;
+                while (k < count && turned.slipping(k) != i) ++k;
+                if (k == count) return;
+                turn_.follow(slip_change, angle_change_);
                 coupling.col(k) = -angle_change_.cwiseProduct(slip_.rowwise().norm());
-            }
+            });
             exchange_plain();
         }
         equations_.couple(coupling, true);
