@@ -75,7 +75,7 @@ public:
         add_parameter(&mode_, "mode", "", "Where forces come from", &modes);
         add_parameter(&table_file_, "table_file", "",
                       "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
-                      "coarse one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10");
+                      "one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10");
         add_parameter(&elements_, "elements", "",
                       "Number of elements a strip, 1 to 32; like the following ones used where mode is patch");
         add_parameter(&strips_, "strips", "", "Number of strips along the rolling direction, 1 to 32");
@@ -155,7 +155,7 @@ private:
     }
 
     void begin_by_table() {
-        table_ = table_of(table_file_.empty() ? resources + "/creep_forces.bin" : table_file_);
+        table_ = table_of(table_file_.empty() ? resources + "/steel.creep" : table_file_);
         const rollbem::CreepForceGrid& grid = table_->grid();
         const rollbem::PatchContact<Scalar> contact = contact_under(largest_load_);
         require(rollbem::detail::is_finite(friction_coefficient_) && friction_coefficient_ >= 0, "friction_coefficient",
@@ -212,10 +212,11 @@ private:
         result.force = found.force;
         result.tangent = (1 / distance) * found.tangent;
         if (load > 0) {
-            // N f(xi/N^(1/3), eta/N^(1/3), phi), and another N^(1/3) in the moment
-            result.tangent_by_load = (1 / load) * (found.force + -along / 3 * result.tangent.by_longitudinal +
-                                                   -across / 3 * result.tangent.by_lateral);
-            result.tangent_by_load.moment += found.force.moment / (3 * load);
+            // both semi-axes grow like N^(1/3)
+            const auto contact = contact_under(load);
+            result.tangent_by_load = found.tangent_by_load + 1 / (3 * load) *
+                                                                 (contact.half_length() * found.tangent_by_half_length +
+                                                                  contact.half_width() * found.tangent_by_half_width);
         } else {
             result.tangent_by_load = first_force(along, across, turn / distance);
         }

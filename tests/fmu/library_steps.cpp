@@ -32,7 +32,7 @@ void library_resources(const char* name) { folder = name; }
 
 double library_table(double, int count) {
     static const rollbem::CreepForceTable table = [] {
-        std::ifstream file(folder + "/creep_forces.bin", std::ios::binary);
+        std::ifstream file(folder + "/steel.creep", std::ios::binary);
         return rollbem::CreepForceTable::read(file);
     }();
     static const rollbem::HertzEllipse<double> ellipse = library::ellipse().under(1e5);

@@ -400,7 +400,7 @@ def test_table_of_another_file():
     # a path with spaces; the packed table is found in one as well
     with tempfile.TemporaryDirectory(prefix="a table ") as folder:
         copy = os.path.join(folder, "of forces.bin")
-        shutil.copy(os.path.join(fmu.folder, "resources", "creep_forces.bin"), copy)
+        shutil.copy(os.path.join(fmu.folder, "resources", "steel.creep"), copy)
         values = dict(zip(inputs, (0.02, -0.03, 1.0, V, N)))
         here, there = Instance(fmu).start(**by_table, **values), Instance(fmu).start(**by_table, **values, table_file=copy)
         assert outcome(here) == outcome(there) and there.get("table_file") == copy

@@ -11,6 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/make_creep_force_table.hpp>
+
 #include "support/catch.hpp"
 #include "support/draw.hpp"
 #include "support/observed_order.hpp"
@@ -187,22 +191,46 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         const Creepage<double> v = creepage(patch, level * draw.normal(), level * draw.normal(), level * draw.normal());
         const TabulatedForce at = table.look_up(patch, mu, load, v);
         const Creepage<double> unit = creepage(patch, 1, 1, 1);
-        const auto along = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
-            const double step = 1e-5 * level * (unit.*which);
-            Creepage<double> plus = v, minus = v;
-            plus.*which += step;
-            minus.*which -= step;
-            const TabulatedForce above = table.look_up(patch, mu, load, plus),
-                                 below = table.look_up(patch, mu, load, minus);
-            const Eigen::Array3d difference = (array(above.force) - array(below.force)) / (2 * step);
-            const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu * load / (unit.*which);
+        const double a = patch.half_length(), b = patch.half_width();
+        // `force` by a step of a quantity, in its `size`
+        const auto compare = [&](const auto& force, double size, const TangentialForce<double>& tangent) {
+            constexpr double step = 1e-5;
+            const Eigen::Array3d difference = (array(force(step * size)) - array(force(-step * size))) / (2 * step);
+            const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu * load;
             INFO("level " << level << ", difference " << difference.transpose() << ", tangent "
-                          << array(tangent).transpose());
-            CHECK((((difference - array(tangent)) / scale).abs() < 1e-6).all());
+                          << size * array(tangent).transpose());
+            CHECK((((difference - size * array(tangent)) / scale).abs() < 1e-6 * std::max(1.0, level)).all());
         };
-        along(&Creepage<double>::longitudinal, at.tangent.by_longitudinal);
-        along(&Creepage<double>::lateral, at.tangent.by_lateral);
-        along(&Creepage<double>::spin, at.tangent.by_spin);
+        const auto by_creepage = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
+            compare(
+                [&](double step) {
+                    Creepage<double> changed = v;
+                    changed.*which += step;
+                    return table.look_up(patch, mu, load, changed).force;
+                },
+                level * unit.*which, tangent);
+        };
+        by_creepage(&Creepage<double>::longitudinal, at.tangent.by_longitudinal);
+        by_creepage(&Creepage<double>::lateral, at.tangent.by_lateral);
+        by_creepage(&Creepage<double>::spin, at.tangent.by_spin);
+        compare([&](double step) { return table.look_up(patch, mu, load + step, v).force; }, load, at.tangent_by_load);
+        compare([&](double step) { return table.look_up(patch, mu + step, load, v).force; }, mu,
+                at.tangent_by_friction_coefficient);
+        const auto sized = [](double x, double y) { return PatchContact<double>({x, y, modulus, 0.28}); };
+        compare([&](double step) { return table.look_up(sized(a + step, b), mu, load, v).force; }, a,
+                at.tangent_by_half_length);
+        compare([&](double step) { return table.look_up(sized(a, b + step), mu, load, v).force; }, b,
+                at.tangent_by_half_width);
+    }
+    // from no friction on, by the force in full sliding
+    {
+        const PatchContact<double> patch = contact(1.2);
+        const Creepage<double> v = creepage(patch, 0.4, 0.2, 0.3);
+        const TabulatedForce at = table.look_up(patch, 0, load, v), next = table.look_up(patch, 1e-6, load, v);
+        CHECK(array(at.force).isZero());
+        const Eigen::Array3d by_mu = array(at.tangent_by_friction_coefficient);
+        CHECK(((array(next.force) / 1e-6 - by_mu) / (Eigen::Array3d(1, 1, patch.c()) * load)).abs().maxCoeff() < 1e-4);
+        CHECK(array(table.look_up(patch, 0, load, {0, 0, 0}).tangent_by_load).isZero());
     }
     // where creepages vanish one by one, by steps that leave the plane of symmetry
     const PatchContact<double> round = contact(1.3);
@@ -373,6 +401,34 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     CHECK_THAT(grid_refused(0.28, 2, 2, 6, 4), ContainsSubstring("largest_a_over_b = 2"));
     CHECK_THAT(grid_refused(0.28, 0.5, 2, 3, 4), ContainsSubstring("levels = 3"));
     CHECK_THAT(grid_refused(0.28, 0.5, 2, 6, 3), ContainsSubstring("number of ellipses = 3"));
+}
+
+TEST_CASE("creep_force_table: that of steel holds the forces of its patches") {
+    std::ifstream file(ROLLBEM_STEEL_CREEP, std::ios::binary);
+    const CreepForceTable steel = CreepForceTable::read(file);
+    const CreepForceGrid& grid = steel.grid();
+    const CreepForceRange range;
+    CHECK(grid.poisson_ratio() == range.poisson_ratio);
+    CHECK(grid.shapes() == range.shapes);
+    CHECK(grid.levels() == range.levels);
+    CHECK(grid.smallest_a_over_b() == range.smallest_a_over_b);
+    CHECK(grid.largest_a_over_b() == range.largest_a_over_b);
+    support::Draw draw(1);
+    for (const Eigen::Index shape : {0, 4, 7, 12}) {
+        CreepForceSource source(grid.a_over_b(shape), grid.poisson_ratio(), range.n);
+        for (int k = 0; k < 6; ++k) {
+            const auto node = static_cast<Eigen::Index>(draw.uniform(0, static_cast<double>(grid.nodes())));
+            const Creepage<double> v = grid.creepage(shape, node);
+            const auto solution = source.solve(v, true);
+            REQUIRE(solution.step.status == StepStatus::ok);
+            const PatchContact<double>& patch = source.contact();
+            const double limit = patch.half_width();  // mu N = G a b
+            const auto found = steel.look_up(patch, 1, limit, {v.longitudinal, v.lateral, v.spin / patch.c()});
+            const Eigen::Array3d force = -array(found.force) / limit / Eigen::Array3d(1, 1, patch.c());
+            CAPTURE(shape, node, v.longitudinal, v.lateral, v.spin, force, solution.force);
+            CHECK((force - solution.force).abs().maxCoeff() < 2e-6);
+        }
+    }
 }
 
 }  // namespace creep_force_table_tests

@@ -35,7 +35,11 @@ namespace rollbem {
 /// What a look-up returns, in the units of the contact.
 struct TabulatedForce {
     TangentialForce<double> force;    ///< on body 1 [N], moment about the middle of the contact [N m]; NaN unless ok
-    CreepageTangent<double> tangent;  ///< d force/d creepage, of the interpolation itself
+    CreepageTangent<double> tangent;  ///< d force/d creepage, of the interpolation itself; so are the following
+    TangentialForce<double> tangent_by_load;                  ///< at constant semi-axes [1], [m]
+    TangentialForce<double> tangent_by_friction_coefficient;  ///< [N], [N m]
+    TangentialForce<double> tangent_by_half_length;           ///< at constant half-width [N/m], [N]
+    TangentialForce<double> tangent_by_half_width;            ///< at constant half-length [N/m], [N]
     /// a/b lies on the table. If not, forces are those of its nearest ellipse with the same area: they go on without a
     /// step, but the error is unknown.
     bool a_over_b_on_table = false;
@@ -50,7 +54,7 @@ struct TabulatedForce {
 /// exceed mu N by its error. Immutable: threads may share it. It is a template only so that programs that do not use
 /// it need not compile it; write CreepForceTable.
 ///
-///     std::ifstream file("table.csv.bin", std::ios::binary);
+///     std::ifstream file("share/rollbem/steel.creep", std::ios::binary);
 ///     const CreepForceTable table = CreepForceTable::read(file);
 ///     const PatchContact<double> contact({a, b, G, nu});
 ///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
@@ -112,7 +116,7 @@ private:
 
     /// Forces over mu N and their derivatives by the coordinates of the lattice, xi and phi not negative.
     struct Sample {
-        Eigen::Array3d value, by_x, by_y, by_spin;
+        Eigen::Array3d value, by_x, by_y, by_spin, by_shape;
     };
     Sample sample(double shape, double x, double y, double spin) const noexcept;
 
@@ -337,24 +341,31 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
         by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
     // Rows of four neighbours in phi, each of four numbers, of which the last is not used.
     using Number = Eigen::Array4d;
-    Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
+    Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value, along_shape = value;
     const std::array<double, 4>& share = by_shape.value;
+    // the digits of the coefficients serve for a derivative
+    const Eigen::Array4f slope = Eigen::Map<const Eigen::Array4d>(by_shape.slope.data()).cast<float>();
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
     for (std::size_t p = 0; p < 4; ++p) {
-        Number row = Number::Zero(), row_y = row, row_spin = row;
+        Number row = Number::Zero(), row_y = row, row_spin = row, row_shape = row;
         for (std::size_t q = 0; q < 4; ++q) {
             const float* from = coefficients_.data() + at(s - 1, i - 1 + static_cast<Eigen::Index>(p),
                                                           j - 1 + static_cast<Eigen::Index>(q), k - 1);
             Number here = Number::Zero(), here_spin = here;
+            Eigen::Array4f here_shape = Eigen::Array4f::Zero();
             for (std::size_t t = 0; t < 4; ++t, from += width) {
-                const auto of_shape = [&](std::size_t r) {
-                    return share[r] * Eigen::Map<const Eigen::Array4f>(from + r * next_shape).cast<double>();
+                const auto single = [&](std::size_t r) {
+                    return Eigen::Map<const Eigen::Array4f>(from + r * next_shape);
                 };
+                const auto of_shape = [&](std::size_t r) { return share[r] * single(r).template cast<double>(); };
                 const Number node = of_shape(0) + of_shape(1) + of_shape(2) + of_shape(3);
                 here += by_spin.value[t] * node;
                 here_spin += by_spin.slope[t] * node;
+                here_shape += static_cast<float>(by_spin.value[t]) * (slope[0] * single(0) + slope[1] * single(1) +
+                                                                      slope[2] * single(2) + slope[3] * single(3));
             }
             row += by_y.value[q] * here;
+            row_shape += by_y.value[q] * here_shape.cast<double>();
             row_y += by_y.slope[q] * here;
             row_spin += by_y.value[q] * here_spin;
         }
@@ -362,8 +373,9 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
         along_x += by_x.slope[p] * row;
         along_y += by_x.value[p] * row_y;
         along_spin += by_x.value[p] * row_spin;
+        along_shape += by_x.value[p] * row_shape;
     }
-    return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>()};
+    return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(), along_shape.head<3>()};
 }
 
 template <std::same_as<double> Real>
@@ -389,19 +401,23 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
     const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
     const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
-    Eigen::Array4d linear = Eigen::Array4d::Zero();
+    // beyond the table the shape stays that of its last ellipse
+    const double shape_per_log =
+        position == std::clamp(position, 0.0, 1.0) ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
+    Eigen::Array4d linear = Eigen::Array4d::Zero(), linear_by_shape = linear;
     for (Eigen::Index k = 0; k < 4; ++k) {
-        linear += by_shape.value[static_cast<std::size_t>(k)] * scales_.col(cell + k).head<4>();
+        const Eigen::Array4d of = scales_.col(cell + k).head<4>();
+        linear += by_shape.value[static_cast<std::size_t>(k)] * of;
+        linear_by_shape += by_shape.slope[static_cast<std::size_t>(k)] * of;
     }
     const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
     const Eigen::Array3d w(unit[0] * creepage.longitudinal, unit[1] * creepage.lateral + unit[2] * creepage.spin,
                            unit[3] * creepage.spin);
     const double size = w.matrix().stableNorm();
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
-    if (bound == 0 || !detail::is_finite(stretch.factor)) {  // no load, or too little to divide by
-        result.force = {0, 0, 0};
-        result.tangent = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-        return ended(StepStatus::ok);
+    if (!detail::is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
+        const TangentialForce<double> none{0, 0, 0};
+        return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, StepStatus::ok};
     }
     const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
     if (!detail::is_finite(u.sum())) return ended(StepStatus::not_finite);  // creepage times c overflows
@@ -415,27 +431,42 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
     if (distance < 1) {
         const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
-        Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero();
+        Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
         for (Eigen::Index k = 0; k < 4; ++k) {
-            rest += by_shape.value[static_cast<std::size_t>(k)] * at_rest_.col(cell + k).head<7>();
+            const Eigen::Array<double, 7, 1> of = at_rest_.col(cell + k).head<7>();
+            rest += by_shape.value[static_cast<std::size_t>(k)] * of;
+            changed += by_shape.slope[static_cast<std::size_t>(k)] * of;
         }
         const double c22 = linear[1], c23 = linear[2], c32 = rest[5], c33 = rest[6];
+        const double couples = c32 / c22, turns = (c33 - couples * c23) / linear[3];
         Eigen::Matrix3d lack;
         lack.col(0) << step - rest[0], 0, 0;
-        lack.col(1) << 0, step - rest[1], c32 / c22 * step - rest[3];
-        lack.col(2) << 0, -rest[2], (c33 - c32 * c23 / c22) / linear[3] * step - rest[4];
+        lack.col(1) << 0, step - rest[1], couples * step - rest[3];
+        lack.col(2) << 0, -rest[2], turns * step - rest[4];
+        const double couples_by_shape = (changed[5] - couples * linear_by_shape[1]) / c22;
+        const double turns_by_shape =
+            (changed[6] - couples_by_shape * c23 - couples * linear_by_shape[2] - turns * linear_by_shape[3]) /
+            linear[3];
+        Eigen::Matrix3d lack_by_shape;
+        lack_by_shape.col(0) << -changed[0], 0, 0;
+        lack_by_shape.col(1) << 0, -changed[1], couples_by_shape * step - changed[3];
+        lack_by_shape.col(2) << 0, -changed[2], turns_by_shape * step - changed[4];
         const Eigen::Vector3d all = lack * place;
         const double left = 1 - distance, share = left * left * left * (1 + 2 * distance);
         const double slope = distance > 0 ? -left * left * (1 + 8 * distance) / distance : 0;  // d share, over |u|
         at.value += share * all.array();
+        at.by_shape += share * (lack_by_shape * place).array();
         at.by_x += share * lack.col(0).array() + slope * place[0] * all.array();
         at.by_y += share * lack.col(1).array() + slope * place[1] * all.array();
         at.by_spin += share * lack.col(2).array() + slope * place[2] * all.array();
     }
-    if (distance < 1e-9) at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];  // no rounding
+    if (distance < 1e-9) {  // no rounding
+        at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];
+        at.by_shape = 0;
+    }
 
     // The signs of the quadrant; between the two groups of symmetry derivatives change sign with both.
-    const Eigen::Array3d force = at.value * Eigen::Array3d(x_sign, sign_of_pair, sign_of_pair);
+    const Eigen::Array3d signs(x_sign, sign_of_pair, sign_of_pair), force = at.value * signs;
     const double both = x_sign * sign_of_pair;
     Eigen::Matrix3d by_u;
     by_u.col(0) = at.by_x * Eigen::Array3d(1, both, both);
@@ -447,14 +478,28 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
         const Eigen::Vector3d radial = slope * direction;
         slope -= radial * direction.transpose() * stretch.radial;
     }
+    // Forces over c are homogeneous of degree 1 in mu N and w. By mu N; by the logarithm of c, at constant a/b, in w, in
+    // G a b and in the arm of the moment; and by that of a/b, in w and in the table.
+    const Eigen::Array3d along = slope * w.matrix(), by_bound = -force - along / (bound > 0 ? bound : 1);
+    const Eigen::Vector3d w_by_shape(linear_by_shape[0] * creepage.longitudinal,
+                                     linear_by_shape[1] * creepage.lateral + linear_by_shape[2] * c * creepage.spin,
+                                     linear_by_shape[3] * c * creepage.spin);
+    Eigen::Array3d by_size = slope.rightCols<2>() * Eigen::Vector2d(unit[2] * creepage.spin, w[2]);
+    by_size += 2 * along;
+    by_size[2] -= bound * force[2];
+    const Eigen::Array3d by_a_over_b = shape_per_log * ((slope * w_by_shape).array() - bound * at.by_shape * signs);
     slope.col(2) = unit[2] * slope.col(1) + unit[3] * slope.col(2);
     slope.col(1) *= unit[1];
     slope.col(0) *= unit[0];
-    slope.row(2) *= c;
-    const auto column = [&](Eigen::Index k) { return TangentialForce<double>{slope(0, k), slope(1, k), slope(2, k)}; };
-    result.force = {0 - bound * force[0], 0 - bound * force[1], 0 - bound * c * force[2]};
-    result.tangent = {column(0), column(1), column(2)};
-    const double sum = force.sum() + slope.sum() + bound;
+    const auto in_si = [&](const Eigen::Array3d& of) { return TangentialForce<double>{of[0], of[1], c * of[2]}; };
+    const double a = contact.half_length(), b = contact.half_width();
+    result.force = in_si(Eigen::Array3d::Zero() - bound * force);
+    result.tangent = {in_si(slope.col(0)), in_si(slope.col(1)), in_si(slope.col(2))};
+    result.tangent_by_load = in_si(friction_coefficient * by_bound);
+    result.tangent_by_friction_coefficient = in_si(load * by_bound);
+    result.tangent_by_half_length = in_si((by_size / 2 + by_a_over_b) / a);
+    result.tangent_by_half_width = in_si((by_size / 2 - by_a_over_b) / b);
+    const double sum = force.sum() + slope.sum() + c + bound;
     return detail::is_finite(sum) ? ended(StepStatus::ok) : TabulatedForce{};
 }
 
