@@ -444,18 +444,22 @@ void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, const Com
     solve(s, change);
     multiply(change, slip_change);
     if (!coupled_) return;
-    across_ = (s + slip_change).array().colwise() * part.stick.array();
-    for (Index k = 0; k < slipping_.count; ++k) {
-        const Index i = slipping_[k];
-        Scalar rest = 0;
-        for (Index d = 0; d < 2; ++d) {
-            rest += test_(k, d) * (s(i, d) + slip_change(i, d)) + part.stiffness[i] * tangent_(k, d) * change(i, d);
+    Scalar share = 1;
+    for (int round = 0; round < 4 && share > Scalar(1e-5); ++round) {
+        across_ = (s + slip_change).array().colwise() * part.stick.array();
+        for (Index k = 0; k < slipping_.count; ++k) {
+            const Index i = slipping_[k];
+            Scalar rest = 0;
+            for (Index d = 0; d < 2; ++d) {
+                rest += test_(k, d) * (s(i, d) + slip_change(i, d)) + part.stiffness[i] * tangent_(k, d) * change(i, d);
+            }
+            across_.row(i) = rest * test_.row(k);
         }
-        across_.row(i) = rest * test_.row(k);
+        solve(across_, slip_);
+        change += slip_;
+        multiply(change, slip_change);
+        share = slip_.norm() / change.norm();
     }
-    solve(across_, slip_);
-    change += slip_;
-    multiply(change, slip_change);
 }
 
 }  // namespace rollbem::detail

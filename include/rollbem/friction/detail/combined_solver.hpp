@@ -79,8 +79,8 @@ public:
           plain_response_(n, 2),
           begin_zones_(static_cast<std::size_t>(n), Zone::stick),
           turned_change_(n, 2),
-          plain_slip_change_(n, 2),
           plain_change_(Vectors::Zero(n, 2)),
+          plain_slip_change_(n, 2),
           angle_change_(n),
           turn_(n),
           path_(n) {}

@@ -125,10 +125,13 @@ public:
             if (sigma_[k] != 0) resist(k, stiffness[elements_[at(k)]]);
         }
         start(s, change);
-        for (int round = 0; round < 2; ++round) {
+        // each correction leaves the same share of what it corrects
+        Scalar share = 1;
+        for (int round = 0; round < most_corrections && share > enough_digits; ++round) {
             take_remainder(change);
             correct();
             multiply(change);
+            share = right_.head(2 * count_).norm() / total_.head(2 * count_).norm();
         }
         slip_change = change_;
         for (Index k = 0; k < count_; ++k) change.row(elements_[at(k)]) = sigma_[k] * total_[2 * k] * tangent_.row(k);
@@ -184,6 +187,8 @@ private:
 
     // A Newton step repairs the errors of the one before, so some digits are enough.
     static constexpr Scalar largest_error = Scalar(1e-3);
+    static constexpr int most_corrections = 5;
+    static constexpr Scalar enough_digits = Scalar(1e-5);  // the next correction would be the square of it
 
     Matrix inverse_, factors_;
     Vector right_, total_;    // gamma and beta of each element
