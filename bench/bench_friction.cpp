@@ -33,7 +33,7 @@ struct Scene {
     FrictionModel<> model(Integrator integrator) const {
         return {contact, rolling_system(mesh, scheme, kernel), unchecked, friction, integrator};
     }
-    SteadyFrictionModel<> steady_model() const { return {contact, mesh, scheme, kernel, friction}; }
+    FrictionModel<> steady_model() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
 
     Mesh<double> mesh;
     Friction<> friction;
@@ -246,7 +246,7 @@ BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // One point of 100 along the curve from 0.01 to 1.
 void BM_FrictionSteadyWarm(benchmark::State& state) {
-    const SteadyFrictionModel<> model = Scene(state.range(0)).steady_model();
+    const FrictionModel<> model = Scene(state.range(0)).steady_model();
     int point = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const int phase = point++ % 200;
@@ -275,8 +275,11 @@ void BM_CombinedLuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedLuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-SteadyFrictionModel<ConstantFriction<>, 2> combined_steady_model(const Scene& scene) {
-    return {scene.contact, scene.mesh, scene.scheme, scene.kernel, scene.lateral, scene.friction};
+FrictionModel<ConstantFriction<>, 2> combined_steady_model(const Scene& scene) {
+    return {
+        scene.contact,
+        {steady_system(scene.mesh, scene.scheme, scene.kernel), steady_system(scene.mesh, scene.scheme, scene.lateral)},
+        scene.friction};
 }
 Creepage<double> creepage(double ratio, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;

@@ -96,7 +96,7 @@ END {
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
         if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
         if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
-        if (file ~ /\/transient\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
+        if (file ~ /\/(transient|friction\/model)\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }
     for (file in known) if (!state[file]) find_cycle(file, file)
     if (!FNR) complain("no headers found")

@@ -28,7 +28,8 @@
 
 #include <rollbem/adhesion/patch_frequency.hpp>
 #include <rollbem/adhesion/patch_steady.hpp>
-#include <rollbem/friction/steady.hpp>
+#include <rollbem/assembly/patch_system.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -176,7 +177,8 @@ CreepForceTable make_table(const PatchContact<double>& wheel) {
     for (int i = 0; i < shapes; ++i) {
         const PatchContact<double>& ellipse = ellipses[static_cast<std::size_t>(i)];
         const PatchMesh<double> mesh = patch_mesh(ellipse, 8, 8);
-        const SteadyFrictionModel model(ellipse, mesh, scheme, kernel, {0.3, hertz_pressures(ellipse, mesh, load)});
+        const FrictionModel model(ellipse, steady_system(mesh, scheme, kernel),
+                                  {0.3, hertz_pressures(ellipse, mesh, load)});
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
         for (Eigen::Index node = 0; node < grid.nodes(); ++node) {

@@ -56,8 +56,9 @@ int main() {
         const PatchContact<double> contact = hertz.contact();
         // 2. Stick and slip in steady rolling
         const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
-        const SteadyFrictionModel model(contact, mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(poisson),
-                                        {mu, hertz_pressures(contact, mesh, load)});
+        const FrictionModel model(contact,
+                                  steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(poisson)),
+                                  {mu, hertz_pressures(contact, mesh, load)});
         auto workspace = model.workspace();
         const auto rest = model.at_rest();
         auto state = rest;

@@ -38,8 +38,9 @@ struct Combined {
 
     /// -F/(mu N) in both directions at the creepage ratio delta; cosine and sine give the direction of the creepage.
     Vector force(double delta, double cosine, double sine) {
-        const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(
-            contact, slopes(false), slopes(true), mesh.widths(), {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const rollbem::FrictionModel<rollbem::ConstantFriction<>, 2> model(
+            contact, {{{}, slopes(false), mesh.widths()}, {{}, slopes(true), mesh.widths()}},
+            {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const double size = creepage(delta, nu);
         const auto point = steady_from_rest(model, Vector{size * cosine, size * sine});
         told = told_by(point.status);
@@ -49,8 +50,8 @@ struct Combined {
 
     /// The same by the solver of one direction.
     double force_alone(bool lateral, double delta) const {
-        const rollbem::SteadyFrictionModel<> model(contact, slopes(lateral), mesh.widths(),
-                                                   {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const rollbem::FrictionModel<> model(contact, {{}, slopes(lateral), mesh.widths()},
+                                             {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const Step point = steady_from_rest(model, creepage(delta, nu));
         return point.status == StepStatus::ok ? -point.force_per_width / full_force : nothing;
     }
@@ -184,8 +185,8 @@ void add_nodes(Cases& cases) {
     const auto plane = PlaneKernel<double>::longitudinal(contact);
     const auto friction = [=](const Mesh<double>& mesh, const NodeDifference& scheme, double delta, double reference,
                               double bound) {
-        const rollbem::SteadyFrictionModel<> model(contact, mesh, scheme, plane,
-                                                   {1, peak * rollbem::mean_hertz_pressure(mesh)});
+        const rollbem::FrictionModel<> model(contact, steady_system(mesh, scheme, plane),
+                                             {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const Step point = steady_from_rest(model, creepage(delta));
         return compare(point, -point.force_per_width / full_force, reference, bound);
     };
@@ -220,8 +221,10 @@ void add_nodes(Cases& cases) {
         }
         // spin alone, all sliding: the traction is -mu p_n sign(x) across, but in the element that ends at x = 0
         cases.right("spin 1e9 by " + which + ", n = 40", "moment against full sliding", [=] {
-            const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> model(
-                contact, mesh, scheme, plane, PlaneKernel<double>::lateral(contact),
+            const rollbem::FrictionModel<rollbem::ConstantFriction<>, 2> model(
+                contact,
+                {steady_system(mesh, scheme, plane),
+                 steady_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
                 {1, peak * rollbem::mean_hertz_pressure(mesh)});
             const auto point = steady_from_rest(model, Vector{0, 0, creepage(1e9)});
             return compare(-point.force_per_width.moment / full_force, 4 / (3 * pi), 1e-2, told_by(point.status));

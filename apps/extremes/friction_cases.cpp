@@ -96,8 +96,8 @@ void add_strips(Cases& cases) {
         const Border solution = on_strip(aspect, ratio);
         const Contact<double> own = contact(aspect);
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(320);
-        const rollbem::SteadyFrictionModel<> model(own, mesh, equal, StripKernel<double>::longitudinal(own),
-                                                   {1, HertzPressure<double>{peak}(mesh)});
+        const rollbem::FrictionModel<> model(own, steady_system(mesh, equal, StripKernel<double>::longitudinal(own)),
+                                             {1, HertzPressure<double>{peak}(mesh)});
         const auto elements = steady_from_rest(model, creepage(ratio));
         Outcome outcome = against(solution, solution.force_per_width, elements.force_per_width, 1e-4);
         if (elements.status != rollbem::StepStatus::ok) outcome.told = "the reference has not converged";

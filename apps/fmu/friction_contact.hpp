@@ -12,7 +12,7 @@
 
 #include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/detail/require.hpp>
-#include <rollbem/friction/transient.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/scene/creepage.hpp>
 #include <rollbem/scene/force.hpp>
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/transient.hpp>
+#include <rollbem/friction/model.hpp>
 
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"

@@ -11,19 +11,15 @@ namespace friction {
 
 namespace {
 
-/// function(mesh, scheme, kernels...) with the kernels of the directions, under a layer if there is one.
-template <class Function, class... Directions>
-auto visit(const Surface& surface, const Function& function, Directions... directions) {
+/// function(mesh, scheme, kernel) with the kernel of the direction, under a layer if there is one.
+template <class Function>
+auto visit(const Surface& surface, Direction direction, const Function& function) {
     using Kernel = rollbem::AnyKernel<double>;
     const study::Scene& scene = surface.scene;
-    const rollbem::Contact<double> contact = surface.contact();
-    const auto kernel = [&](Direction direction) {
-        const auto of = direction == Direction::longitudinal ? Kernel::longitudinal : Kernel::lateral;
-        return of(scene.kernel.model(), contact);
-    };
-    if (surface.layer == 0) return function(*scene.mesh, scene.scheme, kernel(directions)...);
-    return function(*scene.mesh, scene.scheme,
-                    rollbem::LayeredKernel(kernel(directions), surface.layer / surface.half_length)...);
+    const auto of = direction == Direction::longitudinal ? Kernel::longitudinal : Kernel::lateral;
+    const Kernel kernel = of(scene.kernel.model(), surface.contact());
+    if (surface.layer == 0) return function(*scene.mesh, scene.scheme, kernel);
+    return function(*scene.mesh, scene.scheme, rollbem::LayeredKernel(kernel, surface.layer / surface.half_length));
 }
 
 }  // namespace
@@ -37,12 +33,9 @@ rollbem::Contact<double> Surface::contact() const {
 
 rollbem::ElementSystem<double> Surface::system(Direction direction) const {
     try {
-        return visit(
-            *this,
-            [](const auto& mesh, const auto& scheme, const auto& kernel) {
-                return rollbem::rolling_system(mesh, scheme, kernel);
-            },
-            direction);
+        return visit(*this, direction, [](const auto& mesh, const auto& scheme, const auto& kernel) {
+            return rollbem::rolling_system(mesh, scheme, kernel);
+        });
     } catch (const std::invalid_argument&) {
         if (gradient(direction).allFinite()) throw;
         throw study::BadInput("--aspect = " + study::aspect_cell(scene.contact).text() +
@@ -51,30 +44,31 @@ rollbem::ElementSystem<double> Surface::system(Direction direction) const {
 }
 
 Eigen::MatrixXd Surface::gradient(Direction direction) const {
-    return visit(
-        *this,
-        [](const auto& mesh, const auto& scheme, const auto& kernel) -> Eigen::MatrixXd {
-            return rollbem::assemble_G_prime(mesh, scheme, kernel);
-        },
-        direction);
+    return visit(*this, direction, [](const auto& mesh, const auto& scheme, const auto& kernel) -> Eigen::MatrixXd {
+        return rollbem::assemble_G_prime(mesh, scheme, kernel);
+    });
 }
 
 template <int directions, class Law>
-rollbem::SteadyFrictionModel<Law, directions> Surface::steady_model(const rollbem::Friction<Law>& friction) const {
-    using Model = rollbem::SteadyFrictionModel<Law, directions>;
-    const auto make = [&](const auto&... parts) { return Model(contact(), parts..., friction); };
+rollbem::FrictionModel<Law, directions> Surface::steady_model(const rollbem::Friction<Law>& friction) const {
+    using Model = rollbem::FrictionModel<Law, directions>;
+    const auto system = [&](Direction direction) {
+        return visit(*this, direction, [](const auto& mesh, const auto& scheme, const auto& kernel) {
+            return rollbem::steady_system(mesh, scheme, kernel);
+        });
+    };
     if constexpr (directions == 1) {
-        return visit(*this, make, Direction::longitudinal);
+        return Model(contact(), system(Direction::longitudinal), friction);
     } else {
-        return visit(*this, make, Direction::longitudinal, Direction::lateral);
+        return Model(contact(), {system(Direction::longitudinal), system(Direction::lateral)}, friction);
     }
 }
 using Coulomb = rollbem::Friction<>;
 using Falling = rollbem::Friction<rollbem::ExponentialFall<>>;
-template rollbem::SteadyFrictionModel<> Surface::steady_model<1>(const Coulomb&) const;
-template rollbem::SteadyFrictionModel<rollbem::ConstantFriction<>, 2> Surface::steady_model<2>(const Coulomb&) const;
-template rollbem::SteadyFrictionModel<rollbem::ExponentialFall<>> Surface::steady_model<1>(const Falling&) const;
-template rollbem::SteadyFrictionModel<rollbem::ExponentialFall<>, 2> Surface::steady_model<2>(const Falling&) const;
+template rollbem::FrictionModel<> Surface::steady_model<1>(const Coulomb&) const;
+template rollbem::FrictionModel<rollbem::ConstantFriction<>, 2> Surface::steady_model<2>(const Coulomb&) const;
+template rollbem::FrictionModel<rollbem::ExponentialFall<>> Surface::steady_model<1>(const Falling&) const;
+template rollbem::FrictionModel<rollbem::ExponentialFall<>, 2> Surface::steady_model<2>(const Falling&) const;
 
 double read_layer(const study::Options& options) {
     const double layer = options.number(

@@ -6,7 +6,7 @@
 
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/steady.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/scene/contact.hpp>
 
 #include "support/options.hpp"
@@ -30,7 +30,7 @@ struct Surface {
     Eigen::MatrixXd gradient(Direction direction) const;
 
     template <int directions, class Law>
-    rollbem::SteadyFrictionModel<Law, directions> steady_model(const rollbem::Friction<Law>& friction) const;
+    rollbem::FrictionModel<Law, directions> steady_model(const rollbem::Friction<Law>& friction) const;
 };
 
 /// --layer. Throws BadInput, also if a scene's scheme needs a derivative that does not exist with a layer.

@@ -60,8 +60,9 @@ void friction_rows(const study::Options& options, const Patch& patch, const std:
                    const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
                    Tractions* tractions) {
     const double mu_N = patch.contact.half_length() * patch.contact.half_width(), c = patch.contact.c();
-    const rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2> model(
-        patch.contact, patch.mesh, patch.scheme, rollbem::HalfSpace<double>(patch.contact.poisson_ratio()),
+    const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
+        patch.contact,
+        steady_system(patch.mesh, patch.scheme, rollbem::HalfSpace<double>(patch.contact.poisson_ratio())),
         {mu, pressure.on(patch)});
     auto workspace = model.workspace();
     const auto rest = model.at_rest();

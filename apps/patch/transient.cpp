@@ -13,7 +13,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/friction/transient.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 
 #include "friction.hpp"

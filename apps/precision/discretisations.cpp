@@ -77,8 +77,8 @@ Values step_forces(const Scene& scene, RollingSystem<double> system) {
 
 double friction_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
-    const rollbem::SteadyFrictionModel model(scene.contact, slopes(scene, elements, mesh), mesh.widths(), friction,
-                                             rollbem::unchecked);
+    const rollbem::FrictionModel<> model(scene.contact, {{}, slopes(scene, elements, mesh), mesh.widths()},
+                                         rollbem::unchecked, friction);
     const rollbem::FrictionState<> rest = model.at_rest();
     rollbem::FrictionState<> state = rest;
     rollbem::FrictionWorkspace<> workspace = model.workspace();
@@ -87,11 +87,13 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
 }
 
 Values combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
-    using Model = rollbem::SteadyFrictionModel<rollbem::ConstantFriction<double>, 2>;
+    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
     const rollbem::Friction<> friction{1, peak * rollbem::mean_hertz_pressure(mesh)};
     // from kernels, as only then the model knows where the equations hold and turns the slip
-    const Model model(scene.contact, mesh, elements.scheme, kernel_of(scene),
-                      Kernel::lateral(model_of(scene), scene.contact), friction, rollbem::unchecked);
+    const auto system = [&](const Kernel& kernel) { return steady_system(mesh, elements.scheme, kernel); };
+    const Model model(scene.contact,
+                      {system(kernel_of(scene)), system(Kernel::lateral(model_of(scene), scene.contact))},
+                      rollbem::unchecked, friction);
     const auto rest = model.at_rest();
     auto state = rest;
     auto workspace = model.workspace();

@@ -59,9 +59,9 @@ Found coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>
 /// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to
 /// choose their sizes only.
 Found forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
-    const rollbem::SteadyFrictionModel model(contact, mesh, chebyshev,
-                                             rollbem::HalfSpace<double>(contact.poisson_ratio()),
-                                             {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
+    const rollbem::FrictionModel model(
+        contact, steady_system(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())),
+        {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
     const double a_over_b = contact.a_over_b(), c = 1 / std::sqrt(a_over_b);
     const auto nearest = std::min_element(
         rollbem::kalker_table.begin(), rollbem::kalker_table.end(), [&](const auto& one, const auto& other) {

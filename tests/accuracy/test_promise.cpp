@@ -17,7 +17,7 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
-#include <rollbem/friction/steady.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
@@ -277,7 +277,7 @@ TEST_CASE("Elements recommended for friction stay below their error bound", "[re
     for (const double tolerance : {0.5, 0.1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4}) {
         const RecommendedElements best = recommended_scheme(tolerance, Purpose::friction);
         const double error = best.evaluate([&](const Mesh<double>& mesh, const auto& scheme) {
-            const SteadyFrictionModel model(wide, mesh, scheme, kernel, {1, peak * mean_hertz_pressure(mesh)});
+            const FrictionModel model(wide, steady_system(mesh, scheme, kernel), {1, peak * mean_hertz_pressure(mesh)});
             FrictionState<> now = model.at_rest(), next = now;
             FrictionWorkspace<> workspace = model.workspace();
             double largest = 0;

@@ -1,5 +1,5 @@
-// rollbem/adhesion/transient.hpp, rollbem/friction/transient.hpp, steady.hpp, vehicle/creep_force_table.hpp: no step and
-// no look-up touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp: no step and no look-up
+// touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
@@ -363,9 +363,10 @@ TEST_CASE("A steady solution with friction does not allocate, even in its fallba
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     for (const Eigen::Index n : {20, 200}) {
         const Mesh<double> mesh = cosine_mesh<double>(n);
-        const SteadyFrictionModel<> model(contact, mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5},
-                                          PlaneKernel<double>::longitudinal(contact), {1, mean_hertz_pressure(mesh)},
-                                          unchecked);
+        const FrictionModel<> model(
+            contact,
+            steady_system(mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
+            unchecked, {1, mean_hertz_pressure(mesh)});
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();

@@ -119,9 +119,9 @@ TEST_CASE("A scheme with two points solves steady, stability, frequency and time
 TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
     const Mesh<double> mesh = uniform_mesh(20);
     const Friction<> friction{0.3, 1e-2 * mean_hertz_pressure(mesh)};
-    const SteadyFrictionModel<> model(contact, mesh, stable, kernel, friction);
-    const SteadyFrictionModel<> expected(contact, mean_of_both(mesh, stable).G_prime(), mesh.widths(), friction);
-    const auto force = [](const SteadyFrictionModel<>& of) {
+    const FrictionModel<> model(contact, steady_system(mesh, stable, kernel), friction);
+    const FrictionModel<> expected(contact, {{}, mean_of_both(mesh, stable).G_prime(), mesh.widths()}, friction);
+    const auto force = [](const FrictionModel<>& of) {
         FrictionWorkspace<> workspace = of.workspace();
         FrictionState<> now = of.at_rest(), next = now;
         return of.steady(now, 2e-3, next, workspace).force;

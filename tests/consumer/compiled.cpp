@@ -14,7 +14,7 @@ int main() {
     const ElementSystem<double> system = rolling_system(mesh, scheme, kernel);
     const FrequencySweep<double> sweep(system);
     const AdhesionModel<> model(contact, system, judge_stability(system));
-    const SteadyFrictionModel friction(contact, mesh, scheme, kernel, {0.3, 1e9 * mean_hertz_pressure(mesh)});
+    const FrictionModel friction(contact, steady_system(mesh, scheme, kernel), {0.3, 1e9 * mean_hertz_pressure(mesh)});
     const auto rest = friction.at_rest();
     auto rolling = rest;
     auto workspace = friction.workspace();

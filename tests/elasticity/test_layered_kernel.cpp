@@ -153,9 +153,9 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
-        const SteadyFrictionModel<> model(contact, mesh, halves,
-                                          LayeredKernel(PlaneKernel<double>::longitudinal(contact), L),
-                                          {1, mu_p0 * mean_hertz_pressure(mesh)});
+        const FrictionModel<> model(
+            contact, steady_system(mesh, halves, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
+            {1, mu_p0 * mean_hertz_pressure(mesh)});
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();
@@ -284,7 +284,7 @@ TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]
     for (const Mesh<double>& mesh : {uniform_mesh<double>(40), cosine_mesh<double>(40)}) {
         const LayeredKernel kernel(PlaneKernel<double>::longitudinal(contact), 0.5);
         const Friction<> friction{1, mu_p0 * mean_hertz_pressure(mesh)};
-        const SteadyFrictionModel<> steady(contact, mesh, halves, kernel, friction);
+        const FrictionModel<> steady(contact, steady_system(mesh, halves, kernel), friction);
         const FrictionState<> rest = steady.at_rest();
         FrictionState<> rolling = rest;
         FrictionWorkspace<> steady_workspace = steady.workspace();

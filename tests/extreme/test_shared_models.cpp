@@ -77,7 +77,7 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
     const Mesh<double> mesh = cosine_mesh(20);
     const auto plane = PlaneKernel<double>::longitudinal(contact);
     const Friction<> friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
-    const SteadyFrictionModel<> steady(contact, mesh, scheme, plane, friction);
+    const FrictionModel<> steady(contact, steady_system(mesh, scheme, plane), friction);
     const FrictionModel<> model(contact, rolling_system(mesh, scheme, plane), unchecked, friction);
     check_shared([&] {
         Numbers forces;

@@ -108,7 +108,7 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fa
     }
     const Model model(contact, good, unchecked, friction);
     FrictionWorkspace<> workspace = model.workspace();
-    const SteadyFrictionModel<> steady(contact, good.G_prime(), widths, friction);
+    const FrictionModel<> steady(contact, {{}, good.G_prime(), widths}, friction);
     const Model::State now = model.at_rest(), still = steady.at_rest();
     Model::State next = now, rolling = still;
     CHECK(model.advance(now, 0.1, 0.5, next, workspace).status == StepStatus::ok);

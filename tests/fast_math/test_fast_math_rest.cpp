@@ -54,12 +54,13 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is
         MatrixX<double> spoilt = lateral.G_prime();
         spoilt(3) = value;
         CHECK_THAT(refusal([&] {
-                       SteadyFrictionModel<ConstantFriction<>, 2>(contact, good.G_prime(), spoilt, widths, friction);
+                       FrictionModel<ConstantFriction<>, 2>(
+                           contact, {{{}, good.G_prime(), widths}, {{}, spoilt, widths}}, friction);
                    }),
-                   ContainsSubstring("G_prime_yy(3, 0) = "));
+                   ContainsSubstring("G_prime(3, 0) = "));
     }
-    const SteadyFrictionModel<ConstantFriction<>, 2> steady(contact, good.G_prime(), lateral.G_prime(), widths,
-                                                            friction);
+    const FrictionModel<ConstantFriction<>, 2> steady(
+        contact, {{{}, good.G_prime(), widths}, {{}, lateral.G_prime(), widths}}, friction);
     const NormalLoad<double> load{friction.normal_pressure, contact.half_length(), {}};
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const Model model(contact, {good, lateral}, unchecked, friction, integrator);

@@ -12,7 +12,7 @@
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/elasticity/rectangle_kernel.hpp>
-#include <rollbem/friction/transient.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/normal/patch_pressure.hpp>

@@ -87,7 +87,7 @@ struct Workspace {
     }
 };
 
-/// FrictionModel, and SteadyFrictionModel of the same scene; a null load is that of the state.
+/// FrictionModel of G and G', and one of G' alone of the same scene; a null load is that of the state.
 class Model {
 public:
     virtual ~Model() = default;
@@ -100,7 +100,7 @@ public:
                         Workspace& workspace) const = 0;
     virtual Step advance(const State& from, const Travel<double>& travel, const Motion& motion, const Load* load,
                          State& to, Workspace& workspace) const = 0;
-    /// By SteadyFrictionModel.
+    /// By the model of G' alone.
     virtual Step solve_steady(const State& from, const Creepage<double>& creepage, double V, State& to,
                               Workspace& workspace) const = 0;
 };
@@ -111,7 +111,6 @@ public:
     using Inner = FrictionModel<Law, directions>;
     using InnerState = typename Inner::State;
     using InnerStep = typename Inner::Step;
-    using Steady = SteadyFrictionModel<Law, directions>;
 
     ModelOf(const Setup& setup, const Law& own_law)
         : setup_(setup), law_(own_law), own_(setup.across ? 1 : 0), model_(make(setup, own_law)) {}
@@ -152,14 +151,14 @@ public:
         });
     }
 
-    static Steady make_steady(const Setup& setup, const Law& own_law) {
-        const auto make = [&](const auto&... kernels) {
-            return Steady(setup.contact(), setup.mesh, setup.scheme, kernels..., setup.friction(own_law), unchecked);
+    static Inner make_steady(const Setup& setup, const Law& own_law) {
+        const auto system = [&](bool lateral) {
+            return steady_system(setup.mesh, setup.scheme, setup.kernel(lateral));
         };
         if constexpr (directions == 1) {
-            return make(setup.kernel(setup.across));
+            return {setup.contact(), system(setup.across), unchecked, setup.friction(own_law)};
         } else {
-            return make(setup.kernel(false), setup.kernel(true));
+            return {setup.contact(), {system(false), system(true)}, unchecked, setup.friction(own_law)};
         }
     }
 
@@ -262,7 +261,7 @@ private:
     Law law_;
     Eigen::Index own_;
     Inner model_;
-    mutable std::optional<Steady> steady_;
+    mutable std::optional<Inner> steady_;
 };
 
 /// What `of`, called with the type ModelOf of a setup and its law, returns.
@@ -280,7 +279,7 @@ inline std::unique_ptr<Model> make(const Setup& setup) {
         return std::make_unique<Of>(setup, each);
     });
 }
-/// Makes the SteadyFrictionModel alone, which may throw.
+/// Makes the model of G' alone, which may throw.
 inline void make_steady(const Setup& setup) {
     with_model(setup, [&]<class Of>(std::type_identity<Of>, const auto& each) { Of::make_steady(setup, each); });
 }

@@ -22,7 +22,6 @@ using State = FrictionState<2>;
 using Step = FrictionStep<2>;
 using Workspace = FrictionWorkspace<2>;
 using Model = FrictionModel<ConstantFriction<>, 2>;
-using SteadyModel = SteadyFrictionModel<ConstantFriction<>, 2>;
 using Motion = RigidMotion<Creepage<double>>;
 
 struct Scene {
@@ -49,7 +48,10 @@ struct Scene {
         scene.friction.turned = false;
         return scene;
     }
-    SteadyModel steady() const { return {contact, mesh, scheme, longitudinal, lateral, friction}; }
+    Model steady() const { return steady(longitudinal, lateral, friction); }
+    Model steady(const PlaneKernel<double>& along_x, const PlaneKernel<double>& along_y, const Friction<>& law) const {
+        return {contact, {steady_system(mesh, scheme, along_x), steady_system(mesh, scheme, along_y)}, law};
+    }
     Model transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction, integrator};
     }
@@ -63,13 +65,13 @@ struct Scene {
 };
 
 /// The solution from rest, in a new workspace.
-inline Step from_scratch(const SteadyModel& model, const Creepage<double>& creepage, State& state) {
+inline Step from_scratch(const Model& model, const Creepage<double>& creepage, State& state) {
     const State rest = model.at_rest();
     state = rest;
     Workspace workspace = model.workspace();
     return model.steady(rest, creepage, state, workspace);
 }
-inline Step from_scratch(const SteadyModel& model, const Creepage<double>& creepage) {
+inline Step from_scratch(const Model& model, const Creepage<double>& creepage) {
     State state;
     return from_scratch(model, creepage, state);
 }

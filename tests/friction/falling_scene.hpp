@@ -36,7 +36,7 @@ struct Scene {
 
     ArrayX<double> pressure() const { return peak_pressure * mean_hertz_pressure(mesh); }
     Friction<Law> friction() const { return {law, pressure(), {distance, least_velocity}}; }
-    SteadyFrictionModel<Law> steady() const { return {contact, mesh, scheme, kernel, friction()}; }
+    FrictionModel<Law> steady() const { return {contact, steady_system(mesh, scheme, kernel), friction()}; }
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
     FrictionModel<Law> transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction(), integrator};

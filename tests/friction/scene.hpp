@@ -28,7 +28,7 @@ struct Scene {
           friction{mu, peak * mean_hertz_pressure(mesh)} {}
 
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    SteadyFrictionModel<> steady() const { return {contact, mesh, scheme, kernel, friction}; }
+    FrictionModel<> steady() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
     FrictionModel<> transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction, integrator};
     }
@@ -41,7 +41,7 @@ struct Scene {
 };
 
 /// The solution from rest, in a new workspace.
-inline FrictionStep<> from_scratch(const SteadyFrictionModel<>& model, double xi) {
+inline FrictionStep<> from_scratch(const FrictionModel<>& model, double xi) {
     const FrictionState<> rest = model.at_rest();
     FrictionState<> state = rest;
     FrictionWorkspace<> workspace = model.workspace();

@@ -1,4 +1,4 @@
-// rollbem/friction/steady.hpp
+// rollbem/friction/model.hpp
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ namespace {
 using namespace combined_tests;
 
 TEST_CASE("Steady forces under both creepages agree with two other programs", "[friction]") {
-    const SteadyFrictionModel<ConstantFriction<>, 2> model = Scene(cosine_mesh<double>(160)).plain().steady();
+    const Model model = Scene(cosine_mesh<double>(160)).plain().steady();
     struct Point {
         double ratio, degrees, longitudinal, lateral;
     };
@@ -68,9 +68,10 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
     const Contact<double> contact = Contact<double>::dimensionless(2, 0.28);
     const Mesh<double> mesh = cosine_mesh(20);
     const Friction<> grip{1e6, ArrayX<double>::Ones(20)};
-    const SteadyFrictionModel<ConstantFriction<>, 2> model(contact, mesh, Collocation{},
-                                                           StripKernel<double>::longitudinal(contact),
-                                                           StripKernel<double>::lateral(contact), grip);
+    const Model model(contact,
+                      {steady_system(mesh, Collocation{}, StripKernel<double>::longitudinal(contact)),
+                       steady_system(mesh, Collocation{}, StripKernel<double>::lateral(contact))},
+                      grip);
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = model.at_rest();
     const auto step = model.steady(now, {.longitudinal = 1e-3, .lateral = 2e-3}, next, workspace);
@@ -84,9 +85,8 @@ TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction
 
 TEST_CASE("Exchanging kernels and creepages exchanges the forces", "[friction]") {
     const Scene scene(cosine_mesh<double>(24));
-    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
-    const SteadyFrictionModel<ConstantFriction<>, 2> swapped(scene.contact, scene.mesh, scene.scheme, scene.lateral,
-                                                             scene.longitudinal, scene.friction);
+    const Model model = scene.steady();
+    const Model swapped = scene.steady(scene.lateral, scene.longitudinal, scene.friction);
     for (const double ratio : {0.2, 0.6, 0.95, 1.05, 4.0}) {
         for (const double degrees : {10.0, 45.0, 77.0, 120.0}) {
             const Creepage<double> creepage = scene.creepage(ratio, degrees);
@@ -110,7 +110,7 @@ TEST_CASE("Schemes for which the search is difficult are solved", "[friction]") 
             for (const Eigen::Index n : {3, 20, 40}) {
                 const Scene scene(cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n), 0.28,
                                   {.alpha_L = 0, .alpha_T = alpha_T});
-                const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
+                const Model model = scene.steady();
                 for (int degrees = 0; degrees <= 90; degrees += 15) {
                     for (int tenths = 1; tenths <= 11; ++tenths) {
                         const Step step = from_scratch(model, scene.creepage(0.1 * tenths, degrees));
@@ -144,8 +144,7 @@ TEST_CASE("Slip work equals the power lost by the rigid bodies to second order",
 
 TEST_CASE("No friction, and elements without pressure, are solved", "[friction]") {
     const Scene scene(cosine_mesh<double>(12));
-    const SteadyFrictionModel<ConstantFriction<>, 2> smooth(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
-                                                            scene.lateral, {0, scene.friction.normal_pressure});
+    const Model smooth = scene.steady(scene.longitudinal, scene.lateral, {0, scene.friction.normal_pressure});
     State state;
     const Step free = from_scratch(smooth, scene.creepage(0.5, 45), state);
     CHECK(free.status == StepStatus::ok);
@@ -156,8 +155,7 @@ TEST_CASE("No friction, and elements without pressure, are solved", "[friction]"
     // a hole in the contact
     Friction<> holed = scene.friction;
     holed.normal_pressure.segment(4, 3).setZero();
-    const SteadyFrictionModel<ConstantFriction<>, 2> torn(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
-                                                          scene.lateral, holed);
+    const Model torn = scene.steady(scene.longitudinal, scene.lateral, holed);
     const Step step = from_scratch(torn, scene.creepage(0.4, 45), state);
     CHECK(step.status == StepStatus::ok);
     CHECK(state.traction.middleRows(4, 3).isZero(0));
@@ -166,30 +164,28 @@ TEST_CASE("No friction, and elements without pressure, are solved", "[friction]"
 
 TEST_CASE("Invalid matrices of two directions are rejected", "[friction]") {
     const Scene scene(cosine_mesh<double>(8));
-    const SteadyFrictionModel<ConstantFriction<>, 2> model = scene.steady();
+    const Model model = scene.steady();
     const MatrixX<double> G_prime = assemble_G_prime(scene.mesh, scene.scheme, scene.longitudinal);
     const ArrayX<double> widths = scene.mesh.widths();
     const auto build = [&](const MatrixX<double>& x, const MatrixX<double>& y, const ArrayX<double>& w) {
-        return refusal([&] { SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, x, y, w, scene.friction); });
+        return refusal([&] {
+            FrictionModel<ConstantFriction<>, 2>(scene.contact, {{{}, x, w}, {{}, y, w}}, scene.friction);
+        });
     };
     CHECK(build(G_prime, G_prime, widths) == "");
     CHECK(build(G_prime, G_prime.topRows(7), widths) ==
-          "SteadyFrictionModel: number of rows of G_prime_yy = 7 must equal the number of elements");
+          "RollingSystem: number of rows of G_prime = 7 must equal the number of weights");
     CHECK(build(G_prime.leftCols(7), G_prime, widths) ==
-          "SteadyFrictionModel: number of columns of G_prime_xx = 7 must equal the number of elements");
+          "RollingSystem: number of columns of G_prime = 7 must equal the number of weights");
     MatrixX<double> broken = G_prime;
     broken(2, 3) = std::numeric_limits<double>::quiet_NaN();
     CHECK(build(G_prime, broken, widths) ==
-          "SteadyFrictionModel: G_prime_yy(2, 3) = nan must be finite (row and column counted from 0)");
+          "RollingSystem: G_prime(2, 3) = nan must be finite (row and column counted from 0)");
     CHECK(build(G_prime, G_prime, -widths) != "");
     CHECK(refusal([&] {
-              SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
-                                                         scene.lateral, {-1, scene.friction.normal_pressure});
-          }) == "SteadyFrictionModel: friction_coefficient = -1 must be finite and not negative");
-    CHECK(refusal([&] {
-              SteadyFrictionModel<ConstantFriction<>, 2>(scene.contact, scene.mesh, scene.scheme, scene.longitudinal,
-                                                         PlaneKernel<double>(10, 1, -0.28), scene.friction);
-          }) != "");
+              scene.steady(scene.longitudinal, scene.lateral, {-1, scene.friction.normal_pressure});
+          }) == "FrictionModel: friction_coefficient = -1 must be finite and not negative");
+    CHECK(refusal([&] { scene.steady(scene.longitudinal, PlaneKernel<double>(10, 1, -0.28), scene.friction); }) != "");
 
     State next = model.at_rest();
     Workspace workspace = model.workspace();

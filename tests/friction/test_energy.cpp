@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp: elastic energy, and the balance of work, heat and elastic energy.
+// rollbem/friction/model.hpp: elastic energy, and the balance of work, heat and elastic energy.
 #include <cmath>
 #include <cstddef>
 #include <numbers>

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp, steady.hpp: what holds for every law, in one direction and in two, for both
+// rollbem/friction/model.hpp: what holds for every law, in one direction and in two, for both
 // integrators. Fulfilment of the law itself is checked on random scenes, in property/test_friction_scenes.cpp.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp, steady.hpp, state.hpp: for every law, in one direction and in two, what results depend
+// rollbem/friction/model.hpp, state.hpp: for every law, in one direction and in two, what results depend
 // on, and what becomes of input that is refused.
 #include <algorithm>
 #include <cmath>
@@ -383,7 +383,7 @@ TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[fric
         const auto refused = [&](const std::string& words) {
             CHECK(refusal([&] { make(setup); }) == "FrictionModel: " + words);
             if (setup.integrator == good.integrator) {
-                CHECK(refusal([&] { make_steady(setup); }) == "SteadyFrictionModel: " + words);
+                CHECK(refusal([&] { make_steady(setup); }) == "FrictionModel: " + words);
             }
             setup = good;
         };

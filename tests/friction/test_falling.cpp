@@ -40,7 +40,7 @@ constexpr double steady_forces[3][5] = {{0.34140, 0.59053, 0.80649, 0.68687, 0.6
 TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[friction]") {
     for (int k = 0; k < 3; ++k) {
         const Scene scene(uniform_mesh<double>(160), distances[k]);
-        const SteadyFrictionModel<Law> steady = scene.steady();
+        const FrictionModel<Law> steady = scene.steady();
         const FrictionModel<Law> transient = scene.transient();
         auto workspace = steady.workspace();
         const State rest = steady.at_rest(), other_rest = transient.at_rest();
@@ -104,8 +104,8 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
 TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[friction]") {
     const Law steep{.mu_0 = 0.3, .mu_k = 0, .half_velocity = 0.002};
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyFrictionModel<Law> model(scene.contact, scene.mesh, scene.scheme, scene.kernel,
-                                         {steep, scene.pressure()});
+    const FrictionModel<Law> model(scene.contact, steady_system(scene.mesh, scene.scheme, scene.kernel),
+                                   {steep, scene.pressure()});
     auto workspace = model.workspace();
     constexpr int count = 31;
     const auto curve = [&](bool down) {

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp: steps in which nothing changes, which are cheaper.
+// rollbem/friction/model.hpp: steps in which nothing changes, which are cheaper.
 #include <cmath>
 #include <utility>
 

@@ -303,7 +303,7 @@ TEST_CASE("Friction in time requires of its system what full adhesion requires",
         const auto other = Contact<double>::dimensionless(10 * (1 + change), nu);
         refused(other, system, good, "b/a of the kernel over that of the contact");
         CHECK_THROWS_WITH(FrictionModel<>(other, system, unchecked, scene.friction), ContainsSubstring("b/a"));
-        CHECK_THROWS_WITH(SteadyFrictionModel<>(other, scene.mesh, scene.scheme, scene.kernel, scene.friction),
+        CHECK_THROWS_WITH(FrictionModel<>(other, steady_system(scene.mesh, scene.scheme, scene.kernel), scene.friction),
                           ContainsSubstring("b/a"));
     }
     CHECK_NOTHROW(

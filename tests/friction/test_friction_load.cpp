@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp, state.hpp, normal/load.hpp: properties of a step under a varying load, independent of
+// rollbem/friction/model.hpp, state.hpp, normal/load.hpp: properties of a step under a varying load, independent of
 // its accuracy.
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp under a varying load: against a second discretisation, closed forms and finer steps.
+// rollbem/friction/model.hpp under a varying load: against a second discretisation, closed forms and finer steps.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,9 +1,12 @@
-// rollbem/friction/steady.hpp and transient.hpp: what holds for every law and both numbers of directions. One list of
-// cases, one property a test.
+// rollbem/friction/model.hpp: what holds for every law and both numbers of directions. One list of cases, one property a
+// test.
 #include <cmath>
 #include <type_traits>
 #include <utility>
 
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
+#include <rollbem/adhesion/transient.hpp>
 #include <rollbem/compiled/friction.hpp>
 
 #include "support/catch.hpp"
@@ -22,7 +25,6 @@ struct Case {
     using Law = Law_;
     static constexpr int directions = directions_;
     using Model = FrictionModel<Law, directions>;
-    using Steady = SteadyFrictionModel<Law, directions>;
 
     explicit Case(double alpha = 0.5) : scheme{.alpha_L = alpha, .alpha_T = alpha} {}
 
@@ -45,11 +47,12 @@ struct Case {
     auto kernel(bool lateral, const Contact<double>& of) const {
         return lateral ? PlaneKernel<double>::lateral(of) : PlaneKernel<double>::longitudinal(of);
     }
-    Steady steady(Checks checks = {}) const {
+    Model steady(Checks checks = {}) const {
+        const auto system = [&](bool lateral) { return steady_system(mesh, scheme, kernel(lateral, contact)); };
         if constexpr (directions == 1) {
-            return {contact, mesh, scheme, kernel(false, contact), friction(), checks};
+            return {contact, system(false), checks, friction()};
         } else {
-            return {contact, mesh, scheme, kernel(false, contact), kernel(true, contact), friction(), checks};
+            return {contact, {system(false), system(true)}, checks, friction()};
         }
     }
     /// `stiffer`: with other G, but the same G'.
@@ -115,6 +118,45 @@ TEMPLATE_TEST_CASE("Steady forces of a scheme that does not converge are not giv
         CHECK(given.stick_count == refused.stick_count);
     }
     CHECK(TestType().steady().converges());
+}
+
+TEMPLATE_TEST_CASE("A model without G refuses to roll in time", "[friction]", ALL_CASES) {
+    const TestType scene;
+    const auto steady = scene.steady();
+    auto workspace = steady.workspace();
+    auto now = steady.at_rest(), next = now;
+    const auto creepage = TestType::creepage(0.5);
+    REQUIRE(steady.steady(now, creepage, 1, next, workspace).status == StepStatus::ok);
+    now = next;
+    CHECK(steady.advance(now, travel, creepage, next, workspace).status == StepStatus::invalid_step);
+    CHECK(steady.shift(now, creepage, 0.1, next, workspace).status == StepStatus::invalid_step);
+    CHECK(next.traction == now.traction);
+    CHECK(std::isnan(steady.elastic_energy(now)));
+    // under other pressures, but not on another half-length
+    const ArrayX<double> half = now.normal_pressure / 2;
+    auto step = steady.steady(now, creepage, 1, NormalLoad<double>{half, 1, {}}, next, workspace);
+    CHECK(step.status == StepStatus::ok);
+    CHECK(std::abs(sum(step.force)) < std::abs(sum(steady.force(now))));
+    CHECK((next.normal_pressure == half).all());
+    step = steady.steady(now, creepage, 1, NormalLoad<double>{half, 1.1, {}}, next, workspace);
+    CHECK(step.status == StepStatus::needs_fixed_mesh);
+}
+
+TEST_CASE("What needs G refuses a system without it", "[friction]") {
+    const Case<ConstantFriction<>, 2> scene;
+    const auto along = steady_system(scene.mesh, scene.scheme, scene.kernel(false, scene.contact)),
+               across = steady_system(scene.mesh, scene.scheme, scene.kernel(true, scene.contact));
+    const ElementSystem both(along, across);
+    using Catch::Matchers::ContainsSubstring;
+    CHECK_THROWS_WITH(judge_stability(along), ContainsSubstring("number of rows of G = 0"));
+    CHECK_THROWS_WITH(judge_stability(both), ContainsSubstring("number of rows of G = 0"));
+    CHECK_THROWS_WITH(
+        AdhesionModel<>(scene.contact, along, unchecked),
+        "AdhesionModel: number of rows of G = 0 must be that of G_prime: a system without G is for steady "
+        "friction alone");
+    CHECK_THROWS_WITH(AdhesionModel<3>(scene.contact, both, unchecked), ContainsSubstring("number of rows of G = 0"));
+    CHECK_THROWS_WITH(FrequencySweep<double>(along), ContainsSubstring("number of rows of G = 0"));
+    CHECK_THROWS_WITH(both_directions<double>(along, across), ContainsSubstring("number of rows of G = 0"));
 }
 
 TEMPLATE_TEST_CASE("Models with the same G' share states, but no factors", "[friction]", ALL_CASES) {

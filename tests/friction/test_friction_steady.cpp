@@ -1,4 +1,4 @@
-// rollbem/friction/steady.hpp: against closed forms, limits and symmetries.
+// rollbem/friction/model.hpp: against closed forms, limits and symmetries.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,9 +64,10 @@ TEST_CASE("Node differences make steady friction of second order", "[friction]")
         for (int k = 0; k < 4; ++k) {
             const Mesh<double> mesh = cosine_mesh(Eigen::Index{10} << k);
             const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
-            const SteadyFrictionModel<> model(contact, mesh, NodeDifference{expected.nodes},
-                                              PlaneKernel<double>::longitudinal(contact),
-                                              {1, peak * mean_hertz_pressure(mesh)});
+            const FrictionModel<> model(
+                contact,
+                steady_system(mesh, NodeDifference{expected.nodes}, PlaneKernel<double>::longitudinal(contact)),
+                {1, peak * mean_hertz_pressure(mesh)});
             const FrictionStep<> point = from_scratch(model, creepage(expected.ratio));
             sizes.push_back(static_cast<double>(mesh.size()));
             errors.push_back(force_ratio(point) / carter_force_ratio(expected.ratio) - 1);
@@ -86,7 +87,7 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {40, 80, 160}) {
         const Scene scene(cosine_mesh<double>(n));
-        const SteadyFrictionModel<> model = scene.steady();
+        const FrictionModel<> model = scene.steady();
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();
@@ -132,7 +133,7 @@ TEST_CASE("The fallback finds the solution where the zones cycle", "[friction]")
 
 TEST_CASE("A creep curve is concave, has the right tangents and does not depend on warm starts", "[friction]") {
     const Scene scene(cosine_mesh<double>(40));
-    const SteadyFrictionModel<> model = scene.steady();
+    const FrictionModel<> model = scene.steady();
     FrictionState<> now = model.at_rest(), next = now;
     FrictionWorkspace<> workspace = model.workspace();
     double force_before = 0, slope_before = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp: against closed forms, limits, Coulomb's law and full adhesion.
+// rollbem/friction/model.hpp: against closed forms, limits, Coulomb's law and full adhesion.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -295,24 +295,24 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
     Scene scene(cosine_mesh<double>(8));
     const Friction<>& good = scene.friction;
     const MatrixX<double> one = MatrixX<double>::Identity(8, 8);
-    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(7, 8), scene.mesh.widths(), good),
-                      "SteadyFrictionModel: number of rows of G_prime = 7 must equal the number of widths");
-    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, MatrixX<double>::Zero(8, 7), scene.mesh.widths(), good),
-                      "SteadyFrictionModel: number of columns of G_prime = 7 must equal the number of widths");
+    CHECK_THROWS_WITH(FrictionModel<>(scene.contact, {{}, MatrixX<double>::Zero(7, 8), scene.mesh.widths()}, good),
+                      "RollingSystem: number of rows of G_prime = 7 must equal the number of weights");
+    CHECK_THROWS_WITH(FrictionModel<>(scene.contact, {{}, MatrixX<double>::Zero(8, 7), scene.mesh.widths()}, good),
+                      "RollingSystem: number of columns of G_prime = 7 must equal the number of weights");
     MatrixX<double> G = one, G_prime = -one;
     G_prime(6, 1) = inf;
     CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()), ContainsSubstring("G_prime(6, 1) = "));
-    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, G_prime, scene.mesh.widths(), good),
-                      "SteadyFrictionModel: G_prime(6, 1) = inf must be finite (row and column counted from 0)");
+    CHECK_THROWS_WITH(FrictionModel<>(scene.contact, {{}, G_prime, scene.mesh.widths()}, good),
+                      "RollingSystem: G_prime(6, 1) = inf must be finite (row and column counted from 0)");
     G(2, 5) = nan;
     CHECK_THROWS_WITH(ElementSystem<double>(G, G_prime, scene.mesh.widths()),
                       ContainsSubstring(": G(2, 5) = nan must be finite"));
-    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, MatrixX<double>(), ArrayX<double>(), {1, {}}),
-                      "SteadyFrictionModel: number of unknown elements = 0 must be at least 1");
+    CHECK_THROWS_WITH(FrictionModel<>(scene.contact, {{}, MatrixX<double>(), ArrayX<double>()}, {1, {}}),
+                      "RollingSystem: number of weights = 0 must be at least 1");
     ArrayX<double> width = scene.mesh.widths();
     width[4] = 0;
-    CHECK_THROWS_WITH(SteadyFrictionModel<>(scene.contact, -one, width, good),
-                      "SteadyFrictionModel: width = 0 must be positive and finite");
+    CHECK_THROWS_WITH(FrictionModel<>(scene.contact, {{}, -one, width}, good),
+                      "ElementSystem: width = 0 must be positive and finite");
     CHECK(FrictionStep<>{}.status == StepStatus::not_finite);
 
     CHECK_THROWS_WITH(Scene(cosine_mesh<double>(8), half, 1, 0.1).transient(),

@@ -43,8 +43,8 @@ struct Scene {
           c(std::sqrt(a * b)),
           friction{mu, hertz_pressures(contact, mesh, load)} {}
 
-    SteadyFrictionModel<ConstantFriction<double>, 2> steady() const {
-        return {contact, mesh, chebyshev, kernel, friction};
+    FrictionModel<ConstantFriction<double>, 2> steady() const {
+        return {contact, steady_system(mesh, chebyshev, kernel), friction};
     }
     /// -F_x, -F_y over mu N, -M_z over mu N c.
     std::array<double, 3> ratios(const TangentialForce<double>& force) const {
@@ -260,7 +260,7 @@ TEST_CASE("patch_friction: needles have forces where those of full adhesion are 
     for (const auto& [n, m] : {std::pair{24, 32}, {16, 9}}) {
         const auto mesh = patch_mesh(contact, cosine_mesh(n), uniform_mesh(m));
         const ArrayX<double> pressure = ArrayX<double>::Constant(mesh.size(), load / contact.outline()->area());
-        const SteadyFrictionModel model(contact, mesh, chebyshev, HalfSpace<double>(nu), {mu, pressure});
+        const FrictionModel model(contact, steady_system(mesh, chebyshev, HalfSpace<double>(nu)), {mu, pressure});
         CHECK(is_dissipative(detail::joined(assemble_G_prime(mesh, chebyshev, HalfSpace<double>(nu))),
                              patch_elements(mesh, chebyshev).areas) == (n == 16));
         auto workspace = model.workspace();
@@ -276,8 +276,8 @@ TEST_CASE("patch_friction: needles have forces where those of full adhesion are 
     // 8 % off in full adhesion, where two fifths of the traction assist
     const auto long_ellipse = PatchContact<double>::dimensionless(50, 0.5);
     const auto mesh = patch_mesh(long_ellipse, 24, 24);
-    CHECK_FALSE(SteadyFrictionModel(long_ellipse, mesh, chebyshev, HalfSpace<double>(0.5),
-                                    {mu, hertz_pressures(long_ellipse, mesh, 1.0)})
+    CHECK_FALSE(FrictionModel(long_ellipse, steady_system(mesh, chebyshev, HalfSpace<double>(0.5)),
+                              {mu, hertz_pressures(long_ellipse, mesh, 1.0)})
                     .converges());
 }
 
@@ -398,8 +398,8 @@ TEST_CASE("patch_friction: a step of creepage from rest") {
 
 TEST_CASE("patch_friction: bad input and foreign states") {
     const Scene scene(6e-3, 4e-3, 4, 4), other(4e-3, 6e-3, 4, 4);
-    CHECK_THROWS_WITH(SteadyFrictionModel(scene.contact, other.mesh, chebyshev, scene.kernel, scene.friction),
-                      ContainsSubstring("height of the mesh over that of the contact"));
+    CHECK_THROWS_WITH(FrictionModel(scene.contact, steady_system(other.mesh, chebyshev, scene.kernel), scene.friction),
+                      ContainsSubstring("a/b of the patch over that of its system"));
     CHECK_THROWS_WITH(hertz_pressures(scene.contact, scene.mesh, 0), ContainsSubstring("load"));
     CHECK(hertz_pressures(scene.contact, scene.mesh, 2)
                   .matrix()

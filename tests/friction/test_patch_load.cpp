@@ -330,7 +330,7 @@ TEST_CASE("patch_load: shapes between the nodes") {
 
     // and steady friction
     const Model rolling = circle.model(shapes().system(1), Integrator::sdirk2);
-    const SteadyFrictionModel own(scene.contact, scene.mesh, chebyshev, kernel, {mu, scene.pressure()});
+    const FrictionModel own(scene.contact, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
     auto first = rolling.workspace();
     auto second = own.workspace();
     auto now = rolling.at_rest(), then = own.at_rest();

@@ -92,7 +92,7 @@ TEST_CASE("The slip work of steady rolling converges at second order", "[frictio
         std::vector<double> sizes, against_carter;
         for (std::size_t k = 0; k < 4; ++k) {
             const Scene scene(cosine_mesh<double>(20 << k));
-            const SteadyFrictionModel<> model = scene.steady();
+            const FrictionModel<> model = scene.steady();
             const FrictionState<> rest = model.at_rest();
             FrictionState<> state = rest;
             FrictionWorkspace<> workspace = model.workspace();

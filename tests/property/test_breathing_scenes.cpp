@@ -1,4 +1,4 @@
-// rollbem/friction/transient.hpp, combined_transient.hpp: random histories on a breathing mesh, against independent
+// rollbem/friction/model.hpp: random histories on a breathing mesh, against independent
 // equations of a step and an independent solver.
 // The number of scenes is ROLLBEM_SCENES (default 10000) / 30; ROLLBEM_SEED is the seed of the generator.
 #include <algorithm>

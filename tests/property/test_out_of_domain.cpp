@@ -231,8 +231,9 @@ TEST_CASE("Models reject every argument out of its domain", "[domain]") {
     };
     const auto both = [&](double mu, double pressure) {
         const Friction<> friction = law(mu, pressure);
-        const std::string steady =
-            refusal([&] { SteadyFrictionModel<>(contact, system.G_prime(), mesh.widths(), friction); });
+        const std::string steady = refusal([&] {
+            FrictionModel<>(contact, {{}, system.G_prime(), mesh.widths()}, friction);
+        });
         CHECK(steady != "");
         FrictionModel<>(contact, system, unchecked, friction);
     };

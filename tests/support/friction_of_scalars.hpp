@@ -33,8 +33,8 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
         std::swap(now, next);
     }
     // the law in braces
-    const SteadyFrictionModel<ConstantFriction<Scalar>, 1, Scalar> steady(contact, G_prime, widths,
-                                                                          {friction.law, friction.normal_pressure});
+    const FrictionModel<ConstantFriction<Scalar>, 1, Scalar> steady(contact, {{}, G_prime, widths},
+                                                                    {friction.law, friction.normal_pressure});
     return {step.force_per_width, steady.steady(now, Scalar(sliding * 0.95), next, workspace).force_per_width};
 }
 

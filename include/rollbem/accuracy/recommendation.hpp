@@ -204,7 +204,7 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
 ///
 ///     const RecommendedElements best = recommended_scheme(1e-3, Purpose::friction);
 ///     const Mesh<double> mesh = best.mesh(best.n);
-///     const SteadyFrictionModel<> model(contact, mesh, best.scheme, kernel, friction);
+///     const FrictionModel<> model(contact, steady_system(mesh, best.scheme, kernel), friction);
 inline RecommendedElements recommended_scheme(double tolerance, Purpose::Friction purpose) {
     return recommended_elements(tolerance, purpose);
 }

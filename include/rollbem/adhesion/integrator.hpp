@@ -93,6 +93,7 @@ void require_convergent(const char* who, const VectorX<Scalar>& steady, const Ar
 /// The requirements of every model in time, if they are wanted.
 template <class Scalar>
 void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const Checks& checks) {
+    require_G(who, system);
     if (!checks.wanted) return;
     require_stable(who, system.size(), checks.verdict);
     if (!system.unknowns_are_tractions()) return;
@@ -102,6 +103,7 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
 /// The same in two directions, with a verdict on all 2n eigenvalues.
 template <class Scalar>
 void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const Checks& checks) {
+    require_G(who, system);
     if (!checks.wanted) return;
     const Eigen::Index n = system.size();
     const ArrayX<Scalar>& areas = system.elements().areas;

@@ -2,6 +2,7 @@
 // are mirror images.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,14 @@ DirectionBlocks<Scalar> patch_blocks(const PatchMesh<Scalar>& mesh, const Scheme
     return blocks;
 }
 
+/// The system of blocks that belong to a mesh.
+template <class Scalar, RollingScheme<Scalar> Scheme>
+ElementSystem<Scalar, 2> system_of(const PatchMesh<Scalar>& mesh, const Scheme& scheme, DirectionBlocks<Scalar> G,
+                                   DirectionBlocks<Scalar> G_prime) {
+    const Scalar height = mesh.edges()[mesh.strip_count()] - mesh.edges()[0];
+    return {std::move(G), std::move(G_prime), patch_elements(mesh, scheme), nullptr, 2 / height};
+}
+
 /// What tractions of the strips at y <= 0 and their mirror images cause in the strips at y <= 0: `count` strips of rows
 /// and columns, tractions at -y `sign` times those at y.
 template <class Scalar>
@@ -125,19 +134,25 @@ MatrixX<Scalar> half_outputs(MatrixX<Scalar> whole, Eigen::Index n, Eigen::Index
 
 }  // namespace detail
 
-/// The blocks of G' in units of 1/G; a steady problem needs nothing else. Throws std::invalid_argument unless the
-/// scheme takes differences of u and fits the strips' mesh.
+/// The blocks of G' in units of 1/G. Throws std::invalid_argument unless the scheme takes differences of u and fits the
+/// strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 DirectionBlocks<Scalar> assemble_G_prime(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::patch_blocks(mesh, scheme, kernel, Quantity::slope);
+}
+
+/// G' alone, for steady friction. Throws std::invalid_argument as rolling_system.
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+ElementSystem<Scalar, 2> steady_system(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    return detail::system_of<Scalar>(mesh, scheme, {}, assemble_G_prime(mesh, scheme, kernel));
 }
 
 /// Assembles both matrices, in the units of the mesh. Throws std::invalid_argument unless the scheme takes
 /// differences of u and fits the strips' mesh, and all entries are finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    return {detail::patch_blocks(mesh, scheme, kernel, Quantity::displacement),
-            detail::patch_blocks(mesh, scheme, kernel, Quantity::slope), patch_elements(mesh, scheme)};
+    return detail::system_of(mesh, scheme, detail::patch_blocks(mesh, scheme, kernel, Quantity::displacement),
+                             assemble_G_prime(mesh, scheme, kernel));
 }
 
 /// A system of some of the creepages xi, eta, phi, which cause none of the forces of the others.

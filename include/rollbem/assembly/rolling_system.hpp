@@ -1,4 +1,4 @@
-// The system of a line: G and G' of a mesh, scheme and kernel, and the places of its elements.
+// The system of a line: G and G', or G' alone, of a mesh, scheme and kernel, and the places of its elements.
 #pragma once
 
 #include <cmath>
@@ -115,6 +115,16 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
     SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = elements.x};
     if (detail::holds_at_points(scheme, mesh)) detail::let_breathe(kernel, origin);
     return {std::move(matrices.G), std::move(matrices.G_prime), std::move(elements), mesh.size(), std::move(origin)};
+}
+
+/// G' alone, which costs half as much, for steady friction; the half-width may be infinite. Throws
+/// std::invalid_argument if assemble_G_prime refuses the scheme.
+template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+ElementSystem<Scalar> steady_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    Elements<Scalar> elements = line_elements(mesh, scheme);
+    SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = elements.x};
+    return {MatrixX<Scalar>(), assemble_G_prime(mesh, scheme, kernel), std::move(elements), mesh.size(),
+            std::move(origin)};
 }
 
 }  // namespace rollbem

@@ -12,12 +12,13 @@
 
 #include <Eigen/Core>
 
+#include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
-#include "../friction/steady.hpp"
+#include "../friction/model.hpp"
 #include "../normal/hertz.hpp"
 #include "../scene/contact.hpp"
 #include "../status.hpp"
@@ -112,8 +113,8 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
                        const Pressure& pressure, Scalar creepage, Eigen::Index count,
                        StickBorderSolution<Scalar>& result) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(count);
-    const SteadyFrictionModel model(contact, mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel,
-                                    {friction_coefficient, pressure(mesh)});
+    const FrictionModel model(contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
+                              {friction_coefficient, pressure(mesh)});
     const FrictionState<1, Scalar> rest = model.at_rest();
     FrictionState<1, Scalar> state = rest;
     FrictionWorkspace<1, Scalar> workspace = model.workspace();

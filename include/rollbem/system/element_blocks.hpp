@@ -112,6 +112,7 @@ MatrixX<Scalar> force_weights(const Elements<Scalar>& elements) {
 /// s/V = rigid slip - G' p + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
 ///
 /// Invariant: that of Elements; all blocks are n x n and finite, and G and G' couple the directions both or not at all.
+/// As in RollingSystem, G may be empty.
 template <class Scalar_>
 class ElementSystem<Scalar_, 2> {
 public:
@@ -125,14 +126,13 @@ public:
           elements_(std::move(elements)),
           element_count_(elements_.size()) {
         elements_.require_valid("ElementSystem", "area");
-        detail::require_blocks("ElementSystem", "G", G_, size());
+        if (has_G()) detail::require_blocks("ElementSystem", "G", G_, size());
         detail::require_blocks("ElementSystem", "G_prime", G_prime_, size());
-        detail::require((G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy", G_[0][1].rows(),
-                        "be that of G_prime_xy");
+        detail::require(!has_G() || (G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy",
+                        G_[0][1].rows(), "be that of G_prime_xy");
     }
 
-    /// The same for a patch that may change its size and shape, with blocks for semi-axes of the given a/b, which
-    /// `shapes` cover.
+    /// The same for a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its size and shape.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
                   std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
         : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {
@@ -142,7 +142,7 @@ public:
 
     /// From the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
     ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral)
-        : G_(detail::uncoupled(longitudinal.G(), lateral.G())),
+        : G_(longitudinal.has_G() ? detail::uncoupled(longitudinal.G(), lateral.G()) : Blocks{}),
           G_prime_(detail::uncoupled(longitudinal.G_prime(), lateral.G_prime())),
           elements_(longitudinal.elements()),
           element_count_(longitudinal.element_count()),
@@ -166,8 +166,13 @@ public:
     Eigen::Index size() const { return elements_.size(); }         ///< n, number of unknown elements
     Eigen::Index element_count() const { return element_count_; }  ///< of the mesh, as in one direction
     const Elements<Scalar>& elements() const { return elements_; }
-    /// What tractions along e cause along d, 0 longitudinal and 1 lateral; empty if the directions do not couple.
-    const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const { return G_[d][e]; }
+    bool has_G() const { return G_[0][0].size() > 0; }
+    /// What tractions along e cause along d, 0 longitudinal and 1 lateral; empty if the directions do not couple. G
+    /// throws std::invalid_argument if there is none.
+    const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const {
+        detail::require_G("ElementSystem", *this);
+        return G_[d][e];
+    }
     const MatrixX<Scalar>& G_prime(std::size_t d, std::size_t e) const { return G_prime_[d][e]; }
     const Blocks& G_prime_blocks() const { return G_prime_; }
     bool coupled() const { return G_prime_[0][1].size() > 0; }
@@ -179,7 +184,7 @@ public:
 
     /// Of a patch that may change its size or shape, and null of any other: see breathing_system and PatchShapes.
     const std::shared_ptr<const detail::ShapeSet<Scalar>>& shapes() const { return shapes_; }
-    Scalar a_over_b() const { return a_over_b_; }  ///< of such a patch, for which the blocks hold
+    Scalar a_over_b() const { return a_over_b_; }  ///< of a patch, for which the blocks hold; 0 where not known
 
     /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
     RollingSystem<Scalar> whole() const {
@@ -209,7 +214,7 @@ private:
     std::array<std::optional<Scalar>, 2> log_strength_;
     Scalar half_length_limit_ = std::numeric_limits<Scalar>::infinity();
     std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;
-    Scalar a_over_b_ = 1;
+    Scalar a_over_b_ = 0;
 };
 
 template <class Scalar>

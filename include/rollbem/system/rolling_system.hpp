@@ -1,5 +1,5 @@
 // RollingSystem: G' p - (1/V) G dp/dt = inputs . v, Eq. (12), and the outputs that turn its unknowns into forces. All
-// problems that are not steady start from it; it knows no mesh, scheme or kernel.
+// problems that are not steady start from it; it knows no mesh, scheme or kernel. Steady friction needs G' alone.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +30,24 @@ struct SystemOrigin {
     Scalar half_length_limit = std::numeric_limits<Scalar>::infinity();
 };
 
+namespace detail {
+
+/// Throws std::invalid_argument if a system has G' alone.
+template <class System>
+void require_G(const char* who, const System& system) {
+    require(system.has_G(), who, "number of rows of G", 0,
+            "be that of G_prime: a system without G is for steady friction alone");
+}
+
+}  // namespace detail
+
 /// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the
 /// same in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of
 /// a/G, G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
 ///
-/// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite.
+/// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite. G may be
+/// empty (0 x 0), as steady_system() leaves it: the system is then for FrictionModel::steady alone, and whatever else
+/// needs G throws std::invalid_argument when it is made.
 template <class Scalar_>
 class RollingSystem {
 public:
@@ -52,7 +65,12 @@ public:
 
     Eigen::Index size() const { return outputs_.rows(); }        ///< n, number of unknowns
     Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
-    const MatrixX<Scalar>& G() const { return G_; }              ///< [a/G]
+    bool has_G() const { return G_.size() > 0; }
+    /// [a/G]. Throws std::invalid_argument if there is none.
+    const MatrixX<Scalar>& G() const {
+        detail::require_G("RollingSystem", *this);
+        return G_;
+    }
     const MatrixX<Scalar>& G_prime() const { return G_prime_; }  ///< [1/G]
     const MatrixX<Scalar>& inputs() const { return inputs_; }    ///< rigid slip in each equation per creepage
     const MatrixX<Scalar>& outputs() const { return outputs_; }  ///< forces per unknown
@@ -106,7 +124,7 @@ RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime,
     detail::require(outputs_.cols() >= 1, "RollingSystem", "number of outputs", outputs_.cols(), "be at least 1");
     detail::require(inputs_.cols() == outputs_.cols(), "RollingSystem", "number of inputs", inputs_.cols(),
                     "equal the number of outputs");
-    detail::require_square("RollingSystem", "G", G_, n, "weights");
+    if (G_.size() > 0) detail::require_square("RollingSystem", "G", G_, n, "weights");
     detail::require_square("RollingSystem", "G_prime", G_prime_, n, "weights");
     detail::require(inputs_.rows() == n, "RollingSystem", "number of rows of inputs", inputs_.rows(),
                     "equal the number of weights");
@@ -125,8 +143,9 @@ class ElementSystem : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
-    /// From ready matrices and the widths of the elements. Throws std::invalid_argument if they break the invariant, or
-    /// if the signs of both diagonals show that G and G' have been exchanged.
+    /// From ready matrices and the widths of the elements; for steady friction alone G may be empty. Throws
+    /// std::invalid_argument if they break the invariant, or if the signs of both diagonals show that G and G' have been
+    /// exchanged.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
         : ElementSystem(std::move(G), std::move(G_prime), Elements<Scalar>::unplaced(widths), widths.size(), {}) {}
 
@@ -164,6 +183,7 @@ ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scal
       element_count_(element_count),
       elements_(std::move(elements)) {
     elements_.require_valid("ElementSystem", "width");
+    if (!this->has_G()) return;
     // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
     // itself
     const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();

@@ -14,12 +14,13 @@
 #include <Eigen/Core>
 
 #include "../adhesion/patch_steady.hpp"
+#include "../assembly/patch_system.hpp"
 #include "../detail/parallel_for.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
-#include "../friction/steady.hpp"
+#include "../friction/model.hpp"
 #include "../normal/patch_pressure.hpp"
 #include "../rolling/run.hpp"
 #include "../scene/creepage.hpp"
@@ -73,11 +74,11 @@ private:
     /// The ellipse on one mesh. a = G = 1, mu N = G a b: creepages are the given numbers, a force over mu N is one over
     /// b.
     struct Patch {
-        using Model = SteadyFrictionModel<ConstantFriction<double>, 2>;
+        using Model = FrictionModel<ConstantFriction<double>, 2>;
 
         Patch(const PatchContact<double>& contact, PatchMesh<double> given)
             : mesh(std::move(given)),
-              model(contact, mesh, scheme, HalfSpace<double>(contact.poisson_ratio()),
+              model(contact, steady_system(mesh, scheme, HalfSpace<double>(contact.poisson_ratio())),
                     {1.0, hertz_pressures(contact, mesh, contact.half_width())}),
               rest(model.at_rest()),
               run(model) {}

@@ -14,7 +14,6 @@
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
-#include "../../detail/require.hpp"
 #include "../../system/element_blocks.hpp"
 #include "../../system/elements.hpp"
 #include "../../system/rolling_system.hpp"
@@ -38,15 +37,6 @@ std::uint64_t fingerprint_of_steady(const DirectionBlocks<Scalar>& G_prime, cons
     add_blocks(G_prime, fingerprint);
     fingerprint.add(areas);
     return fingerprint.value();
-}
-
-template <class Scalar>
-void require_gradient(const char* who, const MatrixX<Scalar>& G_prime, Eigen::Index n) {
-    require_square(who, "G_prime", G_prime, n, "widths");
-}
-template <class Scalar>
-void require_gradient(const char* who, const DirectionBlocks<Scalar>& G_prime, Eigen::Index n) {
-    require_blocks(who, "G_prime", G_prime, n);
 }
 
 /// True if G' is dissipative. Otherwise false if the tractions of full adhesion at unit creepages, G' p = inputs, assist

@@ -600,6 +600,7 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
 template <class Law, int directions, class Scalar>
 auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, const System& system) const -> Scalar {
     const Axes present = axes(state);
+    if (!system.has_G()) return unknown<Scalar>;
     if (check_growth(system, Scalar(0), present, present) != StepStatus::ok) return unknown<Scalar>;
     ElementVectors<Scalar, directions> displacement = state.traction;
     find_displacements(system, present, state.traction, displacement);

@@ -1,8 +1,9 @@
-// Non-steady rolling with friction, step by step, under a load that may vary, and rigid shifts without rolling, in one
+// Rolling with friction, steady or step by step under a load that may vary, and rigid shifts without rolling, in one
 // direction of creepage or two. s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -28,16 +29,37 @@
 namespace rollbem {
 
 /// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
-/// may share the law. One direction costs less than two.
+/// may share the law. One direction costs less than two. A creepage xi > 0 gives a negative force in steady rolling. With
+/// two directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly, otherwise only
+/// approximately, because the bodies are more compliant across the rolling direction.
+///
+/// For steady rolling alone a system of G' is enough, steady_system(): no kernel must be integrated for G, no eigenvalue
+/// judged, and the half-width may be infinite. Such a model refuses to advance and to shift (StepStatus::invalid_step) and
+/// knows no elastic energy (NaN). Its states are those of a model with the same contact, G' and pressures, and so start
+/// a run in time. If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), forces would be wrong
+/// wherever elements stick: the status of every solution is then StepStatus::assists_creepage, with the residual but
+/// without numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case: its
+/// tractions assist the creepage in full adhesion, but are correct with friction. It dissipates no energy, whereas full
+/// adhesion loses energy at the singular trailing edge; the force of full adhesion is therefore zero. Dissipation by
+/// slip is represented: the force converges, with first order, once several elements slip at the trailing edge.
+///
+///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
+///     Run run(model);
+///     for (double creepage : curve) const FrictionStep<> point = run.steady(creepage);  // starts from the one before
+///
+/// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
+/// slip begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from
+/// their predecessors follows its branch until the branch ends. From at_rest(), where mu = mu_s(0) everywhere, it finds
+/// the branch of high friction.
 ///
 /// Integrator::sdirk2 solves for stick and slip twice per step and is of second order in dq, for forces and slip work
 /// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies the law, and slip never
 /// gains energy. Transitions between stick and slip within a step do not reduce the order; a memory of falling friction
 /// does, to about 1.8 for forces and 1.35 for slip work.
 ///
-/// The scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and convergence in
-/// full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and several
-/// elements slip at the trailing edge (see SteadyFrictionModel).
+/// In time the scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and convergence
+/// in full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and
+/// several elements slip at the trailing edge.
 ///
 /// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
 /// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
@@ -101,12 +123,13 @@ public:
     /// (Status::assists_creepage), if the contact's half-width is infinite or not that of the system's kernel, if the
     /// law does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although the
     /// points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
+    /// A system without G needs no verdict, finite half-width or points.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const Checks& checks, const Friction<Law, Scalar>& friction,
                   Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
           core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
-                system_.fingerprint()),
+                system_.has_G() ? std::optional(system_.fingerprint()) : std::nullopt),
           integrator_(integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
             detail::require_same_aspect(name, contact, system_);
@@ -118,17 +141,27 @@ public:
         }
         detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
                         "be implicit_euler or sdirk2");
+        if (!system_.has_G()) {
+            converges_ = !checks.wanted || detail::converges(detail::gradient(system_), system_.elements().areas);
+            return;
+        }
         detail::require(friction.memory.distance == 0 || system_.elements().places_are_known(), name,
                         "distance of the memory", friction.memory.distance,
                         "be 0 for a system that does not know the points of its equations");
         detail::require_usable_in_time(name, system_, checks);
     }
+    /// Of a system without G.
+    template <class AnyContact>
+    FrictionModel(const AnyContact& contact, System system, const Friction<Law, Scalar>& friction)
+        : FrictionModel(contact, std::move(system), Checks{}, friction) {}
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
     /// Of G', the elements, the contact and the pressures, but not of G and the law. To continue a state under another
     /// load, pass the load to a step; a model with other pressures refuses the state.
     std::uint64_t fingerprint() const { return core_.fingerprint(); }
     Integrator integrator() const { return integrator_; }
+    /// Whether the scheme converges to full adhesion: false only of a system without G, never if `unchecked`.
+    bool converges() const { return converges_; }
 
     /// No traction, all elements stick, mu = mu_s(0).
     State at_rest() const { return core_.at_rest(); }
@@ -151,7 +184,10 @@ public:
     Scalar elastic_energy(const State& state) const { return core_.width() * core_.elastic_energy(state, system_); }
 
     /// Steady rolling at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
-    /// load of `from`, e.g. as an initial state: as SteadyFrictionModel::steady.
+    /// load of `from`, sought from its zones and coefficients. `to` must be another state with the same number of
+    /// elements; it is not written if the status is wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the
+    /// creepage is not finite. The status is no_solution also if coefficients and slip do not come to agree. Tangents
+    /// are at constant speed. Does not allocate.
     Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
                 Workspace& workspace) const noexcept {
         return settle(from, creepage, speed, Core::load_of(from), to, workspace);
@@ -224,11 +260,14 @@ private:
         if (possible == StepStatus::ok) possible = detail::check_growth(system_, Scalar(0), axes, axes);
         if (possible != StepStatus::ok) return Core::failed(possible);
         const System* const shapes = detail::changes_shape(system_) ? &system_ : nullptr;
-        return core_.solve_steady(detail::gradient(system_), shapes, from, creepage, speed, load, to, workspace);
+        const Step step =
+            core_.solve_steady(detail::gradient(system_), shapes, from, creepage, speed, load, to, workspace);
+        return converges_ ? step : Core::without_forces(step);
     }
 
     Step roll(const State& from, const rollbem::Travel<Scalar>& travel, const Motion& motion, const Load& load,
               State& to, Workspace& workspace) const noexcept {
+        if (!system_.has_G()) return Core::failed(StepStatus::invalid_step);
         const Scalar unit = core_.half_length();
         const StepStatus belongs = core_.check(from, to, workspace);
         if (belongs == StepStatus::wrong_state) return Core::failed(belongs);
@@ -244,11 +283,15 @@ private:
     System system_;
     Core core_;
     Integrator integrator_;
+    bool converges_ = true;
 };
 
 // A law in braces, which is not deduced, has a constant coefficient.
 template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
 FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Checks&, const Friction<Law, Scalar>&,
               Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
+template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Friction<Law, Scalar>&)
+    -> FrictionModel<Law, directions, Scalar>;
 
 }  // namespace rollbem
