@@ -21,12 +21,13 @@ constexpr double poisson_ratio = 0.25;
 constexpr double peak = 1e-3;  // mu p0 / G
 
 double creepage(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
-double force_ratio(const FrictionStep<>& step) { return -step.force_per_width / (peak * std::numbers::pi / 2); }
+constexpr double aspect = 1000;
+double force_ratio(const FrictionStep<>& step) { return -step.force / (2 * aspect * peak * std::numbers::pi / 2); }
 
 struct Scene {
     explicit Scene(Eigen::Index n) : mesh(cosine_mesh<double>(n)), friction{1, peak * mean_hertz_pressure(mesh)} {}
 
-    Contact<double> contact = Contact<double>::dimensionless(1000, poisson_ratio);
+    Contact<double> contact = Contact<double>::dimensionless(aspect, poisson_ratio);
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};

@@ -86,7 +86,7 @@ int advance(const Axle& axle, const std::array<Model, 2>& models, double torque,
             const Model::Step step = models[i].advance(now.contact[i], dq, motion, next.contact[i], workspaces[i]);
             if (step.status != rollbem::StepStatus::ok) return 0;
             next.force[i] = step.force;
-            heat[i] = 2 * axle.half_width * step.slip_work_per_width;
+            heat[i] = step.slip_work;
 
             const double sign = i == 0 ? 1 : -1, radius = axle.radius[i];
             const Eigen::Index row = i == 0 ? 1 : 2;

@@ -82,12 +82,12 @@ Account ride(Eigen::Index n, int steps_per_wave) {
             account.driven += torque * angle;
             account.resisted += wheel.resistance * dq;
             account.spent -= (now.force + next.force) / 2 * (dq - wheel.radius * angle);
-            account.heat += 2 * half_width * step.slip_work_per_width;
+            account.heat += step.slip_work;
             account.least_force = std::min(account.least_force, next.force);
             account.largest_force = std::max(account.largest_force, next.force);
             for (Eigen::Index i = 0; i < n; ++i) {
                 const double place = ((k - 0.5) * dq + load.half_length * mesh.centres()[i]) / wave;
-                account.wear[std::size_t(8 * (place - std::floor(place)))] += 2 * half_width * workspace.slip_work()[i];
+                account.wear[std::size_t(8 * (place - std::floor(place)))] += workspace.slip_work()[i];
             }
         }
         std::swap(now, next);

@@ -18,7 +18,7 @@ int main() {
     for (int k = 0; k < 200; ++k) {
         const auto step = run.advance(0.2e-3, 2e-3);  // rolls on by 0.2 mm, creepage 2e-3
         if (step.status != StepStatus::ok) return 1;
-        heat += 2 * contact.half_width() * step.slip_work_per_width;
+        heat += step.slip_work;
     }
     std::cout << "F = " << model.force(run.now()) << " N, heat " << heat << " J, elastic energy "
               << model.elastic_energy(run.now()) << " J\n";

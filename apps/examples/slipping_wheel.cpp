@@ -59,7 +59,7 @@ double torque(const Wheel& wheel, double time) {
     return time < 0.02 ? steady : time < 0.12 ? 13 * steady : time < 0.17 ? 0 : steady;
 }
 
-Ride ride(const Wheel& wheel, const Model& model, double width, double dq) {
+Ride ride(const Wheel& wheel, const Model& model, double dq) {
     State<Model> now{20, 20 / wheel.radius, 0, model.at_rest()};
     State<Model> next = now;
     Model::Workspace workspace = model.workspace();
@@ -74,7 +74,7 @@ Ride ride(const Wheel& wheel, const Model& model, double width, double dq) {
         const double rotation = (now.rotation + next.rotation) / 2;
         ride.torque += applied * rotation * dt;
         ride.resistance += wheel.resistance * dq;
-        ride.heat += width * step.slip_work_per_width;
+        ride.heat += step.slip_work;
         ride.spent -= (now.force + next.force) / 2 * (dq - wheel.radius * rotation * dt);
         ride.largest_creepage = std::max(ride.largest_creepage, -creepage(wheel, next.speed, next.rotation));
         ride.largest_force = std::max(ride.largest_force, next.force);
@@ -105,7 +105,7 @@ int main() {
         const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(n);
         const auto nodes = rollbem::rolling_system(mesh, rollbem::NodeDifference{rollbem::Nodes::chebyshev}, kernel);
         const Model model = make_model(contact, mesh, nodes, rollbem::judge_stability(nodes), load);
-        const Ride usual = ride(wheel, model, 2 * contact.half_width(), 4e-4);
+        const Ride usual = ride(wheel, model, 4e-4);
         std::printf("nodes, n = %d: creepage up to %.3f, force %.1f N of %.1f N, at the end %.4f N\n", int(n),
                     usual.largest_creepage, usual.largest_force, limit, usual.force);
         std::printf("  torque %.3f J = kinetic %.3f J + resistance %.3f J + heat %.3f J + elastic %.5f J\n",
@@ -131,7 +131,7 @@ int main() {
     const Model conservative = make_model(contact, mesh, galerkin, rollbem::unchecked, load);
     double coarse = 0, fine = 0;
     for (const double dq : {8e-4, 4e-4, 2e-4}) {
-        const Ride one = ride(wheel, conservative, 2 * contact.half_width(), dq);
+        const Ride one = ride(wheel, conservative, dq);
         fine = std::abs(one.gap());
         if (coarse == 0) coarse = fine;
         balanced = balanced && one.complete && fine < 2e-7 * one.heat;

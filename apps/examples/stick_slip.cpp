@@ -252,7 +252,7 @@ Account ride(const Model& model, double damping, double dq_over_a) {
         account.driven += (controller.demand - droop * (motor - speed / radius)) * motor * dt;
         account.train += (now.force + next.force) / 2 * dq;
         account.damped += damping * turning * turning * dt;
-        account.heat += 2 * half_width * step.slip_work_per_width;
+        account.heat += step.slip_work;
         for (Part& part : account.parts) {
             if (time > part.end || time < part.end - 0.1) continue;
             const double slip = slip_velocity(next.wheel), moment = stiffness * next.twist + damping * turning;

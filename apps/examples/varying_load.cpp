@@ -19,6 +19,6 @@ int main() {
         hertz.set(1e6 * (1 + 0.5 * std::sin(0.1 * k)), load);
         const auto step = run.advance(0.1 * contact.half_length(), 1e-3, load);
         if (step.status != StepStatus::ok) return 1;
-        std::cout << step.force_per_width << '\n';
+        std::cout << step.force << '\n';
     }
 }

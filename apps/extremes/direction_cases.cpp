@@ -45,7 +45,7 @@ struct Combined {
         const auto point = steady_from_rest(model, Vector{size * cosine, size * sine});
         told = told_by(point.status);
         residual = point.complementarity_residual;
-        return {-point.force_per_width.longitudinal / full_force, -point.force_per_width.lateral / full_force};
+        return {-point.force.longitudinal / full_force, -point.force.lateral / full_force};
     }
 
     /// The same by the solver of one direction.
@@ -53,7 +53,7 @@ struct Combined {
         const rollbem::FrictionModel<> model(contact, {{}, slopes(lateral), mesh.widths()},
                                              {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const Step point = steady_from_rest(model, creepage(delta, nu));
-        return point.status == StepStatus::ok ? -point.force_per_width / full_force : nothing;
+        return point.status == StepStatus::ok ? -point.force / full_force : nothing;
     }
 
     Outcome against(double value, double reference, double bound) const {
@@ -188,7 +188,7 @@ void add_nodes(Cases& cases) {
         const rollbem::FrictionModel<> model(contact, steady_system(mesh, scheme, plane),
                                              {1, peak * rollbem::mean_hertz_pressure(mesh)});
         const Step point = steady_from_rest(model, creepage(delta));
-        return compare(point, -point.force_per_width / full_force, reference, bound);
+        return compare(point, -point.force / full_force, reference, bound);
     };
     for (const Nodes nodes : {Nodes::centres, Nodes::chebyshev}) {
         const NodeDifference scheme{nodes};
@@ -227,7 +227,7 @@ void add_nodes(Cases& cases) {
                  steady_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
                 {1, peak * rollbem::mean_hertz_pressure(mesh)});
             const auto point = steady_from_rest(model, Vector{0, 0, creepage(1e9)});
-            return compare(-point.force_per_width.moment / full_force, 4 / (3 * pi), 1e-2, told_by(point.status));
+            return compare(-point.force.moment / full_force, 4 / (3 * pi), 1e-2, told_by(point.status));
         });
     }
 }

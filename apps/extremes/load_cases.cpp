@@ -79,7 +79,7 @@ struct Rolling {
     }
 
     /// -F/(mu N_0)
-    double force_ratio() const { return -step.force_per_width / full; }
+    double force_ratio() const { return -step.force / (full * 2 * half_width); }
 
     Outcome against(double reference, double bound) const {
         Outcome outcome = compare(force_ratio(), reference, bound, told);

@@ -49,17 +49,17 @@ rollbem::detail::ByDirections<directions, double, rollbem::Creepage<double>> cre
     }
 }
 
-/// The numbers of a solution; `unit` is the creepage of ratio 1.
-void read(const rollbem::FrictionStep<>& step, double unit, CreepResult& result) {
-    result.force_ratio = 0 - step.force_per_width / mu_N;
-    result.tangent_ratio = -step.tangent_per_width * unit / mu_N;
+/// The numbers of a solution; `unit` is the creepage of ratio 1, `full` the force of full sliding.
+void read(const rollbem::FrictionStep<>& step, double unit, double full, CreepResult& result) {
+    result.force_ratio = 0 - step.force / full;
+    result.tangent_ratio = -step.tangent * unit / full;
 }
-void read(const rollbem::FrictionStep<2>& step, double unit, CreepResult& result) {
-    result.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
-    result.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
-    result.moment_ratio = 0 - step.force_per_width.moment / mu_N;
-    result.tangent_ratio = -step.tangent_per_width.by_longitudinal.longitudinal * unit / mu_N;
-    result.lateral_tangent_ratio = -step.tangent_per_width.by_lateral.lateral * unit / mu_N;
+void read(const rollbem::FrictionStep<2>& step, double unit, double full, CreepResult& result) {
+    result.force_ratio = 0 - step.force.longitudinal / full;
+    result.lateral_force_ratio = 0 - step.force.lateral / full;
+    result.moment_ratio = 0 - step.force.moment / full;
+    result.tangent_ratio = -step.tangent.by_longitudinal.longitudinal * unit / full;
+    result.lateral_tangent_ratio = -step.tangent.by_lateral.lateral * unit / full;
 }
 
 template <int directions>
@@ -149,15 +149,16 @@ void rows_of(const CreepCurve& curve, const study::Scene& scene, std::size_t tas
         };
         const auto step = solve();
         CreepResult result = frame;
-        if (curve.timed()) result.time_us = study::median_time_us([&] { return solve().slip_work_per_width; });
+        if (curve.timed()) result.time_us = study::median_time_us([&] { return solve().slip_work; });
         result.status = name(step.status);
         result.stick_count = step.stick_count;
         result.rounds = step.rounds;
         result.complementarity_residual = step.complementarity_residual;
         if (Model::directions == 1) result.pivots = step.pivots;
         if (step.status == rollbem::StepStatus::ok) {
-            read(step, friction::creepage(scene, 1), result);
-            result.slip_work = step.slip_work_per_width / mu_N;
+            const double full = mu_N * scene.contact.width();
+            read(step, friction::creepage(scene, 1), full, result);
+            result.slip_work = step.slip_work / full;
         }
         emit(creep_row(curve, scene, point, result));
         if (curve.profiles != nullptr) {
@@ -203,7 +204,7 @@ void element_rows(const CreepCurve& curve, const study::Scene& scene, std::size_
     if (curve.other != nullptr) {
         std::vector<std::pair<double, double>> points;
         sweep(curve, scene, model, curve.sweep != "up", [&](const CreepPoint& point, const auto& step) {
-            points.emplace_back(point.longitudinal, -step.force_per_width / mu_N);
+            points.emplace_back(point.longitudinal, -step.force / (mu_N * scene.contact.width()));
         });
         curve.other->keep(task, std::move(points));
     }

@@ -22,14 +22,14 @@ rollbem::detail::ByDirections<directions, double, rollbem::Creepage<double>> val
     }
 }
 
-void read_force(const rollbem::FrictionStep<>& step, Moment& moment) {
-    moment.force_ratio = 0 - step.force_per_width / mu_N;  // 0 without load, not -0
+void read_force(const rollbem::FrictionStep<>& step, double full, Moment& moment) {
+    moment.force_ratio = 0 - step.force / full;  // 0 without load, not -0
     moment.pivots = step.pivots;
 }
-void read_force(const rollbem::FrictionStep<2>& step, Moment& moment) {
-    moment.force_ratio = 0 - step.force_per_width.longitudinal / mu_N;
-    moment.lateral_force_ratio = 0 - step.force_per_width.lateral / mu_N;
-    moment.moment_ratio = 0 - step.force_per_width.moment / mu_N;
+void read_force(const rollbem::FrictionStep<2>& step, double full, Moment& moment) {
+    moment.force_ratio = 0 - step.force.longitudinal / full;
+    moment.lateral_force_ratio = 0 - step.force.lateral / full;
+    moment.moment_ratio = 0 - step.force.moment / full;
 }
 
 /// At the rolling velocity 1; a rigid shift takes as long as a step of `dq`.
@@ -38,11 +38,12 @@ class RollingOf : public Rolling {
 public:
     using Motion = typename Model::Motion;
 
-    RollingOf(const Model& model, const rollbem::HertzLoad<double>* hertz, double first_load_ratio, double unit,
-              double dq)
+    RollingOf(const Model& model, double width, const rollbem::HertzLoad<double>* hertz, double first_load_ratio,
+              double unit, double dq)
         : model_(model),
           hertz_(hertz),
           unit_(unit),
+          full_(mu_N * width),
           dq_(dq),
           workspace_(model.workspace()),
           now_(model.at_rest()),
@@ -80,17 +81,17 @@ private:
         moment.rounds = step.rounds;
         if (step.status != rollbem::StepStatus::ok) return moment;
         std::swap(now_, next_);
-        read_force(step, moment);
-        moment.slip_work = step.slip_work_per_width / mu_N;
-        moment.jump_work = step.jump_work_per_width / mu_N;
-        moment.elastic_energy = model_.elastic_energy_per_width(now_) / mu_N;
+        read_force(step, full_, moment);
+        moment.slip_work = step.slip_work / full_;
+        moment.jump_work = step.jump_work / full_;
+        moment.elastic_energy = model_.elastic_energy(now_) / full_;
         moment.stick_count = step.stick_count;
         return moment;
     }
 
     const Model& model_;
     const rollbem::HertzLoad<double>* hertz_;  // null where the load does not vary
-    double unit_, dq_;                         // unit_: creepage of ratio 1
+    double unit_, full_, dq_;                  // creepage of ratio 1, force of full sliding
     typename Model::Workspace workspace_;
     typename Model::State now_, next_;
     rollbem::NormalLoad<double> load_;
@@ -130,11 +131,11 @@ StartRolling make_rolling(const study::Options& options, const study::Scene& sce
     // the law is that of the largest load; what a run starts under is in its state
     const double largest = surface.half_length * surface.half_length;
     const Eigen::ArrayXd means = load ? hertz->at(largest * mu_N).normal_pressure : pressure(*scene.mesh);
-    const double first_load_ratio = load ? load->at(0) : 1, unit = creepage(scene, 1);
+    const double first_load_ratio = load ? load->at(0) : 1, unit = creepage(scene, 1), width = scene.contact.width();
     const auto make = [&](auto model) -> StartRolling {
         return [=, shared = std::make_shared<const decltype(model)>(std::move(model))] {
-            return std::make_unique<RollingOf<decltype(model)>>(*shared, hertz ? &*hertz : nullptr, first_load_ratio,
-                                                                unit, dq);
+            return std::make_unique<RollingOf<decltype(model)>>(*shared, width, hertz ? &*hertz : nullptr,
+                                                                first_load_ratio, unit, dq);
         };
     };
     const auto make_of = [&](const auto& of) {

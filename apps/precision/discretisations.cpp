@@ -83,7 +83,9 @@ double friction_force(const Scene& scene, const Elements& elements, const Mesh<d
     rollbem::FrictionState<> state = rest;
     rollbem::FrictionWorkspace<> workspace = model.workspace();
     const rollbem::FrictionStep<> point = model.steady(rest, unit_creepage(scene) * creepage_ratio, state, workspace);
-    return point.status == rollbem::StepStatus::ok ? -point.force_per_width / (peak * std::numbers::pi / 2) : nan;
+    return point.status == rollbem::StepStatus::ok
+               ? -point.force / (peak * std::numbers::pi / 2 * scene.contact.width())
+               : nan;
 }
 
 Values combined_force(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
@@ -100,8 +102,8 @@ Values combined_force(const Scene& scene, const Elements& elements, const Mesh<d
     const double part = unit_creepage(scene) * creepage_ratio / std::numbers::sqrt2;
     const auto point = model.steady(rest, {part, part}, state, workspace);
     if (point.status != rollbem::StepStatus::ok) return {nan, nan};
-    const double full = peak * std::numbers::pi / 2;
-    return {-point.force_per_width.longitudinal / full, -point.force_per_width.lateral / full};
+    const double full = peak * std::numbers::pi / 2 * scene.contact.width();
+    return {-point.force.longitudinal / full, -point.force.lateral / full};
 }
 
 }  // namespace
@@ -167,7 +169,7 @@ Values load_forces(Scene scene, const Elements& elements, const Mesh<double>& me
     const rollbem::FrictionModel<> model(scene.contact, system_of(scene, elements, mesh), rollbem::unchecked, law);
     auto now = model.at_rest(), next = now;
     auto workspace = model.workspace();
-    const double creepage = unit_creepage(scene) * creepage_ratio;
+    const double creepage = unit_creepage(scene) * creepage_ratio, width = scene.contact.width();
     hertz.set(load_at(0), load);
     rollbem::StepStatus status = model.steady(now, creepage, load, next, workspace).status;
     Values forces;
@@ -178,7 +180,7 @@ Values load_forces(Scene scene, const Elements& elements, const Mesh<double>& me
         hertz.set(load_at(static_cast<double>(k) * dq), load);
         const auto step = model.advance(now, dq, creepage, load, next, workspace);
         if (status == rollbem::StepStatus::ok) status = step.status;
-        if (k % parts == 0) forces.push_back(status == rollbem::StepStatus::ok ? -step.force_per_width / full : nan);
+        if (k % parts == 0) forces.push_back(status == rollbem::StepStatus::ok ? -step.force / (full * width) : nan);
     }
     return forces;
 }

@@ -284,7 +284,7 @@ TEST_CASE("Elements recommended for friction stay below their error bound", "[re
             for (double ratio = 0.05; ratio < 1.1; ratio += 0.005) {
                 const FrictionStep<> point = model.steady(now, 2 * 0.72 * peak * ratio, next, workspace);
                 CHECK(point.status == StepStatus::ok);
-                const double force_ratio = -point.force_per_width / (peak * std::numbers::pi / 2);
+                const double force_ratio = -point.force / (wide.width() * peak * std::numbers::pi / 2);
                 largest = std::max(largest, std::abs(force_ratio / carter_force_ratio(ratio) - 1));
                 std::swap(now, next);
             }

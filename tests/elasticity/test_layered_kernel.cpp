@@ -161,7 +161,7 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
         FrictionWorkspace<> workspace = model.workspace();
         const FrictionStep<> step = model.steady(rest, 2 * (1 - nu) * mu_p0 * delta, state, workspace);
         REQUIRE(step.status == StepStatus::ok);
-        return -step.force_per_width / (mu_p0 * std::numbers::pi / 2);
+        return -step.force / (contact.width() * mu_p0 * std::numbers::pi / 2);
     };
     struct Row {
         double L, delta, at[3], contact_160;
@@ -288,7 +288,7 @@ TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]
         const FrictionState<> rest = steady.at_rest();
         FrictionState<> rolling = rest;
         FrictionWorkspace<> steady_workspace = steady.workspace();
-        const double expected = steady.steady(rest, xi, rolling, steady_workspace).force_per_width;
+        const double expected = steady.steady(rest, xi, rolling, steady_workspace).force;
         const FrictionModel<> model(contact, rolling_system(mesh, halves, kernel), unchecked, friction);
         FrictionWorkspace<> workspace = model.workspace();
         FrictionState<> now = model.at_rest(), next = now;
@@ -298,8 +298,8 @@ TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]
             REQUIRE(step.status == StepStatus::ok);
             std::swap(now, next);
         }
-        CAPTURE(mesh.is_uniform(), step.force_per_width, expected);
-        CHECK(step.force_per_width == Approx(expected).epsilon(1e-10));
+        CAPTURE(mesh.is_uniform(), step.force, expected);
+        CHECK(step.force == Approx(expected).epsilon(1e-10));
     }
 }
 

@@ -84,12 +84,12 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
         auto now = steady.at_rest(), next = now;
         auto workspace = steady.workspace();  // of this thread, for both models in turn
         for (const double creepage : {1e-4, 3e-4, 1e-3}) {
-            forces.push_back(steady.steady(now, creepage, next, workspace).force_per_width);
+            forces.push_back(steady.steady(now, creepage, next, workspace).force);
             std::swap(now, next);
         }
         auto rolling = model.at_rest(), after = rolling;
         for (int k = 0; k < 10; ++k) {
-            forces.push_back(model.advance(rolling, 0.1, 3e-4, after, workspace).force_per_width);
+            forces.push_back(model.advance(rolling, 0.1, 3e-4, after, workspace).force);
             std::swap(rolling, after);
         }
         return forces;

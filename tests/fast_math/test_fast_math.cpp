@@ -119,7 +119,7 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fa
         CHECK(model.shift(now, value, next, workspace).status == StepStatus::not_finite);
         CHECK(model.steady(now, value, next, workspace).status == StepStatus::not_finite);
         CHECK(steady.steady(still, value, rolling, workspace).status == StepStatus::not_finite);
-        CHECK(!finite(steady.steady(still, value, rolling, workspace).force_per_width));
+        CHECK(!finite(steady.steady(still, value, rolling, workspace).force));
     }
     const NormalLoad<double> load{friction.normal_pressure, contact.half_length(), {}};
     CHECK(model.advance(now, 0.1, 0.5, load, next, workspace).status == StepStatus::ok);
@@ -131,7 +131,7 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction reports what is not finite", "[fa
         CHECK(model.advance(now, 0.1, 0.5, long_one, next, workspace).status == StepStatus::invalid_load);
     }
     const FrictionStep<> far = model.advance(now, 1e3, 1e308, next, workspace);
-    CHECK((far.status != StepStatus::ok || finite(far.force_per_width)));
+    CHECK((far.status != StepStatus::ok || finite(far.force)));
 }
 
 }  // namespace

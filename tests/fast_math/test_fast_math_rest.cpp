@@ -80,14 +80,14 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is
                 CHECK(model.shift(now, spoilt, next, workspace).status == StepStatus::not_finite);
                 CHECK(model.steady(now, spoilt, next, workspace).status == StepStatus::not_finite);
                 CHECK(steady.steady(still, spoilt, rolling, workspace).status == StepStatus::not_finite);
-                CHECK(!finite(steady.steady(still, spoilt, rolling, workspace).force_per_width.lateral));
+                CHECK(!finite(steady.steady(still, spoilt, rolling, workspace).force.lateral));
             }
             for (Eigen::Index k = 0; k < 2 * n; ++k) {
                 Model::State spoilt = now;
                 spoilt.traction(k) = value;
                 const FrictionStep<2> step = model.advance(spoilt, 0.1, creepage, next, workspace);
                 CHECK(step.status == StepStatus::not_finite);
-                CHECK(!finite(step.force_per_width.longitudinal));
+                CHECK(!finite(step.force.longitudinal));
                 CHECK(!finite(model.elastic_energy(spoilt)));
             }
         }
@@ -109,8 +109,7 @@ TEST_CASE_METHOD(Fixture, "Fast math: friction in two directions reports what is
         CHECK(!finite(step.tangent_by_load.longitudinal));
         CHECK(!finite(step.tangent_by_half_length.lateral));
         const FrictionStep<2> far = model.advance(now, 1e3, Vector{1e308, 1e308}, next, workspace);
-        CHECK((far.status != StepStatus::ok ||
-               (finite(far.force_per_width.longitudinal) && finite(far.force_per_width.lateral))));
+        CHECK((far.status != StepStatus::ok || (finite(far.force.longitudinal) && finite(far.force.lateral))));
     }
 }
 

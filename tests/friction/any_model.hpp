@@ -43,7 +43,7 @@ struct Setup {
     Integrator integrator = Integrator::sdirk2;
     Mesh<double> mesh = cosine_mesh<double>(20);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    double nu = falling_tests::poisson_ratio, half_width = 1000 * a;
+    double nu = falling_tests::poisson_ratio, half_width = falling_tests::half_width;
     bool strip = false;   // else the plane kernel
     bool turned = false;  // see Friction
     bool with_tangents = true;
@@ -95,7 +95,7 @@ public:
     virtual State at_rest() const = 0;
     virtual Workspace workspace() const = 0;
     virtual TangentialForce<double> force(const State& state) const = 0;
-    virtual double elastic_energy_per_width(const State& state) const = 0;
+    virtual double elastic_energy(const State& state) const = 0;
     virtual Step steady(const State& from, const Creepage<double>& creepage, double V, const Load* load, State& to,
                         Workspace& workspace) const = 0;
     virtual Step advance(const State& from, const Travel<double>& travel, const Motion& motion, const Load* load,
@@ -123,9 +123,7 @@ public:
     }
     Workspace workspace() const override { return {model_.workspace(), setup_.across}; }
     TangentialForce<double> force(const State& state) const override { return raise(model_.force(lower(state))); }
-    double elastic_energy_per_width(const State& state) const override {
-        return model_.elastic_energy_per_width(lower(state));
-    }
+    double elastic_energy(const State& state) const override { return model_.elastic_energy(lower(state)); }
     Step steady(const State& from, const Creepage<double>& creepage, double V, const Load* load, State& to,
                 Workspace& workspace) const override {
         return call(from, to, workspace, [&](const auto& start, auto& end, auto& scratch) {
@@ -225,17 +223,11 @@ private:
     }
     Step raise(const InnerStep& inner) const requires(directions == 1) {
         Step step;
-        step.force_per_width = raise(inner.force_per_width);
         step.force = raise(inner.force);
-        step.tangent_per_width = raise_tangent(inner.tangent_per_width);
         step.tangent = raise_tangent(inner.tangent);
-        step.tangent_by_load_per_width = raise(inner.tangent_by_load_per_width);
         step.tangent_by_load = raise(inner.tangent_by_load);
-        step.tangent_by_half_length_per_width = raise(inner.tangent_by_half_length_per_width);
         step.tangent_by_half_length = raise(inner.tangent_by_half_length);
-        step.slip_work_per_width = inner.slip_work_per_width;
         step.slip_work = inner.slip_work;
-        step.jump_work_per_width = inner.jump_work_per_width;
         step.jump_work = inner.jump_work;
         step.complementarity_residual = inner.complementarity_residual;
         step.stick_count = inner.stick_count;
@@ -360,6 +352,6 @@ inline Eigen::Matrix2d matrix(const CreepageTangent<double>& tangent) {
     return columns;
 }
 /// Forces over mu_0 N.
-inline Eigen::Vector2d ratios(const Step& step) { return -vector(step.force_per_width) / full_force; }
+inline Eigen::Vector2d ratios(const Step& step) { return -vector(step.force) / full_force; }
 
 }  // namespace any_model

@@ -13,8 +13,8 @@ namespace combined_tests {
 
 using namespace rollbem;
 
-constexpr double peak = 1e-3;  // mu p0, with a = G = 1
-constexpr double full_force = peak * std::numbers::pi / 2;
+constexpr double peak = 1e-3;                               // mu p0, with a = G = 1
+constexpr double full_force = peak * std::numbers::pi / 2;  // per width
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
 
@@ -80,8 +80,9 @@ inline Step from_scratch(const Model& model, const Creepage<double>& creepage) {
 struct Ratios {
     double longitudinal, lateral;
 };
-inline Ratios ratios(const Step& step) {
-    return {-step.force_per_width.longitudinal / full_force, -step.force_per_width.lateral / full_force};
+inline Ratios ratios(const Step& step, const Contact<double>& contact) {
+    const double full = full_force * contact.width();
+    return {-step.force.longitudinal / full, -step.force.lateral / full};
 }
 
 }  // namespace combined_tests

@@ -20,9 +20,10 @@ constexpr double a = 4e-3, shear_modulus = 82e9, poisson_ratio = 0.28, peak_pres
 constexpr double speed = 45;                                                                       // V [m/s]
 constexpr Law law{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
 constexpr double least_velocity = 1e-3;
-constexpr double full_force = std::numbers::pi / 2 * law.mu_0 * peak_pressure * a;  // mu_0 N per width
+constexpr double half_width = 1000 * a;
+constexpr double full_force = std::numbers::pi / 2 * law.mu_0 * peak_pressure * a * 2 * half_width;  // mu_0 N
 
-inline double force_ratio(const Step& step) { return -step.force_per_width / full_force; }
+inline double force_ratio(const Step& step) { return -step.force / full_force; }
 
 struct Scene {
     explicit Scene(Mesh<double> mesh_, double distance_ = 0) : mesh(std::move(mesh_)), distance(distance_) {}
@@ -31,7 +32,7 @@ struct Scene {
     double distance;  // of the memory [m]
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     Contact<double> contact{
-        {.half_length = a, .half_width = 1000 * a, .shear_modulus = shear_modulus, .poisson_ratio = poisson_ratio}};
+        {.half_length = a, .half_width = half_width, .shear_modulus = shear_modulus, .poisson_ratio = poisson_ratio}};
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 
     ArrayX<double> pressure() const { return peak_pressure * mean_hertz_pressure(mesh); }

@@ -122,12 +122,11 @@ struct LoadedRide {
         load.half_length = read(file);
     }
     void save_results(std::ostream& file) const {
-        for (const double x :
-             {result.force, result.tangent, result.tangent_by_load, result.tangent_by_half_length,
-              result.slip_work_per_width, result.complementarity_residual, both_result.force.longitudinal,
-              both_result.force.lateral, both_result.tangent.by_lateral.longitudinal,
-              both_result.tangent_by_load.lateral, both_result.tangent_by_half_length.lateral,
-              both_result.slip_work_per_width, both_result.complementarity_residual}) {
+        for (const double x : {result.force, result.tangent, result.tangent_by_load, result.tangent_by_half_length,
+                               result.slip_work, result.complementarity_residual, both_result.force.longitudinal,
+                               both_result.force.lateral, both_result.tangent.by_lateral.longitudinal,
+                               both_result.tangent_by_load.lateral, both_result.tangent_by_half_length.lateral,
+                               both_result.slip_work, both_result.complementarity_residual}) {
             write(file, x);
         }
         file << name(result.status) << '\n' << name(both_result.status) << '\n';
@@ -201,7 +200,7 @@ struct Ride {
         for (const FrictionStep<>& step : results) {
             write(file, step.force);
             write(file, step.tangent);
-            write(file, step.slip_work_per_width);
+            write(file, step.slip_work);
             write(file, step.complementarity_residual);
             file << name(step.status) << '\n';
         }

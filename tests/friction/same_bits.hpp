@@ -39,14 +39,12 @@ bool same(const rollbem::FrictionState<directions>& one, const rollbem::Friction
 }
 template <int directions>
 bool same(const rollbem::FrictionStep<directions>& one, const rollbem::FrictionStep<directions>& other) {
-    return same(one.force, other.force) && same(one.force_per_width, other.force_per_width) &&
-           same(one.tangent, other.tangent) && same(one.tangent_per_width, other.tangent_per_width) &&
+    return same(one.force, other.force) && same(one.tangent, other.tangent) &&
            same(one.tangent_by_load, other.tangent_by_load) &&
-           same(one.tangent_by_half_length, other.tangent_by_half_length) &&
-           same(one.slip_work_per_width, other.slip_work_per_width) &&
-           same(one.jump_work_per_width, other.jump_work_per_width) &&
-           same(one.complementarity_residual, other.complementarity_residual) && one.stick_count == other.stick_count &&
-           one.rounds == other.rounds && one.pivots == other.pivots && one.status == other.status;
+           same(one.tangent_by_half_length, other.tangent_by_half_length) && same(one.slip_work, other.slip_work) &&
+           same(one.jump_work, other.jump_work) && same(one.complementarity_residual, other.complementarity_residual) &&
+           one.stick_count == other.stick_count && one.rounds == other.rounds && one.pivots == other.pivots &&
+           one.status == other.status;
 }
 
 }  // namespace same_bits

@@ -11,13 +11,15 @@ namespace friction_tests {
 using namespace rollbem;
 
 constexpr double nu = 0.25;
-constexpr double peak = 1e-3;  // mu p0, with a = G = 1
-constexpr double full_force = peak * std::numbers::pi / 2;
+constexpr double peak = 1e-3;                               // mu p0, with a = G = 1
+constexpr double full_force = peak * std::numbers::pi / 2;  // per width
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 
 /// Creepage [-] by its ratio to that of full sliding in Carter's problem.
 inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
-inline double force_ratio(const FrictionStep<>& step) { return -step.force_per_width / full_force; }
+inline double force_ratio(const FrictionStep<>& step, const Contact<double>& contact) {
+    return -step.force / (full_force * contact.width());
+}
 
 struct Scene {
     explicit Scene(Mesh<double> mesh_, Collocation scheme_ = half, double mu = 1, double aspect = 1e4)

@@ -79,7 +79,7 @@ TEST_CASE("A law that happens to be constant is Coulomb's", "[friction]") {
             CHECK((ratios(step) - ratios(coulomb)).norm() < 1e-10);
             const double scale = matrix(coulomb.tangent).norm();
             CHECK((matrix(step.tangent) - matrix(coulomb.tangent)).norm() <= 1e-8 * scale);
-            CHECK(step.slip_work_per_width == Approx(coulomb.slip_work_per_width).epsilon(1e-8));
+            CHECK(step.slip_work == Approx(coulomb.slip_work).epsilon(1e-8));
             CHECK((ride.own.slip() - expected.own.slip()).cwiseAbs().maxCoeff() < 1e-10 * sliding);
             if (k % 6 != 2 && k % 6 != 5) continue;
             CHECK((vector(step.tangent_by_load) - vector(coulomb.tangent_by_load)).norm() <
@@ -113,12 +113,12 @@ TEST_CASE("With creepage along one of them, two directions are one", "[friction]
                 const Eigen::Index own = across ? 1 : 0;
                 CHECK((ratios(step) - ratios(expected)).norm() < 1e-9);
                 CHECK(matrix(step.tangent)(own, own) == Approx(matrix(expected.tangent)(own, own)).epsilon(1e-6));
-                CHECK(step.slip_work_per_width == Approx(expected.slip_work_per_width).epsilon(1e-8).margin(1e-12));
+                CHECK(step.slip_work == Approx(expected.slip_work).epsilon(1e-8).margin(1e-12));
                 CHECK(step.stick_count == expected.stick_count);
                 CHECK((both.now.traction - one.now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak_pressure);
                 CHECK((both.own.slip() - one.own.slip()).cwiseAbs().maxCoeff() < 1e-9 * sliding);
-                CHECK(both.model->elastic_energy_per_width(both.now) ==
-                      Approx(one.model->elastic_energy_per_width(one.now)).epsilon(1e-9).margin(1e-9));
+                CHECK(both.model->elastic_energy(both.now) ==
+                      Approx(one.model->elastic_energy(one.now)).epsilon(1e-9).margin(1e-9));
                 if (k % 6 != 2 && k % 6 != 5) continue;
                 CHECK(vector(step.tangent_by_load)[own] ==
                       Approx(vector(expected.tangent_by_load)[own]).epsilon(1e-6).margin(1e-9));
@@ -148,7 +148,7 @@ TEST_CASE("With Poisson's ratio zero, the solution turns with the creepage", "[f
             CHECK((ratios(other) - turn * ratios(step)).norm() < 1e-8);
             CHECK((turned.now.traction - ride.now.traction * turn.transpose()).cwiseAbs().maxCoeff() <
                   1e-8 * peak_pressure);
-            CHECK(other.slip_work_per_width == Approx(step.slip_work_per_width).epsilon(1e-7));
+            CHECK(other.slip_work == Approx(step.slip_work).epsilon(1e-7));
         }
         // along the creepage as in one direction; across it the force turns
         for (const double ratio : {0.1, 0.4, 0.8, 3.0}) {
@@ -156,11 +156,11 @@ TEST_CASE("With Poisson's ratio zero, the solution turns with the creepage", "[f
             one.now = one.model->at_rest();
             const Step expected = one.steady(creepage(ratio)), step = ride.steady(creepage(ratio, 37));
             REQUIRE(step.status == StepStatus::ok);
-            const double force = expected.force_per_width.longitudinal;
+            const double force = expected.force.longitudinal;
             CHECK((ratios(step) - turn * ratios(expected)).norm() < 1e-9);
             Matrix2d tangent = Matrix2d::Zero();
-            tangent.diagonal() << expected.tangent_per_width.by_longitudinal.longitudinal, force / (sliding * ratio);
-            CHECK((matrix(step.tangent_per_width) - turn * tangent * turn.transpose()).norm() < 1e-7 * tangent.norm());
+            tangent.diagonal() << expected.tangent.by_longitudinal.longitudinal, force / (sliding * ratio);
+            CHECK((matrix(step.tangent) - turn * tangent * turn.transpose()).norm() < 1e-7 * tangent.norm());
         }
     }
 }
@@ -182,7 +182,7 @@ TEST_CASE("Left and right, and forth and back, are alike", "[friction]") {
                       1e-9 * peak_pressure);
                 CHECK((matrix(other.tangent) - sign.asDiagonal() * matrix(step.tangent) * sign.asDiagonal()).norm() <=
                       1e-6 * matrix(step.tangent).norm());
-                CHECK(other.slip_work_per_width == Approx(step.slip_work_per_width).epsilon(1e-9));
+                CHECK(other.slip_work == Approx(step.slip_work).epsilon(1e-9));
             };
             alike(back, reversed.now, -1, -1);
             alike(left, mirrored.now, 1, -1);
@@ -242,7 +242,7 @@ TEST_CASE("A run that stands still solves the equations of steady rolling", "[fr
                     CHECK((state.traction - settled.traction).cwiseAbs().maxCoeff() < 1e-9 * peak_pressure);
                     CHECK(state.zones == settled.zones);
                     // work per distance rolled, and of a step of 4 a
-                    CHECK(4 * a * steady.slip_work_per_width == Approx(step.slip_work_per_width).epsilon(1e-7));
+                    CHECK(4 * a * steady.slip_work == Approx(step.slip_work).epsilon(1e-7));
                 };
                 agrees(ride.try_steady(creepage(ratio, 20)), ride.next);
                 agrees(ride.model->solve_steady(settled, creepage(ratio, 20), speed, ride.next, ride.own), ride.next);
@@ -303,7 +303,7 @@ struct Way {
         for (int k = 0; k < steps; ++k) {
             const Step step = ride.step(dq, Motion::linear(at(k * dq), at((k + 1) * dq)));
             REQUIRE(step.status == StepStatus::ok);
-            work += step.slip_work_per_width / (full_force * sliding * a);
+            work += step.slip_work / (full_force * sliding * a);
             const int place = (k + 1) / (steps / 8) - 1;
             if ((k + 1) % (steps / 8) != 0) continue;
             forces.segment<2>(2 * place) = ratios(step);
@@ -366,14 +366,14 @@ TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic ener
                 const Load load = breathing(setup, a * std::sqrt(1 + 0.3 * std::sin(0.8 * dq * (k + 1))));
                 const Step step = ride.step(dq, Motion::linear(rolled(k), rolled(k + 1)), &load);
                 REQUIRE(step.status == StepStatus::ok);
-                const Vector2d force = vector(step.force_per_width);
+                const Vector2d force = vector(step.force);
                 spent -= dq * a / 2 * (vector(rolled(k)).dot(before) + vector(rolled(k + 1)).dot(force));
-                slips += step.slip_work_per_width;
-                jumps += step.jump_work_per_width;
+                slips += step.slip_work;
+                jumps += step.jump_work;
                 before = force;
             }
             counts.push_back(n);
-            gaps.push_back((spent - slips - jumps - ride.model->elastic_energy_per_width(ride.now)) / spent);
+            gaps.push_back((spent - slips - jumps - ride.model->elastic_energy(ride.now)) / spent);
         }
         CAPTURE(gaps, jumps / spent, support::observed_order(counts, gaps));
         CHECK(std::abs(support::observed_order(counts, gaps) - 1.95) < 0.15);
@@ -413,21 +413,11 @@ TEST_CASE("Tangents by creepage, shift, load and half-length agree with central 
                 };
                 const Step step = solve(Vector2d::Zero(), 0, 0);
                 REQUIRE(step.status == StepStatus::ok);
-                if (steady) {
-                    CHECK(std::isnan(step.tangent_by_load.longitudinal));
-                } else {
-                    CHECK((vector(step.tangent_by_load) - 2 * setup.half_width * vector(step.tangent_by_load_per_width))
-                              .norm() <= 1e-14 * vector(step.tangent_by_load).norm());
-                }
-                CHECK((matrix(step.tangent) - 2 * setup.half_width * matrix(step.tangent_per_width)).norm() <=
-                      1e-14 * matrix(step.tangent).norm());
-                CHECK((vector(step.force) - 2 * setup.half_width * vector(step.force_per_width)).norm() <=
-                      1e-14 * vector(step.force).norm());
+                if (steady) CHECK(std::isnan(step.tangent_by_load.longitudinal));
                 CHECK((vector(ride.model->force(ride.next)) - vector(step.force)).norm() <=
                       1e-14 * vector(step.force).norm());
-                CHECK(step.slip_work == Approx(2 * setup.half_width * step.slip_work_per_width).epsilon(1e-14));
                 const State solved = ride.next;
-                const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent_per_width);
+                const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent);
                 const auto compare = [&](std::size_t what, const Vector2d& own, const auto& moved) {
                     constexpr double h = 1e-5;
                     bool unchanged = true;
@@ -449,11 +439,10 @@ TEST_CASE("Tangents by creepage, shift, load and half-length agree with central 
                             [&](double h) { return solve(sliding * h * Vector2d::Unit(by), 0, 0); });
                 }
                 if (!steady) {
-                    compare(2, vector(step.tangent_by_load_per_width),
-                            [&](double h) { return solve(Vector2d::Zero(), h, 0); });
+                    compare(2, vector(step.tangent_by_load), [&](double h) { return solve(Vector2d::Zero(), h, 0); });
                 }
                 if (breathes && !steady && !shifts) {
-                    compare(3, a * vector(step.tangent_by_half_length_per_width),
+                    compare(3, a * vector(step.tangent_by_half_length),
                             [&](double h) { return solve(Vector2d::Zero(), 0, h * a); });
                 } else if (steady || shifts) {
                     CHECK(std::isnan(step.tangent_by_half_length.longitudinal));

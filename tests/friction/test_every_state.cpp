@@ -147,7 +147,7 @@ TEST_CASE("Contact may be lost and regained", "[friction]") {
                 CAPTURE(k, part, step.rounds);
                 REQUIRE(step.status == StepStatus::ok);
                 CHECK(step.complementarity_residual < 1e-9);
-                CHECK(step.slip_work_per_width >= 0);
+                CHECK(step.slip_work >= 0);
                 const Eigen::ArrayXd traction = ride.now.traction.rowwise().norm();
                 CHECK((traction <= law.mu_0 * load.normal_pressure * (1 + 1e-12)).all());
                 CHECK(matrix(step.tangent).allFinite());
@@ -171,11 +171,11 @@ void check_refused(const Ride& ride, const Step& step, StepStatus expected, cons
     CAPTURE(name(step.status), name(expected));
     CHECK(step.status == expected);
     CHECK(std::isnan(step.force.longitudinal));
-    CHECK(std::isnan(step.force_per_width.lateral));
+    CHECK(std::isnan(step.force.lateral));
     CHECK(std::isnan(step.tangent.by_longitudinal.longitudinal));
     CHECK(std::isnan(step.tangent_by_load.longitudinal));
     CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
-    CHECK(std::isnan(step.slip_work_per_width));
+    CHECK(std::isnan(step.slip_work));
     CHECK(same(ride.next, before));
     CHECK(ride.own.slip() == slip);
 }
@@ -337,8 +337,8 @@ TEST_CASE("A system with a single half-length is reported as needs_fixed_mesh", 
         CHECK(ride.try_step(0.1, creeps).status == StepStatus::needs_fixed_mesh);
         CHECK(ride.try_step(0, shift(0.5)).status == StepStatus::needs_fixed_mesh);
         CHECK(ride.try_steady(creeps).status == StepStatus::needs_fixed_mesh);
-        CHECK(std::isnan(ride.model->elastic_energy_per_width(ride.now)));
-        CHECK(ride.model->elastic_energy_per_width(rest) == 0);
+        CHECK(std::isnan(ride.model->elastic_energy(ride.now)));
+        CHECK(ride.model->elastic_energy(rest) == 0);
     }
 }
 

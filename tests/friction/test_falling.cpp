@@ -52,13 +52,13 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
             CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
             CHECK(step.rounds > 1);  // of all searches for stick and slip: the last takes one
             const Step other = transient.steady(other_rest, creepages[j], speed, state, workspace);
-            CHECK(other.force_per_width == Approx(step.force_per_width).epsilon(1e-11));
+            CHECK(other.force == Approx(step.force).epsilon(1e-11));
             constexpr double h = 1e-7;
             const auto force = [&](double part) {
-                return steady.steady(rest, creepages[j] * (1 + part), speed, state, workspace).force_per_width;
+                return steady.steady(rest, creepages[j] * (1 + part), speed, state, workspace).force;
             };
             const double difference = (force(h) - force(-h)) / (2 * h * creepages[j]);
-            CHECK(step.tangent_per_width == Approx(difference).epsilon(1e-6));
+            CHECK(step.tangent == Approx(difference).epsilon(1e-6));
         }
     }
 }

@@ -72,14 +72,14 @@ TEST_CASE("The tangent of a step that changes nothing agrees with central differ
         REQUIRE(step.rounds == 1);
         REQUIRE(step.stick_count < 25);
         const auto difference = [&](double h) {
-            const double high = model.advance(now, {dq, dq / speed}, 1e-3 * (1 + h), next, workspace).force_per_width;
-            const double low = model.advance(now, {dq, dq / speed}, 1e-3 * (1 - h), next, workspace).force_per_width;
+            const double high = model.advance(now, {dq, dq / speed}, 1e-3 * (1 + h), next, workspace).force;
+            const double low = model.advance(now, {dq, dq / speed}, 1e-3 * (1 - h), next, workspace).force;
             return (high - low) / (2e-3 * h);
         };
         // of second order in h
-        const double coarse = std::abs(difference(1e-2) / step.tangent_per_width - 1);
-        const double fine = std::abs(difference(5e-3) / step.tangent_per_width - 1);
-        const double finest = std::abs(difference(1e-5) / step.tangent_per_width - 1);
+        const double coarse = std::abs(difference(1e-2) / step.tangent - 1);
+        const double fine = std::abs(difference(5e-3) / step.tangent - 1);
+        const double finest = std::abs(difference(1e-5) / step.tangent - 1);
         CAPTURE(distance, coarse, fine, finest);
         CHECK(coarse < 1e-3);
         CHECK(coarse > 1e-9);

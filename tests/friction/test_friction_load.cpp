@@ -35,7 +35,7 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
             Load load = of.hertz.at(sine(0));
             FrictionStep<> step = rolling.steady(from, load_creepage(0.4), load, to, own);
             for (int k = 1; k <= 43; ++k) {
-                forces.insert(forces.end(), {step.force, step.tangent, step.slip_work_per_width, rolling.force(to)});
+                forces.insert(forces.end(), {step.force, step.tangent, step.slip_work, rolling.force(to)});
                 std::swap(from, to);
                 REQUIRE(of.hertz.set(sine(0.1 * k), load) == StepStatus::ok);
                 const Motion motion = Motion::linear(load_creepage(0.4 + 0.01 * k), load_creepage(0.41 + 0.01 * k));
@@ -69,10 +69,10 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
             const FrictionStep<> two =
                 there.advance(elsewhere, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), elsewhere_next, other);
             REQUIRE(one.status == StepStatus::ok);
-            CHECK(one.force_per_width == Approx(two.force_per_width).epsilon(1e-10).margin(1e-10 * full_force));
+            CHECK(one.force == Approx(two.force).epsilon(1e-10).margin(1e-10 * full_force * scene.contact.width()));
             CHECK(one.tangent == Approx(two.tangent).epsilon(1e-10));
-            CHECK(one.slip_work_per_width ==
-                  Approx(two.slip_work_per_width).epsilon(1e-9).margin(1e-12 * full_force * peak));
+            CHECK(one.slip_work ==
+                  Approx(two.slip_work).epsilon(1e-9).margin(1e-12 * full_force * peak * scene.contact.width()));
             CHECK(next.half_length == end.half_length);
             CHECK((next.normal_pressure == end.normal_pressure).all());
             std::swap(now, next);

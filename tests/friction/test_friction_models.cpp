@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("Steady forces of a scheme that does not converge are not giv
         CHECK_FALSE(steady.converges());
         CHECK(refused.status == StepStatus::assists_creepage);
         CHECK(std::isnan(sum(refused.force)));
-        CHECK(std::isnan(refused.slip_work_per_width));
+        CHECK(std::isnan(refused.slip_work));
         const auto given = asked_for.steady(steady.at_rest(), TestType::creepage(0.5), 1, to, workspace);
         CHECK(given.status != StepStatus::assists_creepage);
         CHECK(given.stick_count == refused.stick_count);

@@ -61,8 +61,8 @@ std::vector<double> ride(double distance, const Scheme& scheme) {
         CAPTURE(found.bound, found.stick, found.direction, found.friction);
         CHECK(found.worst() <= 1);
         CHECK(std::isfinite(step.tangent.by_lateral.longitudinal));
-        forces.push_back(-static_cast<double>(step.force_per_width.longitudinal) / full_force);
-        forces.push_back(-static_cast<double>(step.force_per_width.lateral) / full_force);
+        forces.push_back(-static_cast<double>(step.force.longitudinal) / full_force);
+        forces.push_back(-static_cast<double>(step.force.lateral) / full_force);
         std::swap(now, next);
     }
     return forces;

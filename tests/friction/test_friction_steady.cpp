@@ -34,7 +34,7 @@ TEST_CASE("The steady force converges to Carter's", "[friction]") {
             const Scene scene(expected.cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n), expected.scheme);
             const FrictionStep<> point = from_scratch(scene.steady(), creepage(0.5));
             sizes.push_back(static_cast<double>(n));
-            errors.push_back(force_ratio(point) / carter_force_ratio(0.5) - 1);
+            errors.push_back(force_ratio(point, scene.contact) / carter_force_ratio(0.5) - 1);
             CAPTURE(expected.cosine, expected.scheme.alpha_L, n, errors.back(), point.rounds);
             CHECK(point.status == StepStatus::ok);
             CHECK(point.complementarity_residual < 1e-12);
@@ -70,7 +70,7 @@ TEST_CASE("Node differences make steady friction of second order", "[friction]")
                 {1, peak * mean_hertz_pressure(mesh)});
             const FrictionStep<> point = from_scratch(model, creepage(expected.ratio));
             sizes.push_back(static_cast<double>(mesh.size()));
-            errors.push_back(force_ratio(point) / carter_force_ratio(expected.ratio) - 1);
+            errors.push_back(force_ratio(point, contact) / carter_force_ratio(expected.ratio) - 1);
             CAPTURE(expected.nodes == Nodes::centres, expected.ratio, mesh.size(), errors.back());
             CHECK(point.status == StepStatus::ok);
             CHECK(std::abs(std::abs(errors.back()) - expected.errors[k]) < 0.02 * expected.errors[k] + 1e-6);
@@ -106,8 +106,8 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
         CHECK(largest < 3.0 / static_cast<double>(n));
         // in steady rolling all the work is dissipated by slip, an independent check of the force
         sizes.push_back(static_cast<double>(n));
-        errors.push_back(point.slip_work_per_width / (-point.force_per_width * creepage(0.4)) - 1);
-        CHECK(point.slip_work_per_width > 0);
+        errors.push_back(point.slip_work / (-point.force * creepage(0.4)) - 1);
+        CHECK(point.slip_work > 0);
     }
     CAPTURE(errors);
     CHECK(std::abs(errors.back()) < 2e-4);
@@ -120,15 +120,35 @@ TEST_CASE("The fallback finds the solution where the zones cycle", "[friction]")
         for (const Eigen::Index n : {20, 40, 80}) {
             const Scene scene(cosine_mesh<double>(n), {.alpha_L = 0, .alpha_T = alpha_T});
             const FrictionStep<> point = from_scratch(scene.steady(), creepage(0.95));
-            CAPTURE(alpha_T, n, point.rounds, point.pivots, point.complementarity_residual, force_ratio(point));
+            CAPTURE(alpha_T, n, point.rounds, point.pivots, point.complementarity_residual,
+                    force_ratio(point, scene.contact));
             CHECK(point.status == StepStatus::ok);
             CHECK(point.complementarity_residual < 1e-12);
-            CHECK(std::abs(force_ratio(point) / carter_force_ratio(0.95) - 1) < 1e-3);
+            CHECK(std::abs(force_ratio(point, scene.contact) / carter_force_ratio(0.95) - 1) < 1e-3);
             if (alpha_T == 0.5 && n != 40) CHECK(point.pivots > 0);
             fallbacks += point.pivots > 0 ? 1 : 0;
         }
     }
     CHECK(fallbacks >= 4);
+}
+
+TEST_CASE("Results are totals over the width, or per metre where it is infinite", "[friction]") {
+    const Mesh<double> mesh = cosine_mesh<double>(20);
+    const auto solved = [&](double aspect) {  // which has no influence on the plane's G'
+        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
+        const FrictionModel<> model(contact, steady_system(mesh, half, PlaneKernel<double>::longitudinal(contact)),
+                                    {1, peak * mean_hertz_pressure(mesh)});
+        return from_scratch(model, creepage(0.5));
+    };
+    const double infinite = std::numeric_limits<double>::infinity();
+    const FrictionStep<> wide = solved(30), narrow = solved(5), per_metre = solved(infinite);
+    CHECK(force_ratio(per_metre, Contact<double>::dimensionless(infinite, nu)) ==
+          Approx(carter_force_ratio(0.5)).epsilon(1e-2));
+    for (const auto& [step, width] : {std::pair(wide, 60), {narrow, 10}}) {
+        CHECK(step.force == Approx(width * per_metre.force).epsilon(1e-13));
+        CHECK(step.tangent == Approx(width * per_metre.tangent).epsilon(1e-13));
+        CHECK(step.slip_work == Approx(width * per_metre.slip_work).epsilon(1e-13));
+    }
 }
 
 TEST_CASE("A creep curve is concave, has the right tangents and does not depend on warm starts", "[friction]") {
@@ -142,18 +162,18 @@ TEST_CASE("A creep curve is concave, has the right tangents and does not depend 
         const FrictionStep<> point = model.steady(now, xi, next, workspace);
         std::swap(now, next);
         CAPTURE(k);
-        CHECK(point.force_per_width == Approx(from_scratch(model, xi).force_per_width).epsilon(1e-12));
-        const double slope = (point.force_per_width - force_before) / creepage(0.01);
+        CHECK(point.force == Approx(from_scratch(model, xi).force).epsilon(1e-12));
+        const double slope = (point.force - force_before) / creepage(0.01);
         CHECK(slope <= 1e-9);  // the force opposes the creepage and grows ever more slowly
         CHECK(-slope <= slope_before + 1e-9);
-        force_before = point.force_per_width;
+        force_before = point.force;
         slope_before = -slope;
         // the curve of a mesh is piecewise straight: a difference quotient that crosses no kink is exact
         const double delta = 1e-7 * peak;
         const FrictionStep<> above = from_scratch(model, xi + delta), below = from_scratch(model, xi - delta);
         if (above.stick_count == below.stick_count) {
-            const double quotient = (above.force_per_width - below.force_per_width) / (2 * delta);
-            CHECK(point.tangent_per_width == Approx(quotient).epsilon(1e-6).margin(1e-7));
+            const double quotient = (above.force - below.force) / (2 * delta);
+            CHECK(point.tangent == Approx(quotient).epsilon(1e-6).margin(1e-7));
         }
     }
 }

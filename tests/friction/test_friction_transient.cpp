@@ -29,14 +29,14 @@ using Catch::Matchers::ContainsSubstring;
 TEST_CASE("Small creepage or high friction gives the linear solutions", "[friction]") {
     for (const Collocation& scheme : {half, Collocation{0, 0.63}}) {
         const Scene scene(cosine_mesh<double>(30), scheme), grippy(cosine_mesh<double>(30), scheme, 1e9);
-        const double linear = -solve_steady(scene.mesh, scheme, scene.kernel).c11;
-        const double small = from_scratch(scene.steady(), 1e-9).force_per_width / 1e-9;
+        const double linear = -scene.contact.width() * solve_steady(scene.mesh, scheme, scene.kernel).c11;
+        const double small = from_scratch(scene.steady(), 1e-9).force / 1e-9;
         const FrictionStep<> gripped = from_scratch(grippy.steady(), 0.3);
         CHECK(std::abs(small / linear - 1) < 1e-12);
-        CHECK(std::abs(gripped.force_per_width / 0.3 / linear - 1) < 1e-12);
-        CHECK(std::abs(gripped.tangent_per_width / linear - 1) < 1e-12);
+        CHECK(std::abs(gripped.force / 0.3 / linear - 1) < 1e-12);
+        CHECK(std::abs(gripped.tangent / linear - 1) < 1e-12);
         CHECK(gripped.stick_count == 30);
-        CHECK(gripped.slip_work_per_width == 0);
+        CHECK(gripped.slip_work == 0);
 
         // the same steps as in full adhesion, whatever the integrator and the motion
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
@@ -85,7 +85,7 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
             const double shift = peak * cattaneo_shift(force, nu, 100.0);
             const FrictionStep<> step = model.shift(rest, shift, shifted, workspace);
             sizes.push_back(static_cast<double>(n));
-            errors.push_back(force_ratio(step) / force - 1);
+            errors.push_back(force_ratio(step, scene.contact) / force - 1);
             CAPTURE(force, n, errors.back());
             CHECK(step.status == StepStatus::ok);
             // without rolling the solution is symmetric
@@ -100,8 +100,7 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
             }
             const double delta = 1e-7 * shift;
             const FrictionStep<> more = model.shift(rest, shift + delta, shifted, workspace);
-            CHECK(step.tangent_per_width ==
-                  Approx((more.force_per_width - step.force_per_width) / delta).epsilon(1e-5));
+            CHECK(step.tangent == Approx((more.force - step.force) / delta).epsilon(1e-5));
         }
         CHECK(std::abs(errors[1]) < 5e-4);
         CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.3);
@@ -143,7 +142,7 @@ TEST_CASE("Every step satisfies Coulomb's law, whatever the history", "[friction
                 const FrictionStep<> step = model.advance(now, dq, xi, next, workspace);
                 CAPTURE(name(integrator), k, step.rounds, step.pivots, step.complementarity_residual);
                 REQUIRE(step.status == StepStatus::ok);
-                REQUIRE(step.slip_work_per_width >= 0);
+                REQUIRE(step.slip_work >= 0);
                 const VectorX<double> imposed = VectorX<double>::Constant(24, xi * dq);
                 const VectorX<double>& slip = workspace.slip();
                 VectorX<double> last = G * (next.traction - now.traction) - dq * G_prime * next.traction + imposed;
@@ -165,9 +164,10 @@ TEST_CASE("Every step satisfies Coulomb's law, whatever the history", "[friction
                 }
                 work += lawful_work(scene, next.traction, last, rounding);
                 // where the slip reverses within an element, its work counts as zero
-                work = work.cwiseMax(0.0);
-                CHECK((workspace.slip_work() - work).cwiseAbs().maxCoeff() < 1e-6 * work.maxCoeff() + 1e-14);
-                CHECK(step.slip_work_per_width == Approx(work.sum()).epsilon(1e-6).margin(1e-14));
+                work = scene.contact.width() * work.cwiseMax(0.0);
+                const double margin = 1e-14 * scene.contact.width();
+                CHECK((workspace.slip_work() - work).cwiseAbs().maxCoeff() < 1e-6 * work.maxCoeff() + margin);
+                CHECK(step.slip_work == Approx(work.sum()).epsilon(1e-6).margin(margin));
                 std::swap(now, next);
             }
         }
@@ -278,7 +278,8 @@ TEST_CASE("Steps and steady rolling with friction agree in every scalar type", "
     const auto ratios = [&]<class Scalar>(Scalar) {
         const auto [rolled, steady] =
             rolled_and_steady<Scalar>(scene.contact, scene.system(), scene.friction.normal_pressure, creepage(1));
-        return std::pair(double(rolled) / full_force, double(steady) / full_force);
+        const double full = full_force * scene.contact.width();
+        return std::pair(double(rolled) / full, double(steady) / full);
     };
     const auto [rolled, steady] = ratios(1.0);
     const auto [rolled_float, steady_float] = ratios(1.0f);
@@ -321,7 +322,7 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
     const FrictionModel<> smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
     FrictionState<> next = smooth.at_rest();
     FrictionWorkspace<> workspace = smooth.workspace();
-    CHECK(smooth.advance(smooth.at_rest(), 0.1, 1e-3, next, workspace).force_per_width == 0);
+    CHECK(smooth.advance(smooth.at_rest(), 0.1, 1e-3, next, workspace).force == 0);
     scene.friction.normal_pressure[5] = 0;
     const FrictionModel<> gap = scene.transient();
     CHECK(gap.advance(gap.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::ok);

@@ -290,9 +290,6 @@ TEST_CASE("patch_friction: limits and symmetries") {
     CHECK(nothing.step.stick_count == 56);
     CHECK(nothing.state.traction.norm() == 0);
     CHECK(nothing.step.slip_work == 0);
-    CHECK(std::isnan(nothing.step.force_per_width.longitudinal));
-    CHECK(std::isnan(nothing.step.tangent_per_width.by_spin.moment));
-    CHECK(std::isnan(nothing.step.slip_work_per_width));
 
     // full sliding: F opposes the creepage, and there is no moment
     const Solved sliding = solve(model, {0.3, -0.4, 0});
@@ -391,7 +388,6 @@ TEST_CASE("patch_friction: a step of creepage from rest") {
         }
         const double elastic = model.elastic_energy(now);
         CHECK(elastic > 0);
-        CHECK(std::isnan(model.elastic_energy_per_width(now)));
         CHECK(imposed == Approx(heat + elastic).epsilon(0.03));
     }
 }

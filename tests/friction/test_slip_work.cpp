@@ -99,10 +99,9 @@ TEST_CASE("The slip work of steady rolling converges at second order", "[frictio
             const double xi = creepage(expected.ratio);
             const FrictionStep<> point = model.steady(rest, xi, state, workspace);
             CAPTURE(expected.ratio, scene.mesh.size());
-            CHECK(std::abs(point.slip_work_per_width / (-point.force_per_width * xi) - 1 - expected.errors[k]) <
-                  0.05 * expected.errors[k]);
+            CHECK(std::abs(point.slip_work / (-point.force * xi) - 1 - expected.errors[k]) < 0.05 * expected.errors[k]);
             CHECK(workspace.slip_work().minCoeff() >= 0);
-            CHECK(std::abs(workspace.slip_work().sum() / point.slip_work_per_width - 1) < 1e-14);
+            CHECK(std::abs(workspace.slip_work().sum() / point.slip_work - 1) < 1e-14);
             // no heat in the stick zone, except in the element that contains the border
             for (Eigen::Index i = 1; i < scene.mesh.size(); ++i) {
                 const bool sticks = workspace.slip()[i - 1] == 0 && workspace.slip()[i] == 0;
@@ -110,7 +109,7 @@ TEST_CASE("The slip work of steady rolling converges at second order", "[frictio
             }
             sizes.push_back(static_cast<double>(scene.mesh.size()));
             against_carter.push_back(
-                point.slip_work_per_width / (carter_force_ratio(expected.ratio) * full_force * xi) - 1);
+                point.slip_work / (carter_force_ratio(expected.ratio) * full_force * scene.contact.width() * xi) - 1);
         }
         CAPTURE(against_carter);
         CHECK(std::abs(support::observed_order(sizes, against_carter) - 2) < 0.25);
@@ -121,9 +120,9 @@ TEST_CASE("The slip work of full sliding is exact on any mesh", "[friction]") {
     // creepage beyond that of full sliding adds (xi - xi_full) mu N, whatever the mesh
     for (const Eigen::Index n : {3, 10, 40}) {
         const Scene scene(cosine_mesh<double>(n));
-        const double more = from_scratch(scene.steady(), creepage(3)).slip_work_per_width;
-        const double less = from_scratch(scene.steady(), creepage(2)).slip_work_per_width;
-        CHECK(std::abs((more - less) / (creepage(1) * full_force) - 1) < 1e-12);
+        const double more = from_scratch(scene.steady(), creepage(3)).slip_work;
+        const double less = from_scratch(scene.steady(), creepage(2)).slip_work;
+        CHECK(std::abs((more - less) / (creepage(1) * full_force * scene.contact.width()) - 1) < 1e-12);
     }
 }
 
@@ -140,7 +139,7 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
                                                    : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             CHECK(workspace.slip_work().minCoeff() >= 0);
-            CHECK(std::abs(workspace.slip_work().sum() - step.slip_work_per_width) <= 1e-14 * step.slip_work_per_width);
+            CHECK(std::abs(workspace.slip_work().sum() - step.slip_work) <= 1e-14 * step.slip_work);
             for (Eigen::Index i = 1; i < 24; ++i) {
                 const double mean = (workspace.slip()[i - 1] + workspace.slip()[i]) / 2;
                 if (mean * next.traction[i] > 0) ++turns;

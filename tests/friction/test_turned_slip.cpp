@@ -56,8 +56,8 @@ TEST_CASE("With turned slip, forces agree with two other programs to second orde
         for (const double expected : point.errors) {
             const Nodal scene(n);
             const Step step = from_scratch(scene.steady(), scene.creepage(point.ratio, point.degrees, point.spin));
-            const double error = std::max(std::abs(ratios(step).longitudinal - point.longitudinal),
-                                          std::abs(ratios(step).lateral - point.lateral));
+            const double error = std::max(std::abs(ratios(step, scene.contact).longitudinal - point.longitudinal),
+                                          std::abs(ratios(step, scene.contact).lateral - point.lateral));
             CAPTURE(point.ratio, point.degrees, point.spin, n, error);
             CHECK(step.status == StepStatus::ok);
             CHECK(std::abs(error - expected) < std::max(0.1 * expected, 1e-5));
@@ -74,7 +74,8 @@ TEST_CASE("Slip that is not turned leaves an error of first order", "[friction]"
             Nodal scene(20 << k);
             scene.friction.turned = turned;
             const Step step = from_scratch(scene.steady(), scene.creepage(0.9, 45, 0));
-            errors[k] = std::hypot(ratios(step).longitudinal - 0.74289, ratios(step).lateral - 0.59337);
+            errors[k] = std::hypot(ratios(step, scene.contact).longitudinal - 0.74289,
+                                   ratios(step, scene.contact).lateral - 0.59337);
         }
         CAPTURE(turned, errors[0], errors[1], errors[2]);
         const double order = std::log2(errors[0] / errors[2]) / 2;
@@ -92,16 +93,15 @@ TEST_CASE("In full adhesion spin has the force and creepage the moment of the cl
         Nodal scene(10 << k);
         scene.lateral = scene.longitudinal;
         scene.friction.normal_pressure.setConstant(1e6);
-        const double exact = std::numbers::pi / (4 * (1 - scene.nu)) * 1e-3;
+        const double exact = scene.contact.width() * std::numbers::pi / (4 * (1 - scene.nu)) * 1e-3;
         const Step spin = from_scratch(scene.steady(), {0, 0, 1e-3});
         const Step creepage = from_scratch(scene.steady(), {0, 1e-3});
         REQUIRE(spin.stick_count == scene.mesh.size());
-        CAPTURE(k, spin.force_per_width.lateral / exact, creepage.force_per_width.moment / exact);
-        CHECK(std::abs(std::abs(spin.force_per_width.lateral / exact + 1) - force_errors[k]) < 0.1 * force_errors[k]);
-        CHECK(std::abs(creepage.force_per_width.moment / exact - 1 - moment_errors[k]) <
-              std::max(1e-5, -0.1 * moment_errors[k]));
-        CHECK(spin.force_per_width.longitudinal == 0);
-        CHECK(std::abs(spin.force_per_width.moment) < 1e-2 * exact);
+        CAPTURE(k, spin.force.lateral / exact, creepage.force.moment / exact);
+        CHECK(std::abs(std::abs(spin.force.lateral / exact + 1) - force_errors[k]) < 0.1 * force_errors[k]);
+        CHECK(std::abs(creepage.force.moment / exact - 1 - moment_errors[k]) < std::max(1e-5, -0.1 * moment_errors[k]));
+        CHECK(spin.force.longitudinal == 0);
+        CHECK(std::abs(spin.force.moment) < 1e-2 * exact);
     }
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("Work by creepage and spin becomes heat, to second order", "[friction]
             const Nodal scene(n);
             const Creepage<double> creepage = scene.creepage(ratio, 40, spin);
             const Step step = from_scratch(scene.steady(), creepage);
-            const double error = std::abs(step.slip_work_per_width / work_of(step.force_per_width, creepage) - 1);
+            const double error = std::abs(step.slip_work / work_of(step.force, creepage) - 1);
             CAPTURE(ratio, spin, n, error);
             CHECK(error < 4e-3 * 400 / static_cast<double>(n * n));
         }
@@ -123,15 +123,15 @@ TEST_CASE("Spin that makes everything slip has the moment of full sliding about 
     const Nodal scene(80);
     const Step step = from_scratch(scene.steady(), {0, 0, 1e4});
     CHECK(step.status == StepStatus::ok);
-    CHECK(std::abs(-step.force_per_width.moment / full_force - 4 / (3 * std::numbers::pi)) < 1e-3);
+    CHECK(std::abs(-step.force.moment / (full_force * scene.contact.width()) - 4 / (3 * std::numbers::pi)) < 1e-3);
     // slip reverses at the middle, the point of a row: its element, with 2/n of the load, slides either way
-    CHECK(std::abs(ratios(step).lateral) < 4.01 / 80);
+    CHECK(std::abs(ratios(step, scene.contact).lateral) < 4.01 / 80);
     const Step opposite = from_scratch(scene.steady(), {0, 0, -1e4});
-    CHECK(opposite.force_per_width.moment == Approx(-step.force_per_width.moment).epsilon(1e-12));
+    CHECK(opposite.force.moment == Approx(-step.force.moment).epsilon(1e-12));
     const Step none = from_scratch(scene.steady(), {});
     CHECK(none.status == StepStatus::ok);
-    CHECK(none.force_per_width.lateral == 0);
-    CHECK(none.force_per_width.moment == 0);
+    CHECK(none.force.lateral == 0);
+    CHECK(none.force.moment == 0);
     const Scene one(uniform_mesh<double>(1));
     const Step single = from_scratch(one.steady(), {1e-2, 0, 1e-2});
     CHECK(single.status == StepStatus::ok);
@@ -146,12 +146,10 @@ TEST_CASE("Lengths enter spin and moment as they should", "[friction]") {
     const Creepage<double> creepage = scene.creepage(0.3, 30, 0.8);
     const Step small = from_scratch(scene.steady(), creepage);
     const Step step = from_scratch(model, {creepage.longitudinal, creepage.lateral, creepage.spin / 5e-3});
-    const double unit = 8e10 * 5e-3;
-    CHECK(step.force_per_width.lateral == Approx(unit * small.force_per_width.lateral).epsilon(1e-10));
-    CHECK(step.force_per_width.moment == Approx(unit * 5e-3 * small.force_per_width.moment).epsilon(1e-10));
-    CHECK(step.force.moment == Approx(10 * step.force_per_width.moment));
-    CHECK(step.tangent_per_width.by_spin.moment ==
-          Approx(unit * 5e-3 * 5e-3 * small.tangent_per_width.by_spin.moment).epsilon(1e-8));
+    const double unit = 8e10 * 5e-3 * 5e-3;  // of another width, too
+    CHECK(step.force.lateral == Approx(unit * small.force.lateral).epsilon(1e-10));
+    CHECK(step.force.moment == Approx(unit * 5e-3 * small.force.moment).epsilon(1e-10));
+    CHECK(step.tangent.by_spin.moment == Approx(unit * 5e-3 * 5e-3 * small.tangent.by_spin.moment).epsilon(1e-8));
 }
 
 TEST_CASE("The tangents of steps with spin are derivatives", "[friction]") {
@@ -172,7 +170,7 @@ TEST_CASE("The tangents of steps with spin are derivatives", "[friction]") {
                                             end.spin + spin * peak};
                 const Motion motion = k % 4 == 0 ? Motion(last) : Motion::linear(start, last);
                 const NormalLoad<double> load{a * scene.friction.normal_pressure, a + longer, {}};
-                return model.advance(now, 0.3, motion, load, unused, workspace).force_per_width;
+                return model.advance(now, 0.3, motion, load, unused, workspace).force;
             };
             const auto check = [&](const TangentialForce<double>& own, const TangentialForce<double>& ahead,
                                    const TangentialForce<double>& behind, double step, double margin) {
@@ -186,10 +184,11 @@ TEST_CASE("The tangents of steps with spin are derivatives", "[friction]") {
             REQUIRE(step.status == StepStatus::ok);
             mixed += step.stick_count > 0 && step.stick_count < 20 ? 1 : 0;
             CAPTURE(k, name(integrator));
-            check(step.tangent_per_width.by_longitudinal, run(e, 0, 0, 0), run(-e, 0, 0, 0), 2 * e * peak, 1e-5);
-            check(step.tangent_per_width.by_lateral, run(0, e, 0, 0), run(0, -e, 0, 0), 2 * e * peak, 1e-5);
-            check(step.tangent_per_width.by_spin, run(0, 0, e, 0), run(0, 0, -e, 0), 2 * e * peak, 1e-5);
-            check(step.tangent_by_half_length_per_width, run(0, 0, 0, e), run(0, 0, 0, -e), 2 * e, 1e-5 * peak);
+            const double margin = 1e-5 * scene.contact.width();
+            check(step.tangent.by_longitudinal, run(e, 0, 0, 0), run(-e, 0, 0, 0), 2 * e * peak, margin);
+            check(step.tangent.by_lateral, run(0, e, 0, 0), run(0, -e, 0, 0), 2 * e * peak, margin);
+            check(step.tangent.by_spin, run(0, 0, e, 0), run(0, 0, -e, 0), 2 * e * peak, margin);
+            check(step.tangent_by_half_length, run(0, 0, 0, e), run(0, 0, 0, -e), 2 * e, margin * peak);
             std::swap(now, next);
         }
         CHECK(mixed > 10);
@@ -212,13 +211,13 @@ TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rol
                 std::swap(now, next);
             }
             const Step steady = model.steady(model.at_rest(), creepage, next, workspace);
-            const double off = std::hypot(step.force_per_width.longitudinal - steady.force_per_width.longitudinal,
-                                          step.force_per_width.lateral - steady.force_per_width.lateral) /
-                               full_force;
+            const double off = std::hypot(step.force.longitudinal - steady.force.longitudinal,
+                                          step.force.lateral - steady.force.lateral) /
+                               (full_force * scene.contact.width());
             CAPTURE(name(integrator), n, off);
             CHECK(std::abs(step.force.lateral - last.force.lateral) < 1e-8 * std::abs(step.force.lateral));
-            CHECK(step.force_per_width.moment == Approx(steady.force_per_width.moment).margin(1e-8 * full_force));
-            CHECK(step.slip_work_per_width == Approx(0.5 * steady.slip_work_per_width).epsilon(1e-8));
+            CHECK(step.force.moment == Approx(steady.force.moment).margin(1e-8 * full_force * scene.contact.width()));
+            CHECK(step.slip_work == Approx(0.5 * steady.slip_work).epsilon(1e-8));
             CHECK(off < 1e-8);
         }
     }

@@ -104,7 +104,7 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
             continue;
         }
         REQUIRE(step.status == StepStatus::ok);
-        REQUIRE(step.slip_work_per_width >= (directions == 1 ? 0 : -1e-9));
+        REQUIRE(step.slip_work >= (directions == 1 ? 0 : -1e-9));
         REQUIRE(found.worst() <= 1);
         tally.mixed += step.stick_count > 0 && step.stick_count < n ? 1 : 0;
         if (kind != Kind::constant) {

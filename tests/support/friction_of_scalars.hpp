@@ -35,7 +35,7 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
     // the law in braces
     const FrictionModel<ConstantFriction<Scalar>, 1, Scalar> steady(contact, {{}, G_prime, widths},
                                                                     {friction.law, friction.normal_pressure});
-    return {step.force_per_width, steady.steady(now, Scalar(sliding * 0.95), next, workspace).force_per_width};
+    return {step.force, steady.steady(now, Scalar(sliding * 0.95), next, workspace).force};
 }
 
 }  // namespace rollbem

@@ -167,21 +167,18 @@ public:
     State at_rest() const { return core_.at_rest(); }
     Workspace workspace() const { return core_.workspace(); }
 
-    /// 2b F_bar of a state [N]. The state must have size() elements.
+    /// The force of a state [N]. The state must have size() elements.
     Force force(const State& state) const { return core_.force(state); }
 
-    /// Elastic energy of the tangential tractions in both bodies, E = 1/2 int p u dx, per unit width [J/m] and in total
-    /// [J], summed over the directions. Positive, except for tractions that alternate from element to element; of
+    /// Elastic energy of the tangential tractions in both bodies, E = 1/2 int p u dA [J], summed over the
+    /// directions. Positive, except for tractions that alternate from element to element; of
     /// second order in 1/n on cosine meshes at alpha = 0.5. The state must have size() elements; NaN if the system
     /// cannot represent its half-length.
     ///
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
-    /// for any scheme. The sum of slip_work_per_width agrees with it to the orders of both in n and dq.
-    Scalar elastic_energy_per_width(const State& state) const {
-        return core_.is_line() ? core_.elastic_energy(state, system_) : detail::unknown<Scalar>;
-    }
-    Scalar elastic_energy(const State& state) const { return core_.width() * core_.elastic_energy(state, system_); }
+    /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
+    Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state, system_); }
 
     /// Steady rolling at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
     /// load of `from`, sought from its zones and coefficients. `to` must be another state with the same number of

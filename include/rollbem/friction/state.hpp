@@ -97,9 +97,9 @@ Value nothing() {
 
 }  // namespace detail
 
-/// Result of a steady solution, a step or a rigid shift. "Per width" refers to the centre line of a line contact, y = 0;
-/// a patch has no such numbers (NaN), and what follows on them holds for its totals. Forces and their
-/// derivatives are numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution;
+/// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, of a line contact over
+/// its width 2b; where b is infinite they are per metre of width (Contact::width()). Forces and their derivatives are
+/// numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution;
 /// tangents also if the equations of the elements are singular.
 template <int directions = 1, class Scalar_ = double>
 struct FrictionStep {
@@ -107,30 +107,24 @@ struct FrictionStep {
     using Force = detail::ByDirections<directions, Scalar, TangentialForce<Scalar>>;
     using Tangent = detail::ByDirections<directions, Scalar, CreepageTangent<Scalar>>;
 
-    Force force_per_width = detail::nothing<Force>();  ///< F_bar on body 1 [N/m]
-    Force force = detail::nothing<Force>();            ///< 2b F_bar [N]; infinite for infinite b
-    /// d force_per_width / d creepage at the end of the step [N/m]; for a rigid shift, by the shift [N/m^2].
-    Tangent tangent_per_width = detail::nothing<Tangent>();
-    Tangent tangent = detail::nothing<Tangent>();  ///< 2b tangent_per_width; infinite for infinite b
+    Force force = detail::nothing<Force>();  ///< on body 1 [N]
+    /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].
+    Tangent tangent = detail::nothing<Tangent>();
     /// Derivatives by the load at the end of a step, at constant half-length and half-width, and by these; if they
     /// depend on the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load +
     /// tangent_by_half_width db/d load. NaN for steps without a load of their own; by the load also if NormalLoad has no
     /// pressure_rate, by the others also if the system cannot breathe and for a rigid shift. A patch of constant a/b has
     /// a tangent by the half-length at that a/b, and none by the half-width: 0. On a line that by the half-width is NaN.
-    Force tangent_by_load_per_width = detail::nothing<Force>();         ///< [N/m per unit of the load]
-    Force tangent_by_load = detail::nothing<Force>();                   ///< 2b times it
-    Force tangent_by_half_length_per_width = detail::nothing<Force>();  ///< [N/m^2]
-    Force tangent_by_half_length = detail::nothing<Force>();            ///< 2b times it [N/m]
-    Force tangent_by_half_width = detail::nothing<Force>();             ///< of a patch [N/m]
-    /// Frictional heat: per unit width [J/m] for a step or a shift; per unit width and unit distance rolled [J/m^2] for
-    /// a steady solution. It is the sum over elements and directions of traction times slip at the centre, of second
-    /// order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F_bar xi: 1.5e-3 at a creepage ratio
+    Force tangent_by_load = detail::nothing<Force>();         ///< [N per unit of the load]
+    Force tangent_by_half_length = detail::nothing<Force>();  ///< [N/m]
+    Force tangent_by_half_width = detail::nothing<Force>();   ///< of a patch [N/m]
+    /// Frictional heat [J]; of a steady solution per distance rolled [J/m]. It is the sum over elements and directions of traction times slip at the centre, of second
+    /// order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F xi: 1.5e-3 at a creepage ratio
     /// of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order. Never negative,
     /// but with two directions and equations half an element ahead: an element that sticks ahead of one that slips then
     /// contributes a value of either sign, 2 % of the whole at most on 8 elements.
-    Scalar slip_work_per_width = detail::unknown<Scalar>;
-    Scalar slip_work = detail::unknown<Scalar>;  ///< 2b times it [J]; of a steady solution per distance rolled [J/m]
-    /// Elastic energy that jumps of the tractions release in a step [J/m], as friction that falls with slip lets them:
+    Scalar slip_work = detail::unknown<Scalar>;
+    /// Elastic energy that jumps of the tractions release in a step [J], as friction that falls with slip lets them:
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
     ///
@@ -138,8 +132,7 @@ struct FrictionStep {
     /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
     /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
     /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.
-    Scalar jump_work_per_width = detail::unknown<Scalar>;
-    Scalar jump_work = detail::unknown<Scalar>;  ///< 2b times it [J]
+    Scalar jump_work = detail::unknown<Scalar>;
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
     /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
     /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a

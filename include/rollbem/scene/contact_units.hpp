@@ -14,14 +14,14 @@ namespace rollbem::detail {
 template <class Scalar>
 struct ContactUnits {
     Scalar length;         ///< a [m]
-    Scalar width;          ///< 2b [m]; of a patch a
+    Scalar width;          ///< Contact::width() [m]; of a patch a
     Scalar half_width;     ///< b [m]
     Scalar shear_modulus;  ///< G [Pa]
     std::uint64_t fingerprint;
-    bool line;  ///< forces per width exist
+    bool line;  ///< not a patch
 
     ContactUnits(const Contact<Scalar>& contact)  // NOLINT: implicit on purpose
-        : ContactUnits(contact, 2 * contact.half_width(), true) {}
+        : ContactUnits(contact, contact.width(), true) {}
     ContactUnits(const PatchContact<Scalar>& contact)  // NOLINT: implicit on purpose
         : ContactUnits(contact, contact.half_length(), false) {}
 

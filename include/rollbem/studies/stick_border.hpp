@@ -120,8 +120,8 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
     const FrictionStep<1, Scalar> step = model.steady(rest, creepage, state, workspace);
     result.elements.emplace(typename StickBorderSolution<Scalar>::Elements{mesh, state.traction, workspace.slip()});
-    result.force_per_width = step.force_per_width;
-    result.tangent_per_width = step.tangent_per_width;
+    result.force_per_width = step.force / contact.width();
+    result.tangent_per_width = step.tangent / contact.width();
     result.complementarity_residual = step.complementarity_residual;
     result.status = step.status;
 }

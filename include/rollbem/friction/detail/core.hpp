@@ -67,7 +67,6 @@ public:
 
     Eigen::Index size() const { return areas_.size(); }
     Scalar half_length() const { return half_length_; }
-    Scalar width() const { return width_; }
     /// The semi-axes of a state or load in those of the contact; on a line the half-width is 1.
     template <class Loaded>
     Axes axes(const Loaded& loaded) const {
@@ -91,7 +90,6 @@ public:
         }
         return line_ && load.half_width != half_width_ ? StepStatus::needs_fixed_mesh : StepStatus::ok;
     }
-    bool is_line() const { return line_; }
     std::uint64_t fingerprint() const { return fingerprint_; }
     Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
 
@@ -118,7 +116,7 @@ public:
         return total(state.traction, width_ * state.half_length * present.half_width, arms(state.half_length, present));
     }
 
-    /// Per width() [J/m]; NaN if the system cannot represent the half-length.
+    /// NaN if the system cannot represent the half-length.
     Scalar elastic_energy(const State& state, const System& system) const;
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
@@ -343,14 +341,13 @@ private:
     // progress.tangent_exists if the result is not finite.
     Step finish(const Bounds& bounds, const State& from, Progress& progress, const Load& load, Scalar slip_unit,
                 State& to, Scratch& scratch) const {
-        slip_work_.end(scratch.work, half_length_ * shear_modulus_ * slip_unit);
+        slip_work_.end(scratch.work, width_ * half_length_ * shear_modulus_ * slip_unit);
         scratch.slip *= slip_unit;
         to.system = fingerprint_;
         const Axes present = axes(load);
-        const Force force = total(scratch.start, load.half_length * present.half_width * shear_modulus_,
+        const Force force = total(scratch.start, width_ * load.half_length * present.half_width * shear_modulus_,
                                   arms(load.half_length, present));
         const Scalar work = scratch.work.sum();
-        if (!line_) scratch.work *= width_;
         progress.finite = progress.finite && is_finite(force) && is_finite(work);
         if (!progress.finite) {
             progress.tangent_exists = false;
@@ -371,9 +368,9 @@ private:
             unchanged_steps_.count(from.solver, scratch.stage, rolls && scratch.solver.unchanged(), to.solver);
         }
         Step step;
-        step.force_per_width = force;
-        step.slip_work_per_width = work;
-        step.jump_work_per_width = 0;
+        step.force = force;
+        step.slip_work = work;
+        step.jump_work = 0;
         step.complementarity_residual = progress.residual;
         step.stick_count = scratch.solver.stick_count();
         step.rounds = progress.rounds;
@@ -394,7 +391,7 @@ private:
         } else if constexpr (slip_dependent) {
             work = scratch.jump_work.rolled(system, slip_work_, present, two_stages, start, scratch.start);
         }
-        step.jump_work_per_width = shear_modulus_ * half_length_ * half_length_ * work;
+        step.jump_work = width_ * shear_modulus_ * half_length_ * half_length_ * work;
     }
 
     std::size_t creepage_count() const { return directions == 2 && spin_.rows() == 0 ? 2 : By::creepages; }
@@ -455,7 +452,7 @@ private:
                       Scalar spin, const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
         const Axes present = axes(load);
         const Scalar a = load.half_length, b = present.half_width;
-        const Scalar unit = a * b * shear_modulus_;
+        const Scalar unit = width_ * a * b * shear_modulus_;
         const Arms arm = arms(a, present);
         if constexpr (keeps_tangents) {
             if (scratch.tangent_revision != scratch.solver.revision()) {
@@ -467,52 +464,34 @@ private:
             }
             // without a first stage, carried_tangent is that of an earlier step
             const Scalar last = imposed * scratch.unit_tangent;
-            step.tangent_per_width = unit * (carried == 0 ? last : last + carried * scratch.carried_tangent);
+            step.tangent = unit * (carried == 0 ? last : last + carried * scratch.carried_tangent);
         }
         const auto found = [&](Tangent&, std::size_t parameter) {
             const Force caused = total(scratch.response, unit, arm);
             if (parameter < By::creepages) {
                 if constexpr (directions == 1) {
-                    step.tangent_per_width = caused;
+                    step.tangent = caused;
                 } else {
-                    auto& by = step.tangent_per_width;
+                    auto& by = step.tangent;
                     (parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin) = caused;
                 }
             } else if (parameter == By::load) {
-                step.tangent_by_load_per_width = caused;
+                step.tangent_by_load = caused;
             } else if (parameter == By::half_length) {
                 const bool follows = keeps_shape(*system);  // the half-width follows
                 const Scalar power = follows ? 2 : 1, share = follows ? Scalar(1.5) : Scalar(1);
-                step.tangent_by_half_length_per_width =
-                    total(scratch.start, power * b * shear_modulus_, {(follows ? share : 2) * arm.x, share * arm.y}) +
-                    1 / half_length_ * caused;
+                step.tangent_by_half_length = total(scratch.start, power * width_ * b * shear_modulus_,
+                                                    {(follows ? share : 2) * arm.x, share * arm.y}) +
+                                              1 / half_length_ * caused;
                 if constexpr (directions == 2) {
                     if (follows) step.tangent_by_half_width = {0, 0, 0};
                 }
             } else if constexpr (directions == 2) {
-                const Force direct = total(scratch.start, a * shear_modulus_, {arm.x, 2 * arm.y});
-                step.tangent_by_half_width = width_ / half_width_ * (direct + caused);
+                const Force direct = total(scratch.start, width_ * a * shear_modulus_, {arm.x, 2 * arm.y});
+                step.tangent_by_half_width = 1 / half_width_ * (direct + caused);
             }
         };
         for_tangents(bounds, system, place, imposed, spin, carried != 0, asked, present, scratch, found);
-    }
-
-    // From numbers per unit width, of a patch per `width_`, which only there are not for the user.
-    void add_totals(Step& step) const {
-        step.force = width_ * step.force_per_width;
-        step.tangent = width_ * step.tangent_per_width;
-        step.tangent_by_load = width_ * step.tangent_by_load_per_width;
-        step.tangent_by_half_length = width_ * step.tangent_by_half_length_per_width;
-        step.slip_work = width_ * step.slip_work_per_width;
-        step.jump_work = width_ * step.jump_work_per_width;
-        if (line_) return;
-        const Step none;
-        step.force_per_width = none.force_per_width;
-        step.tangent_per_width = none.tangent_per_width;
-        step.tangent_by_load_per_width = none.tangent_by_load_per_width;
-        step.tangent_by_half_length_per_width = none.tangent_by_half_length_per_width;
-        step.slip_work_per_width = none.slip_work_per_width;
-        step.jump_work_per_width = none.jump_work_per_width;
     }
 
     // Of moments [m]: a, and on a patch by the tractions p_x the half-width over that of the contact, times a_0.
@@ -544,7 +523,7 @@ private:
         }
     }
 
-    Scalar half_length_, half_width_, width_, shear_modulus_;  // a_0, b_0, 2b_0 (of a patch a_0) [m], G [Pa]
+    Scalar half_length_, half_width_, width_, shear_modulus_;  // a_0, b_0, that of ContactUnits [m], G [Pa]
     bool line_;
     VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
@@ -604,8 +583,8 @@ auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, c
     if (check_growth(system, Scalar(0), present, present) != StepStatus::ok) return unknown<Scalar>;
     ElementVectors<Scalar, directions> displacement = state.traction;
     find_displacements(system, present, state.traction, displacement);
-    return half_length_ * state.half_length * present.half_width * slip_work_.product(state.traction, displacement) /
-           (2 * shear_modulus_);
+    return width_ * half_length_ * state.half_length * present.half_width *
+           slip_work_.product(state.traction, displacement) / (2 * shear_modulus_);
 }
 
 template <class Law, int directions, class Scalar>
@@ -661,7 +640,6 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
     if (wants_tangents(progress)) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
-    add_totals(step);
     return step;
 }
 
@@ -731,7 +709,6 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
         add_tangents(bounds, &system, {part, 1}, imposed, carried, imposed * spin_of(motion.end()), asked, load,
                      scratch, step);
     }
-    add_totals(step);
     return step;
 }
 
