@@ -287,17 +287,11 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// From rest in the most expensive case, oblique creepage where stick ends. With slip turned to its direction at the
-// centres, as by default, or left as it is.
-void combined_steady(benchmark::State& state, bool turned) {
-    Scene scene(state.range(0));
-    scene.friction.turned = turned;
-    solve_afresh(state, combined_steady_model(scene), creepage(1, 15));
+// From rest in the most expensive case, oblique creepage where stick ends.
+void BM_CombinedSteady(benchmark::State& state) {
+    solve_afresh(state, combined_steady_model(Scene(state.range(0))), creepage(1, 15));
 }
-void BM_CombinedSteady(benchmark::State& state) { combined_steady(state, true); }
 BENCHMARK(BM_CombinedSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
-void BM_CombinedSteadyUnturned(benchmark::State& state) { combined_steady(state, false); }
-BENCHMARK(BM_CombinedSteadyUnturned)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // The creepage ratio alternates there between two values 0.1 apart.
 void BM_CombinedSteadyWarm(benchmark::State& state) {
@@ -310,9 +304,8 @@ void BM_CombinedSteadyWarm(benchmark::State& state) {
 BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A creepage that varies in size and direction.
-void combined_steps(benchmark::State& state, Integrator integrator, bool turned = true) {
-    Scene scene(state.range(0));
-    scene.friction.turned = turned;
+void combined_steps(benchmark::State& state, Integrator integrator) {
+    const Scene scene(state.range(0));
     const FrictionModel model(scene.contact,
                               ElementSystem(rolling_system(scene.mesh, scene.scheme, scene.kernel),
                                             rolling_system(scene.mesh, scene.scheme, scene.lateral)),
@@ -327,8 +320,6 @@ void combined_steps(benchmark::State& state, Integrator integrator, bool turned 
 }
 void BM_CombinedStep(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler); }
 BENCHMARK(BM_CombinedStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
-void BM_CombinedStepUnturned(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler, false); }
-BENCHMARK(BM_CombinedStepUnturned)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_CombinedStepSdirk2(benchmark::State& state) { combined_steps(state, Integrator::sdirk2); }
 BENCHMARK(BM_CombinedStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 

@@ -21,6 +21,7 @@
 #include "friction/any_law.hpp"
 #include "friction/falling_scene.hpp"
 #include "friction/same_bits.hpp"
+#include "support/unturned.hpp"
 
 namespace any_model {
 
@@ -45,7 +46,7 @@ struct Setup {
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     double nu = falling_tests::poisson_ratio, half_width = falling_tests::half_width;
     bool strip = false;   // else the plane kernel
-    bool turned = false;  // see Friction
+    bool turned = false;  // slip
     bool with_tangents = true;
     Law falling = law;
     double constant = law.mu_0;
@@ -63,10 +64,15 @@ struct Setup {
         const auto of = lateral ? AnyKernel<double>::lateral : AnyKernel<double>::longitudinal;
         return of(strip ? LineModel::strip : LineModel::plane, contact());
     }
-    ElementSystem<double> system(bool lateral) const { return rolling_system(mesh, scheme, kernel(lateral)); }
+    ElementSystem<double> as_turned(const ElementSystem<double>& of) const {
+        return turned ? of : support::unturned(of);
+    }
+    ElementSystem<double> system(bool lateral) const {
+        return as_turned(rolling_system(mesh, scheme, kernel(lateral)));
+    }
     template <class AnyOf>
     Friction<AnyOf> friction(const AnyOf& of) const {
-        return {of, pressure(), {distance, least}, with_tangents, turned};
+        return {of, pressure(), {distance, least}, with_tangents};
     }
 };
 
@@ -151,7 +157,7 @@ public:
 
     static Inner make_steady(const Setup& setup, const Law& own_law) {
         const auto system = [&](bool lateral) {
-            return steady_system(setup.mesh, setup.scheme, setup.kernel(lateral));
+            return setup.as_turned(steady_system(setup.mesh, setup.scheme, setup.kernel(lateral)));
         };
         if constexpr (directions == 1) {
             return {setup.contact(), system(setup.across), unchecked, setup.friction(own_law)};

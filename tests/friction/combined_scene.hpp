@@ -9,6 +9,8 @@
 
 #include <rollbem/compiled/friction.hpp>
 
+#include "support/unturned.hpp"
+
 namespace combined_tests {
 
 using namespace rollbem;
@@ -39,18 +41,23 @@ struct Scene {
         const double size = 2 * (1 - nu) * peak * ratio, angle = degrees * std::numbers::pi / 180;
         return {size * std::cos(angle), size * std::sin(angle)};
     }
-    ElementSystem<double> along() const { return rolling_system(mesh, scheme, longitudinal); }
-    ElementSystem<double> across() const { return rolling_system(mesh, scheme, lateral); }
+    ElementSystem<double> as_turned(const ElementSystem<double>& of) const {
+        return turned ? of : support::unturned(of);
+    }
+    ElementSystem<double> along() const { return as_turned(rolling_system(mesh, scheme, longitudinal)); }
+    ElementSystem<double> across() const { return as_turned(rolling_system(mesh, scheme, lateral)); }
     ElementSystem<double, 2> system() const { return {along(), across()}; }
     /// The same with slip that is not turned.
     Scene plain() const {
         Scene scene = *this;
-        scene.friction.turned = false;
+        scene.turned = false;
         return scene;
     }
     Model steady() const { return steady(longitudinal, lateral, friction); }
     Model steady(const PlaneKernel<double>& along_x, const PlaneKernel<double>& along_y, const Friction<>& law) const {
-        return {contact, {steady_system(mesh, scheme, along_x), steady_system(mesh, scheme, along_y)}, law};
+        return {contact,
+                {as_turned(steady_system(mesh, scheme, along_x)), as_turned(steady_system(mesh, scheme, along_y))},
+                law};
     }
     Model transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction, integrator};
@@ -62,6 +69,7 @@ struct Scene {
     Mesh<double> mesh;
     Collocation scheme;
     Friction<> friction;
+    bool turned = true;
 };
 
 /// The solution from rest, in a new workspace.

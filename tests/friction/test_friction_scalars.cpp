@@ -13,6 +13,7 @@
 #include "friction/falling_scene.hpp"
 #include "support/catch.hpp"
 #include "support/scalars.hpp"
+#include "support/unturned.hpp"
 
 namespace {
 
@@ -29,8 +30,9 @@ std::vector<double> ride(double distance, const Scheme& scheme) {
                                    .shear_modulus = modulus,
                                    .poisson_ratio = static_cast<Scalar>(falling_tests::poisson_ratio)});
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(16);
-    const ElementSystem<Scalar, 2> system(rolling_system(mesh, scheme, PlaneKernel<Scalar>::longitudinal(contact)),
-                                          rolling_system(mesh, scheme, PlaneKernel<Scalar>::lateral(contact)));
+    const ElementSystem<Scalar, 2> system(
+        support::unturned(rolling_system(mesh, scheme, PlaneKernel<Scalar>::longitudinal(contact))),
+        support::unturned(rolling_system(mesh, scheme, PlaneKernel<Scalar>::lateral(contact))));
     const ExponentialFall<Scalar> falling{static_cast<Scalar>(law.mu_0), static_cast<Scalar>(law.mu_k),
                                           static_cast<Scalar>(law.half_velocity)};
     const FrictionMemory<Scalar> memory{static_cast<Scalar>(distance),
@@ -38,8 +40,7 @@ std::vector<double> ride(double distance, const Scheme& scheme) {
     const Friction<ExponentialFall<Scalar>, Scalar> friction{
         .law = falling,
         .normal_pressure = static_cast<Scalar>(falling_tests::peak_pressure) * mean_hertz_pressure(mesh),
-        .memory = memory,
-        .turned = false};
+        .memory = memory};
     const FrictionModel<ExponentialFall<Scalar>, 2, Scalar> model(contact, system, unchecked, friction,
                                                                   Integrator::implicit_euler);
     auto workspace = model.workspace();

@@ -25,7 +25,7 @@ struct Nodal : Scene {
         return creepage;
     }
     ElementSystem<double, 2> slopes() const {
-        return {steady_system(mesh, nodes, longitudinal), steady_system(mesh, nodes, lateral)};
+        return {as_turned(steady_system(mesh, nodes, longitudinal)), as_turned(steady_system(mesh, nodes, lateral))};
     }
     Model steady() const { return {contact, slopes(), friction}; }
     ElementSystem<double, 2> system() const {
@@ -72,7 +72,7 @@ TEST_CASE("Slip that is not turned leaves an error of first order", "[friction]"
         double errors[3];
         for (int k = 0; k < 3; ++k) {
             Nodal scene(20 << k);
-            scene.friction.turned = turned;
+            scene.turned = turned;
             const Step step = from_scratch(scene.steady(), scene.creepage(0.9, 45, 0));
             errors[k] = std::hypot(ratios(step, scene.contact).longitudinal - 0.74289,
                                    ratios(step, scene.contact).lateral - 0.59337);
@@ -267,7 +267,7 @@ TEST_CASE("Spin needs the points of the equations", "[friction]") {
     CHECK(step.status == StepStatus::ok);
     CHECK(std::isnan(step.force.moment));
     Nodal unturned = scene;
-    unturned.friction.turned = false;
+    unturned.turned = false;
     const Step expected = from_scratch(unturned.steady(), scene.creepage(0.3, 40, 0));
     CHECK(step.force.lateral == Approx(expected.force.lateral).epsilon(1e-12));
 }

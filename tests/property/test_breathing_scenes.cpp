@@ -15,6 +15,7 @@
 
 #include "drawn_scenes.hpp"
 #include "support/catch.hpp"
+#include "support/unturned.hpp"
 
 namespace breathing_scenes_tests {
 namespace {
@@ -88,9 +89,10 @@ void ride(Draw& draw, Tally& tally) {
         for (double& pressure : result) pressure *= draw.integer(6) == 0 ? 0 : draw.uniform(0.7, 1.3);
         return result;
     };
+    const Friction<> law{.law = {mu}, .normal_pressure = modulus * peak * mean_hertz_pressure(mesh)};
     // the fixed point opposes the slip of each equation itself
-    const Friction<> law{.law = {mu}, .normal_pressure = modulus * peak * mean_hertz_pressure(mesh), .turned = false};
-    const ElementSystem<double> x = rolling_system(mesh, scheme, along), y = rolling_system(mesh, scheme, across);
+    const auto x = support::unturned(rolling_system(mesh, scheme, along)),
+               y = support::unturned(rolling_system(mesh, scheme, across));
     const FrictionModel<> one(contact, x, unchecked, law, integrator);
     const FrictionModel<ConstantFriction<>, 2> two(contact, {x, y}, unchecked, law, integrator);
     FrictionState<> one_now = one.at_rest(), one_next = one_now;

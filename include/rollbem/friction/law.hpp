@@ -76,7 +76,10 @@ struct FrictionMemory {
     }
 };
 
-/// |p| <= mu p_n on the elements of a mesh. Where they slip, |p| = mu p_n and p opposes the slip.
+/// |p| <= mu p_n on the elements of a mesh. Where they slip, |p| = mu p_n and p opposes the slip. With two directions,
+/// and if the equations of the system hold half an element ahead of the elements' centres (Elements::half_element_ahead),
+/// slip is turned to the direction that it has at the centres, where the tractions act: results are then of second order
+/// in 1/n, otherwise of first where the direction of slip varies.
 ///
 ///     Friction{0.3, pressure}                              // Coulomb's law
 ///     Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure}
@@ -90,11 +93,6 @@ struct Friction {
     /// on slip: then each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3, unless the
     /// slip velocities are those of the stage before.
     bool with_tangents = true;
-    /// With two directions, and if the equations of the system hold half an element ahead of the elements' centres
-    /// (Elements::half_element_ahead), whether slip is turned to the direction that it has at the centres, where the
-    /// tractions act. Results are then of second order in 1/n, otherwise of first where the direction of slip varies; a
-    /// step costs up to 1.5 times as much. Set it to false for comparison only.
-    bool turned = true;
 };
 
 template <std::floating_point Scalar, class... More>

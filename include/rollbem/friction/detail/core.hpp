@@ -186,9 +186,7 @@ private:
         bool by_load = false, by_half_length = false, by_half_width = false;
     };
 
-    static bool turns(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements) {
-        return directions == 2 && friction.turned && elements.half_element_ahead;
-    }
+    static bool turns(const Elements<Scalar>& elements) { return directions == 2 && elements.half_element_ahead; }
     bool wants_tangents(const Progress& progress) const { return progress.tangent_exists && friction_.with_tangents; }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
 
@@ -551,7 +549,7 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
       areas_(elements.areas.matrix()),
       intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
       points_(elements.x),
-      slip_work_(elements, turns(friction, elements)),
+      slip_work_(elements, turns(elements)),
       unchanged_steps_(elements.size(), half_length_),
       ones_(VectorX<Scalar>::Ones(elements.size())),
       friction_(friction),
@@ -568,7 +566,7 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
             moments_.resize(size(), 2);
             moments_ << -(elements.areas * elements.centre_y).matrix(), (elements.areas * elements.centre_x).matrix();
         }
-        if (turns(friction, elements)) behind_ = elements.behind;
+        if (turns(elements)) behind_ = elements.behind;
     }
     friction_.normal_pressure.conservativeResize(size());
     Fingerprint pressures;  // a state would otherwise continue under the pressures of another model
