@@ -17,9 +17,9 @@
 #include "../assembly/rolling_system.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
+#include "../rolling/consistency.hpp"
 #include "../status.hpp"
 #include "../system/rolling_system.hpp"
-#include "detail/consistency.hpp"
 #include "response.hpp"
 
 namespace rollbem {

@@ -9,10 +9,10 @@
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
+#include "../rolling/consistency.hpp"
 #include "../system/element_blocks.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
-#include "detail/consistency.hpp"
 #include "dissipation.hpp"
 #include "stability_verdict.hpp"
 

@@ -18,10 +18,10 @@
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
+#include "../rolling/consistency.hpp"
 #include "../scene/contact.hpp"
 #include "../status.hpp"
 #include "../system/contact_fit.hpp"
-#include "detail/consistency.hpp"
 
 namespace rollbem {
 

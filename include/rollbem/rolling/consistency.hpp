@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../detail/finite.hpp"
-#include "../../status.hpp"
-#include "../../types.hpp"
+#include "../detail/finite.hpp"
+#include "../status.hpp"
+#include "../types.hpp"
 
 namespace rollbem::detail {
 

@@ -5,7 +5,13 @@
 
 #include "../detail/fingerprint.hpp"
 #include "contact.hpp"
-#include "patch_contact.hpp"
+
+namespace rollbem {
+
+template <class Scalar>
+class PatchContact;
+
+}  // namespace rollbem
 
 namespace rollbem::detail {
 

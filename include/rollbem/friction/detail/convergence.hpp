@@ -9,11 +9,11 @@
 
 #include <Eigen/Core>
 
-#include "../../adhesion/detail/consistency.hpp"
 #include "../../adhesion/dissipation.hpp"
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
+#include "../../rolling/consistency.hpp"
 #include "../../system/element_blocks.hpp"
 #include "../../system/elements.hpp"
 #include "../../system/rolling_system.hpp"
