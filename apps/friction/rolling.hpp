@@ -1,4 +1,4 @@
-// A contact that rolls in time, whichever model of the library it is: one direction or both, a load that varies or not.
+// A contact that rolls in time, in the units of the columns: one direction or both, a load that varies or not.
 #pragma once
 
 #include <cmath>
@@ -10,6 +10,9 @@
 #include <string>
 
 #include <rollbem/adhesion/integrator.hpp>
+#include <rollbem/friction/friction_contact.hpp>
+#include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/rolling/run.hpp>
 #include <rollbem/status.hpp>
 
 #include "falling.hpp"
@@ -42,16 +45,35 @@ struct Moment {
 };
 
 /// Starts at rest under the first load. What fails leaves it where it was. Lengths in a_0; load_ratio is N/N_0 at the
-/// end of a step and has no effect where the load does not vary.
+/// end of a step and has no effect where the load does not vary. At the rolling velocity 1; a rigid shift takes as long as
+/// a step of `dq`.
 class Rolling {
 public:
-    virtual ~Rolling() = default;
-    virtual Moment settle(const Ratios& creepage) = 0;  ///< steady rolling under the present load
-    virtual Moment shift(const Ratios& shift) = 0;      ///< a rigid shift
-    virtual Moment advance(double dq, const Ratios& from, const Ratios& to, double load_ratio) = 0;
+    struct Units {
+        double creepage, force;  ///< of full sliding
+        double dq;
+    };
+
+    Rolling(const rollbem::FrictionContact& contact, const Units& units,
+            const std::optional<rollbem::HertzLoad<double>>& hertz, double first_load_ratio);
+    Rolling(const Rolling&) = delete;
+    Rolling& operator=(const Rolling&) = delete;
+
+    Moment settle(const Ratios& creepage);  ///< steady rolling under the present load
+    Moment shift(const Ratios& shift);      ///< a rigid shift
+    Moment advance(double dq, const Ratios& from, const Ratios& to, double load_ratio);
+
+private:
+    Moment read(const rollbem::FrictionStep<2>& step) const;
+
+    rollbem::FrictionContact contact_;
+    Units units_;
+    std::optional<rollbem::HertzLoad<double>> hertz_;  // where the load varies
+    rollbem::NormalLoad<double> load_;
+    rollbem::Run<rollbem::FrictionContact> run_;
 };
 
-/// Begins a run. What it returns refers to a model that all runs share, and must not outlive this.
+/// Begins a run, of a model that all runs share.
 using StartRolling = std::function<std::unique_ptr<Rolling>()>;
 
 /// For steps of `dq` [a_0], whose time a rigid shift takes where friction falls with slip. Throws BadInput where the

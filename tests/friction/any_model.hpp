@@ -1,22 +1,19 @@
-// Friction of any law in one direction or two behind one type, so that what holds for all of them is written and
-// compiled once. There are always two directions; a model of one sees only its own and returns zeros in the other.
+// Friction of any law in one direction or two as a FrictionContact, so that what holds for all of them is written and
+// compiled once.
 #pragma once
 
 #include <cmath>
-#include <cstdint>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/friction/friction_contact.hpp>
 
 #include "friction/any_law.hpp"
 #include "friction/falling_scene.hpp"
@@ -33,6 +30,7 @@ using State = FrictionState<2>;
 using Step = FrictionStep<2>;
 using Motion = RigidMotion<Creepage<double>>;
 using Load = NormalLoad<double>;
+using Workspace = FrictionContact::Workspace;
 using same_bits::same;
 
 /// The wheel of falling_scene.hpp, whose law is one of its members, and how it is solved.
@@ -64,236 +62,55 @@ struct Setup {
         const auto of = lateral ? AnyKernel<double>::lateral : AnyKernel<double>::longitudinal;
         return of(strip ? LineModel::strip : LineModel::plane, contact());
     }
-    ElementSystem<double> as_turned(const ElementSystem<double>& of) const {
-        return turned ? of : support::unturned(of);
-    }
-    ElementSystem<double> system(bool lateral) const {
-        return as_turned(rolling_system(mesh, scheme, kernel(lateral)));
-    }
-    template <class AnyOf>
-    Friction<AnyOf> friction(const AnyOf& of) const {
-        return {of, pressure(), {distance, least}, with_tangents};
+    /// Of G' alone if `steady`.
+    ElementSystem<double> system(bool lateral, bool steady = false) const {
+        const auto own =
+            steady ? steady_system(mesh, scheme, kernel(lateral)) : rolling_system(mesh, scheme, kernel(lateral));
+        return turned ? own : support::unturned(own);
     }
 };
 
-/// The matrix factors and scratch memory of one model, or of several.
-struct Workspace {
-    std::variant<FrictionWorkspace<1>, FrictionWorkspace<2>> of;
-    bool across;
-
-    ElementVectors<double> slip() const {
-        if (const auto* both = std::get_if<1>(&of)) return both->slip();
-        const VectorX<double>& own = std::get<0>(of).slip();
-        ElementVectors<double> slip = ElementVectors<double>::Zero(own.size(), 2);
-        slip.col(across ? 1 : 0) = own;
-        return slip;
-    }
-    const VectorX<double>& slip_work() const {
-        return std::visit([](const auto& each) -> const VectorX<double>& { return each.slip_work(); }, of);
-    }
-};
-
-/// FrictionModel of G and G', and one of G' alone of the same scene; a null load is that of the state.
-class Model {
-public:
-    virtual ~Model() = default;
-    virtual std::uint64_t fingerprint() const = 0;
-    virtual State at_rest() const = 0;
-    virtual Workspace workspace() const = 0;
-    virtual TangentialForce<double> force(const State& state) const = 0;
-    virtual double elastic_energy(const State& state) const = 0;
-    virtual Step steady(const State& from, const Creepage<double>& creepage, double V, const Load* load, State& to,
-                        Workspace& workspace) const = 0;
-    virtual Step advance(const State& from, const Travel<double>& travel, const Motion& motion, const Load* load,
-                         State& to, Workspace& workspace) const = 0;
-    /// By the model of G' alone.
-    virtual Step solve_steady(const State& from, const Creepage<double>& creepage, double V, State& to,
-                              Workspace& workspace) const = 0;
-};
-
-template <class Law, int directions>
-class ModelOf final : public Model {
-public:
-    using Inner = FrictionModel<Law, directions>;
-    using InnerState = typename Inner::State;
-    using InnerStep = typename Inner::Step;
-
-    ModelOf(const Setup& setup, const Law& own_law)
-        : setup_(setup), law_(own_law), own_(setup.across ? 1 : 0), model_(make(setup, own_law)) {}
-
-    std::uint64_t fingerprint() const override { return model_.fingerprint(); }
-    State at_rest() const override {
-        State rest;
-        raise(model_.at_rest(), rest);
-        return rest;
-    }
-    Workspace workspace() const override { return {model_.workspace(), setup_.across}; }
-    TangentialForce<double> force(const State& state) const override { return raise(model_.force(lower(state))); }
-    double elastic_energy(const State& state) const override { return model_.elastic_energy(lower(state)); }
-    Step steady(const State& from, const Creepage<double>& creepage, double V, const Load* load, State& to,
-                Workspace& workspace) const override {
-        return call(from, to, workspace, [&](const auto& start, auto& end, auto& scratch) {
-            return load == nullptr ? model_.steady(start, own(creepage), V, end, scratch)
-                                   : model_.steady(start, own(creepage), V, *load, end, scratch);
-        });
-    }
-    Step advance(const State& from, const Travel<double>& travel, const Motion& motion, const Load* load, State& to,
-                 Workspace& workspace) const override {
-        using Own = typename Inner::Motion;
-        const auto start = own(motion.start()), end = own(motion.end());
-        const Own moved = motion.is_shift() ? Own::shift(end) : motion.is_linear() ? Own::linear(start, end) : Own(end);
-        return call(from, to, workspace, [&](const auto& before, auto& after, auto& scratch) {
-            return load == nullptr ? model_.advance(before, travel, moved, after, scratch)
-                                   : model_.advance(before, travel, moved, *load, after, scratch);
-        });
-    }
-    Step solve_steady(const State& from, const Creepage<double>& creepage, double V, State& to,
-                      Workspace& workspace) const override {
-        if (!steady_) steady_.emplace(make_steady(setup_, law_));
-        return call(from, to, workspace, [&](const auto& start, auto& end, auto& scratch) {
-            return steady_->steady(start, own(creepage), V, end, scratch);
-        });
-    }
-
-    static Inner make_steady(const Setup& setup, const Law& own_law) {
-        const auto system = [&](bool lateral) {
-            return setup.as_turned(steady_system(setup.mesh, setup.scheme, setup.kernel(lateral)));
+/// The contact of a setup, with G' alone or in time.
+inline FrictionContact make(const Setup& setup, bool steady = false) {
+    const auto of = [&]<class Own>(const Own& own) -> FrictionContact {
+        const Friction<Own> friction{own, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
+        const auto model = [&](const auto& systems) {
+            return FrictionModel(setup.contact(), systems, unchecked, friction, setup.integrator);
         };
-        if constexpr (directions == 1) {
-            return {setup.contact(), system(setup.across), unchecked, setup.friction(own_law)};
-        } else {
-            return {setup.contact(), {system(false), system(true)}, unchecked, setup.friction(own_law)};
-        }
-    }
-
-private:
-    static Inner make(const Setup& setup, const Law& own_law) {
-        if constexpr (directions == 1) {
-            return {setup.contact(), setup.system(setup.across), unchecked, setup.friction(own_law), setup.integrator};
-        } else {
-            return {setup.contact(),
-                    {setup.system(false), setup.system(true)},
-                    unchecked,
-                    setup.friction(own_law),
-                    setup.integrator};
-        }
-    }
-    auto own(const Creepage<double>& value) const {
-        if constexpr (directions == 1) {
-            return setup_.across ? value.lateral : value.longitudinal;
-        } else {
-            return value;
-        }
-    }
-    InnerState lower(const State& state) const {
-        if constexpr (directions == 2) {
-            return state;
-        } else {
-            return {state.traction.col(own_),   state.zones,      state.normal_pressure,
-                    state.half_length,          state.half_width, state.system,
-                    state.friction_coefficient, state.solver,     {}};
-        }
-    }
-    void raise(const InnerState& inner, State& state) const {
-        if constexpr (directions == 2) {
-            state = inner;
-        } else {
-            state = {ElementVectors<double>::Zero(inner.traction.size(), 2),
-                     inner.zones,
-                     inner.normal_pressure,
-                     inner.half_length,
-                     inner.half_width,
-                     inner.system,
-                     inner.friction_coefficient,
-                     inner.solver,
-                     {}};
-            state.traction.col(own_) = inner.traction;
-        }
-    }
-    TangentialForce<double> raise(const typename InnerStep::Force& force) const {
-        if constexpr (directions == 2) {
-            return force;
-        } else {
-            if (std::isnan(force)) return {};
-            return own_ == 0 ? TangentialForce<double>{force, 0} : TangentialForce<double>{0, force};
-        }
-    }
-    CreepageTangent<double> raise_tangent(const typename InnerStep::Tangent& tangent) const {
-        if constexpr (directions == 2) {
-            return tangent;
-        } else {
-            const TangentialForce<double> none = std::isnan(tangent) ? raise(tangent) : TangentialForce<double>{0, 0};
-            return own_ == 0 ? CreepageTangent<double>{raise(tangent), none, {}}
-                             : CreepageTangent<double>{none, raise(tangent), {}};
-        }
-    }
-    Step raise(const InnerStep& inner) const requires(directions == 1) {
-        Step step;
-        step.force = raise(inner.force);
-        step.tangent = raise_tangent(inner.tangent);
-        step.tangent_by_load = raise(inner.tangent_by_load);
-        step.tangent_by_half_length = raise(inner.tangent_by_half_length);
-        step.slip_work = inner.slip_work;
-        step.jump_work = inner.jump_work;
-        step.complementarity_residual = inner.complementarity_residual;
-        step.stick_count = inner.stick_count;
-        step.rounds = inner.rounds;
-        step.pivots = inner.pivots;
-        step.status = inner.status;
-        return step;
-    }
-    template <class Solve>
-    Step call(const State& from, State& to, Workspace& workspace, const Solve& solve) const {
-        auto& scratch = std::get<directions - 1>(workspace.of);
-        if constexpr (directions == 2) {
-            return solve(from, to, scratch);
-        } else {
-            InnerState start = lower(from), end = lower(to);
-            const InnerStep step = solve(start, &from == &to ? start : end, scratch);
-            if (&from != &to) raise(end, to);
-            return raise(step);
-        }
-    }
-
-    Setup setup_;
-    Law law_;
-    Eigen::Index own_;
-    Inner model_;
-    mutable std::optional<Inner> steady_;
-};
-
-/// What `of`, called with the type ModelOf of a setup and its law, returns.
-template <class Of>
-auto with_model(const Setup& setup, const Of& of) {
-    const auto choose = [&]<class Own>(const Own& each) {
-        return setup.directions == 1 ? of(std::type_identity<ModelOf<Own, 1>>(), each)
-                                     : of(std::type_identity<ModelOf<Own, 2>>(), each);
+        if (setup.directions == 1) return {model(setup.system(setup.across, steady)), setup.across ? 1 : 0};
+        return model(ElementSystem(setup.system(false, steady), setup.system(true, steady)));
     };
-    if (setup.any) return choose(*setup.any);
-    return setup.falls ? choose(setup.falling) : choose(ConstantFriction<double>{setup.constant});
+    if (setup.any) return of(*setup.any);
+    return setup.falls ? of(setup.falling) : of(ConstantFriction<double>{setup.constant});
 }
-inline std::unique_ptr<Model> make(const Setup& setup) {
-    return with_model(setup, [&]<class Of>(std::type_identity<Of>, const auto& each) -> std::unique_ptr<Model> {
-        return std::make_unique<Of>(setup, each);
-    });
-}
-/// Makes the model of G' alone, which may throw.
-inline void make_steady(const Setup& setup) {
-    with_model(setup, [&]<class Of>(std::type_identity<Of>, const auto& each) { Of::make_steady(setup, each); });
+
+/// A step under a load, or, if it is null, under that of the state.
+inline Step advance(const FrictionContact& model, const State& from, const Travel<double>& travel, const Motion& motion,
+                    const Load* load, State& to, Workspace& workspace) {
+    return load == nullptr ? model.advance(from, travel, motion, to, workspace)
+                           : model.advance(from, travel, motion, *load, to, workspace);
 }
 
 /// A model with its state and workspace. Distances are in a, and the speed of rolling is `speed`; what takes no way
 /// lasts as long as a tenth of a.
 struct Ride {
-    explicit Ride(const Setup& setup) : model(make(setup)), now(model->at_rest()), next(now), own(model->workspace()) {}
+    explicit Ride(const Setup& of)
+        : setup(of), model(make(of)), now(model.at_rest()), next(now), own(model.workspace()) {}
+
+    /// The model of G' alone.
+    const FrictionContact& alone() {
+        if (!alone_) alone_ = make(setup, true);
+        return *alone_;
+    }
 
     static Travel<double> travel(double dq) { return {dq * a, (dq == 0 ? 0.1 : dq) * a / speed}; }
     /// Trials, which do not change `now`.
     Step try_steady(const Creepage<double>& creepage, const Load* load = nullptr) {
-        return model->steady(now, creepage, speed, load, next, own);
+        return load == nullptr ? model.steady(now, creepage, speed, next, own)
+                               : model.steady(now, creepage, speed, *load, next, own);
     }
     Step try_step(double dq, const Motion& motion, const Load* load = nullptr) {
-        return model->advance(now, travel(dq), motion, load, next, own);
+        return advance(model, now, travel(dq), motion, load, next, own);
     }
     void accept() { std::swap(now, next); }
     Step steady(const Creepage<double>& creepage, const Load* load = nullptr) {
@@ -307,9 +124,13 @@ struct Ride {
         return step;
     }
 
-    std::unique_ptr<Model> model;
+    Setup setup;
+    FrictionContact model;
     State now, next;
     Workspace own;
+
+private:
+    std::optional<FrictionContact> alone_;
 };
 
 /// Constant friction, friction that falls with slip, and with a memory, in one direction and two.

@@ -117,8 +117,8 @@ TEST_CASE("With creepage along one of them, two directions are one", "[friction]
                 CHECK(step.stick_count == expected.stick_count);
                 CHECK((both.now.traction - one.now.traction).cwiseAbs().maxCoeff() < 1e-9 * peak_pressure);
                 CHECK((both.own.slip() - one.own.slip()).cwiseAbs().maxCoeff() < 1e-9 * sliding);
-                CHECK(both.model->elastic_energy(both.now) ==
-                      Approx(one.model->elastic_energy(one.now)).epsilon(1e-9).margin(1e-9));
+                CHECK(both.model.elastic_energy(both.now) ==
+                      Approx(one.model.elastic_energy(one.now)).epsilon(1e-9).margin(1e-9));
                 if (k % 6 != 2 && k % 6 != 5) continue;
                 CHECK(vector(step.tangent_by_load)[own] ==
                       Approx(vector(expected.tangent_by_load)[own]).epsilon(1e-6).margin(1e-9));
@@ -152,8 +152,8 @@ TEST_CASE("With Poisson's ratio zero, the solution turns with the creepage", "[f
         }
         // along the creepage as in one direction; across it the force turns
         for (const double ratio : {0.1, 0.4, 0.8, 3.0}) {
-            ride.now = ride.model->at_rest();
-            one.now = one.model->at_rest();
+            ride.now = ride.model.at_rest();
+            one.now = one.model.at_rest();
             const Step expected = one.steady(creepage(ratio)), step = ride.steady(creepage(ratio, 37));
             REQUIRE(step.status == StepStatus::ok);
             const double force = expected.force.longitudinal;
@@ -245,7 +245,7 @@ TEST_CASE("A run that stands still solves the equations of steady rolling", "[fr
                     CHECK(4 * a * steady.slip_work == Approx(step.slip_work).epsilon(1e-7));
                 };
                 agrees(ride.try_steady(creepage(ratio, 20)), ride.next);
-                agrees(ride.model->solve_steady(settled, creepage(ratio, 20), speed, ride.next, ride.own), ride.next);
+                agrees(ride.alone().steady(settled, creepage(ratio, 20), speed, ride.next, ride.own), ride.next);
             }
         }
     }
@@ -373,7 +373,7 @@ TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic ener
                 before = force;
             }
             counts.push_back(n);
-            gaps.push_back((spent - slips - jumps - ride.model->elastic_energy(ride.now)) / spent);
+            gaps.push_back((spent - slips - jumps - ride.model.elastic_energy(ride.now)) / spent);
         }
         CAPTURE(gaps, jumps / spent, support::observed_order(counts, gaps));
         CHECK(std::abs(support::observed_order(counts, gaps) - 1.95) < 0.15);
@@ -414,7 +414,7 @@ TEST_CASE("Tangents by creepage, shift, load and half-length agree with central 
                 const Step step = solve(Vector2d::Zero(), 0, 0);
                 REQUIRE(step.status == StepStatus::ok);
                 if (steady) CHECK(std::isnan(step.tangent_by_load.longitudinal));
-                CHECK((vector(ride.model->force(ride.next)) - vector(step.force)).norm() <=
+                CHECK((vector(ride.model.force(ride.next)) - vector(step.force)).norm() <=
                       1e-14 * vector(step.force).norm());
                 const State solved = ride.next;
                 const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent);

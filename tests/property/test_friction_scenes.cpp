@@ -89,8 +89,8 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
         const double time = steady ? a / V : shifts ? duration : dq * a / V, way = steady || shifts ? 1 : dq;
         const Motion motion =
             shifts ? Motion::shift({a * creepage.longitudinal, a * creepage.lateral}) : Motion(creepage);
-        const Step step = steady ? ride.model->steady(ride.now, creepage, V, &load, ride.next, ride.own)
-                                 : ride.model->advance(ride.now, {dq * a, time}, motion, &load, ride.next, ride.own);
+        const Step step = steady ? ride.model.steady(ride.now, creepage, V, load, ride.next, ride.own)
+                                 : ride.model.advance(ride.now, {dq * a, time}, motion, load, ride.next, ride.own);
         ++tally.solutions;
         const Violation<double> found = violation<double>(law, memory, system, a, G, steady ? 1 : dq,
                                                           {way * creepage.longitudinal, way * creepage.lateral}, time,
