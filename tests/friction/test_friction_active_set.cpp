@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <rollbem/friction/detail/active_set.hpp>
+#include <rollbem/friction/detail/directions.hpp>
 #include <rollbem/friction/detail/falling_set.hpp>
-#include <rollbem/friction/detail/falling_slip.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

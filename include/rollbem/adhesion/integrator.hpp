@@ -90,6 +90,34 @@ void require_convergent(const char* who, const VectorX<Scalar>& steady, const Ar
             share, rule.c_str());
 }
 
+/// True if G' is dissipative. Otherwise false if the tractions of full adhesion at unit creepages, G' p = inputs, assist
+/// the creepage by more than the `allowed` share. True also if G' is so nearly singular that nothing follows from them.
+/// The first n unknowns are tractions along the first input, and so on.
+template <class Scalar>
+bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas, double allowed = largest_assisting_share) {
+    if (is_dissipative(G_prime, areas)) return true;
+    const Eigen::Index n = areas.size(), count = G_prime.rows() / n;
+    const Scalar norm = G_prime.cwiseAbs().rowwise().sum().maxCoeff();
+    std::vector<Eigen::Index> swaps(static_cast<std::size_t>(G_prime.rows()));
+    factorise_in_place<Scalar>(G_prime, swaps.data());
+    for (Eigen::Index d = 0; d < count; ++d) {
+        VectorX<Scalar> p = VectorX<Scalar>::Zero(G_prime.rows());
+        p.segment(d * n, n).setOnes();
+        solve_in_place<Scalar>(G_prime, swaps.data(), p);
+        const Scalar condition = norm * p.cwiseAbs().maxCoeff();  // at most the true one
+        const Scalar rounding = static_cast<Scalar>(G_prime.rows()) * std::numeric_limits<Scalar>::epsilon();
+        if (!all_finite(p) || !(condition * rounding * 100 < 1)) return true;
+        const VectorX<Scalar> along = p.segment(d * n, n);
+        if (!opposes_creepage<Scalar>(along, areas, allowed)) return false;
+    }
+    return true;
+}
+template <class Scalar>
+bool converges(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    if (G_prime[0][1].size() > 0) return converges(joined(G_prime), areas, largest_assisting_share_of_patch);
+    return converges(G_prime[0][0], areas) && converges(G_prime[1][1], areas);
+}
+
 /// The requirements of every model in time, if they are wanted.
 template <class Scalar>
 void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const Checks& checks) {

@@ -23,7 +23,6 @@
 #include "../scene/contact_units.hpp"
 #include "../scene/rigid_motion.hpp"
 #include "../scene/semi_axes.hpp"
-#include "../scene/travel.hpp"
 #include "../status.hpp"
 #include "../system/contact_fit.hpp"
 #include "../system/element_blocks.hpp"

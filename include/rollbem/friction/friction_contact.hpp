@@ -17,7 +17,6 @@
 #include "../scene/creepage.hpp"
 #include "../scene/force.hpp"
 #include "../scene/rigid_motion.hpp"
-#include "../scene/travel.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 #include "model.hpp"

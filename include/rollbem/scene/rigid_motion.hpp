@@ -1,4 +1,4 @@
-// The relative rigid-body motion of the two bodies while the contact rolls.
+// How far the contact rolls in a step, and the relative rigid-body motion of the two bodies meanwhile.
 #pragma once
 
 #include "../detail/finite.hpp"
@@ -16,6 +16,25 @@ struct NumberOf {
 template <class Scalar>
 struct NumberOf<Creepage<Scalar>> {
     using type = Scalar;
+};
+
+}  // namespace detail
+
+/// Distance and duration of one step. Only friction that depends on the velocity of slip needs the duration; everything
+/// else takes a plain dq.
+template <class Scalar = double>
+struct Travel {
+    Scalar dq;        ///< distance rolled [m], positive; 0 for a rigid shift without rolling
+    Scalar duration;  ///< [s], positive
+};
+
+namespace detail {
+
+/// A Travel whose duration does not matter: a plain dq will do.
+template <class Scalar>
+struct UntimedTravel : rollbem::Travel<Scalar> {
+    UntimedTravel(rollbem::Travel<Scalar> travel) : rollbem::Travel<Scalar>(travel) {}  // NOLINT: implicit on purpose
+    UntimedTravel(Scalar distance) : rollbem::Travel<Scalar>{distance, 0} {}            // NOLINT: implicit on purpose
 };
 
 }  // namespace detail

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
-#include "../../scene/travel.hpp"
+#include "../../scene/rigid_motion.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"

@@ -18,22 +18,35 @@
 #include "../../normal/load.hpp"
 #include "../../scene/contact_units.hpp"
 #include "../../scene/rigid_motion.hpp"
-#include "../../scene/travel.hpp"
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
 #include "../workspace.hpp"
 #include "bounds.hpp"
-#include "convergence.hpp"
 #include "directions.hpp"
 #include "rolling_stage.hpp"
 #include "scratch.hpp"
 #include "slip_work.hpp"
 #include "stage_tangent.hpp"
-#include "unchanged_steps.hpp"
 
 namespace rollbem::detail {
+
+/// The fingerprint of G' and the elements' areas, by which states are recognised.
+template <class Scalar>
+std::uint64_t fingerprint_of_steady(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    Fingerprint fingerprint;
+    fingerprint.add(G_prime);
+    fingerprint.add(areas);
+    return fingerprint.value();
+}
+template <class Scalar>
+std::uint64_t fingerprint_of_steady(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    Fingerprint fingerprint;
+    add_blocks(G_prime, fingerprint);
+    fingerprint.add(areas);
+    return fingerprint.value();
+}
 
 /// The part of a friction model that is independent of the origin of its equations. Dimensionless: tractions in G,
 /// lengths in the contact's half-length a_0.
@@ -362,8 +375,9 @@ private:
         to.half_width = load.half_width;
         bounds.finish(to);
         if constexpr (directions == 1) {
-            const bool rolls = scratch.stage.distance != steadily;
-            unchanged_steps_.count(from.solver, scratch.stage, rolls && scratch.solver.unchanged(), to.solver);
+            const Stage& last = scratch.stage;
+            const bool steady_length = last.distance != steadily && last.growth == 0;
+            unchanged_steps_.count(from.solver, last.distance, steady_length && scratch.solver.unchanged(), to.solver);
         }
         Step step;
         step.force = force;

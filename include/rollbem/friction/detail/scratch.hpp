@@ -12,8 +12,8 @@
 #include "../state.hpp"
 #include "directions.hpp"
 #include "falling_set.hpp"
-#include "jump_work.hpp"
 #include "rolling_stage.hpp"
+#include "slip_work.hpp"
 
 namespace rollbem::detail {
 
