@@ -62,8 +62,8 @@ Job make_job(const study::Options& options) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i),
                                                             static_cast<Eigen::Index>(shapes), ends[0], ends[1]);
         rollbem::CreepForceSource source(a_over_b, nu, n);
-        const rollbem::PatchSteadySolution<double> steady = source.coefficients();
-        coefficients[i] = steady;
+        const rollbem::Response<double> steady = source.in_adhesion();
+        coefficients[i] = creep_coefficients(source.contact(), steady);
         elements[i] = {static_cast<double>(source.mesh().elements_per_strip()),
                        static_cast<double>(source.mesh().strip_count())};
         // with a spin so large that both meshes count
@@ -203,8 +203,8 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
         const double low = job.grid.smallest_a_over_b(), high = job.grid.largest_a_over_b();
         const double a_over_b = low * std::pow(high / low, uniform(random));
         rollbem::CreepForceSource source(a_over_b, job.grid.poisson_ratio(), job.n);
-        const auto c = source.coefficients();
         const auto& contact = source.contact();
+        const auto c = creep_coefficients(contact, source.in_adhesion());
         const std::size_t scenes = std::min(together, count - ellipse * together);
         for (std::size_t i = 0; i < scenes; ++i) {
             const double height = 2 * uniform(random) - 1, angle = 2 * std::numbers::pi * uniform(random);

@@ -93,10 +93,11 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
 
     // 4. Solve for each. A c11 that cannot be trusted is left out, unless --unchecked is given.
     for (std::size_t i = range.first; i < range.last; ++i) {
-        rollbem::SweepPoint<double> point{.c11 = unknown, .rcond = std::nan("")};  // its status is not_finite
+        rollbem::Response<Complex> point{.rcond = std::nan("")};  // its status is not_finite
+        point.coefficients.setConstant(1, 1, unknown);
         if (sweep) point = (*sweep)(omegas[i]);
         const std::string status = point.status == rollbem::Status::ok ? steady : name(point.status);
-        const Complex c11 = status == study::ok || !checked ? point.c11 : unknown;
+        const Complex c11 = status == study::ok || !checked ? point.c11() : unknown;
         study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
         row.insert(row.end(),
                    {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell(), point.rcond, study::Cell(), status});
@@ -269,7 +270,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
         for (const double omega : omegas) {
             if (omega > 20) continue;  // more than the states resolve
             const Complex plane = exact_c11(contact, omega);
-            points.emplace_back(omega, std::abs(strip(omega).c11 / plane - 1.0));
+            points.emplace_back(omega, std::abs(strip(omega).c11() / plane - 1.0));
         }
         return points;
     });

@@ -40,13 +40,13 @@ Steady by_elements(const study::Scene& scene, bool timed) {
     const auto assemble = [&] { return rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel); };
     const Eigen::MatrixXd G_prime = assemble();
     const Eigen::ArrayXd widths = rollbem::unknown_widths(*scene.mesh, scene.scheme);
-    const rollbem::SteadySolution<double> solution = rollbem::solve_steady<double>(G_prime, widths);
-    Steady result{.c11 = solution.c11, .status = solution.status, .residual = solution.residual};
+    const rollbem::Response<double> solution = rollbem::solve_steady<double>(G_prime, widths);
+    Steady result{.c11 = solution.c11(), .status = solution.status, .residual = solution.residual};
 
     // 4. Time both steps, unless other jobs would spoil it.
     if (timed) {
         result.assembly_us = study::median_time_us([&] { return assemble()(0, 0); });
-        result.solve_us = study::median_time_us([&] { return rollbem::solve_steady<double>(G_prime, widths).c11; });
+        result.solve_us = study::median_time_us([&] { return rollbem::solve_steady<double>(G_prime, widths).c11(); });
     }
     return result;
 }
@@ -54,9 +54,9 @@ Steady by_elements(const study::Scene& scene, bool timed) {
 /// The same by Chebyshev states, which are assembled and solved in one call.
 Steady by_states(const study::Scene& scene, bool timed) {
     const auto solve = [&] { return solve_steady(*scene.chebyshev, scene.kernel); };
-    const rollbem::ChebyshevSteadySolution<double> solution = solve();
-    Steady result{.c11 = solution.c11, .status = solution.status, .error_estimate = solution.error_estimate};
-    if (timed) result.solve_us = study::median_time_us([&] { return solve().c11; });
+    const rollbem::Response<double> solution = solve();
+    Steady result{.c11 = solution.c11(), .status = solution.status, .error_estimate = solution.error_estimate()};
+    if (timed) result.solve_us = study::median_time_us([&] { return solve().c11(); });
     return result;
 }
 
@@ -110,7 +110,7 @@ study::Plot draw_errors(const std::vector<study::Scene>& scenes, const std::vect
         }
     }
     study::add_model_differences(plot, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
-        const double c11 = solve_steady(states, kernel).c11;
+        const double c11 = solve_steady(states, kernel).c11();
         const double difference = std::abs(c11 / rollbem::steady_c11(contact.poisson_ratio()) - 1);
         std::vector<std::pair<double, double>> points;
         for (const study::Row& row : rows) {

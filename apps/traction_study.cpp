@@ -30,10 +30,10 @@ const std::vector<std::string> columns = study::joined(
 void emit_elements(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
     // 3. Solve for unit creepage. If the result cannot be trusted, the cells stay empty; with Knothe and
     //    Gross-Thebing's boundary conditions the leading element has no traction.
-    const rollbem::SteadySolution<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
+    const rollbem::Response<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
     Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
-    traction.head(solution.traction.size()) = solution.traction;
-    const std::string status = study::steady_status(scene, solution.status, solution.c11);
+    traction.head(solution.unknowns.rows()) = solution.unknowns.col(0);
+    const std::string status = study::steady_status(scene, solution.status, solution.c11());
     if (status != study::ok) traction.setConstant(std::nan(""));
 
     // 4. Compare with Carter: his traction at the element's centre, and its mean over the element.
@@ -57,10 +57,11 @@ rollbem::EdgeDistances<double> chebyshev_point(Eigen::Index n, Eigen::Index row)
 void emit_states(const study::Scene& scene, study::RowRange points, const study::Emit& emit) {
     // 3., 4. The same by Chebyshev states, at points, so that there is no mean.
     const auto solution = solve_steady(*scene.chebyshev, scene.kernel);
+    const rollbem::ChebyshevTraction<double> traction_at{solution.unknowns.col(0)};
     for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {
         const rollbem::EdgeDistances<double> point = chebyshev_point(scene.n(), i);
         const bool trusted = solution.status == rollbem::Status::ok;
-        const double traction = trusted ? solution.traction(point) : std::nan("");
+        const double traction = trusted ? traction_at(point) : std::nan("");
         const double carter = rollbem::carter_traction(point, scene.contact.poisson_ratio());
         const double x = std::sin(double(2 * i + 1 - scene.n()) * std::numbers::pi / double(2 * scene.n()));
         emit(study::joined({scene.n(), x, traction, carter, study::Cell(), traction / carter - 1, scene.alpha_L,

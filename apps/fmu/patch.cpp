@@ -13,7 +13,6 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/adhesion/patch_stability.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>

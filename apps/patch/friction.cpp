@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <rollbem/adhesion/patch_steady.hpp>
+#include <rollbem/adhesion/creep_coefficients.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>

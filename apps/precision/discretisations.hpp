@@ -40,8 +40,8 @@ rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& ele
                                          const rollbem::Mesh<double>& mesh);
 rollbem::RollingSystem<double> system_of(const Scene& scene, const rollbem::Chebyshev& method);
 
-rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
-rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
+rollbem::Response<double> steady(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
+rollbem::Response<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
 
 /// A mesh that breathes with the contact, or that covers the largest one.
 enum class Cover { breathing, largest };

@@ -98,8 +98,8 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
 
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (!scene.chebyshev) {
-        const rollbem::SteadySolution<double> solution = rollbem::solve_steady(system);
-        return steady_status(scene, solution.status, solution.c11);
+        const rollbem::Response<double> solution = rollbem::solve_steady(system);
+        return steady_status(scene, solution.status, solution.c11());
     }
     return name(solve_steady(*scene.chebyshev, scene.kernel).status);
 }

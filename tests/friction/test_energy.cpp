@@ -208,7 +208,7 @@ TEST_CASE("Galerkin about the centres has no force in full adhesion and the righ
         // w G' is antisymmetric, so that sum w p = p.(w G' p) = 0
         const auto adhesion = solve_steady<double>(system.G_prime(), system.weights());
         CHECK(adhesion.status == Status::assists_creepage);
-        CHECK(std::abs(adhesion.c11) < 1e-12);
+        CHECK(std::abs(adhesion.c11()) < 1e-12);
 
         const FrictionModel<> model(scene.contact, system, unchecked, scene.friction);
         const FrictionState<> rest = model.at_rest();
