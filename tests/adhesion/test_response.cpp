@@ -74,6 +74,7 @@ TEST_CASE("a sweep of independent parts has the coefficients of the whole and th
         const Response<Complex> point = parts(z);
         REQUIRE(point.status == Status::ok);
         CHECK((point.coefficients - whole(z).coefficients).cwiseAbs().maxCoeff() < 1e-12);
+        CHECK(point.residual > 0);
         CHECK(point.rcond == std::min(along(z).rcond, across(z).rcond));
         CHECK(point.residual == std::max(along(z).residual, across(z).residual));
     }

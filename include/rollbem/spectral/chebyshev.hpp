@@ -182,6 +182,7 @@ Response<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method
     response.coefficients.setConstant(1, 1, -std::numbers::pi_v<Scalar> * a[0]);
     if (!detail::all_finite(response.unknowns) || !detail::is_finite(response.c11())) return response;
     response.rcond = detail::reciprocal_condition(lu, detail::one_norm(equations));
+    response.residual = std::numeric_limits<Scalar>::quiet_NaN();  // not computed
     const auto by_smooth_part = [&](Eigen::Index k) {
         return std::abs(k == 0 ? a[0] + carter : k == 1 ? a[1] - carter : a[k]);
     };
@@ -198,9 +199,11 @@ Response<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method
 
 /// Steady rolling at unit creepage; the unknowns are the coefficients of a ChebyshevTraction, p/(G xi). The estimate of
 /// c11's relative error is twice the contribution of the kernel's smooth part to the last two coefficients, which decay
-/// geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed. There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not
-/// needed and an infinite half-width has a solution. For the plane kernel a single state is exact. The kernel must be a
-/// LineKernel. Throws std::invalid_argument unless there is at least one state and b/a >= 0.001.
+/// geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed, but NaN.
+///
+/// There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite half-width has
+/// a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
+/// std::invalid_argument unless there is at least one state and b/a >= 0.001.
 template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
