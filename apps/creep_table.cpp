@@ -330,8 +330,7 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
             const CreepForceTable made(job.grid, read_forces(job, rows.lines, [&](std::size_t i) {
                                            return i < rows.places.size() ? rows.places[i] : given.said("rows");
                                        }));
-            study::TableFile file(given, "output");
-            file.rows().write(study::join(columns(), ",") + "\n");
+            study::TableFile file(given, "output", study::join(columns(), ",") + "\n");
             for (const std::string& line : rows.lines) file.rows().write(line + "\n");
             file.commit();
             finish(given, job, *binary, made, scenes);

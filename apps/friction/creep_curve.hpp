@@ -89,6 +89,7 @@ CreepRows element_rows, border_rows;
 CreepRows rows_without;
 
 /// One row per element of every profile, and the companion file.
-void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file);
+std::string profile_header();
+void write_profiles(const Profiles& profiles, const CreepCurve& curve, study::TableFile& file);
 
 }  // namespace friction

@@ -58,7 +58,8 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
 
     std::optional<study::TableFile> tractions;
-    if (options.given("tractions")) tractions.emplace(options, "tractions");
+    if (options.given("tractions"))
+        tractions.emplace(options, "tractions", study::has_header(options) ? profile_header() : "");
     Profiles profiles;
     if (tractions || options.given("plot")) curve.profiles = &profiles;
 
@@ -70,7 +71,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
         (fits ? border_rows : element_rows)(curve, scenes[task], task, range, emit);
     };
     table.written = [&] {
-        if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);
+        if (tractions) write_profiles(profiles, curve, *tractions);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return both ? combined_creep(table.columns, rows, curve) : creep_picture(table.columns, rows, curve);

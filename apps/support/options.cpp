@@ -112,7 +112,7 @@ Options::Options(std::string program, const std::string& purpose)
     app_->get_option("--version")->description("print version and git revision and exit");
     group("Program");
     add_input("config",
-              "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; or from a "
+              "read options from a TOML file, e.g. alpha-T = 0.63, mesh = \"cosine\" or n = [10, 20]; or from a "
               "FILE.toml beside results, to repeat that run without its outputs and --jobs. The command line takes "
               "precedence. Every input FILE may be -, standard input");
 
@@ -416,23 +416,13 @@ std::vector<std::pair<std::string, std::string>> Options::values() const {
     return result;
 }
 
-std::string Options::replay_note() const {
-    for (const auto& [name, checksum] : inputs_) {
-        if (!is_utf8(text(name))) return "impossible: the name of the file of --" + name + " is not UTF-8";
-    }
-    for (const auto& [name, checksum] : inputs_) {
-        if (text(name) == "-") return "needs the file of --" + name + " on standard input again";
-    }
-    return "";
-}
-
 void Options::note_input(const std::string& name, std::string_view contents) const {
     if (name == "config") return;
     const std::string text = checksum(contents);
     const auto expected = expected_.find(name);
-    if (expected != expected_.end() && entry(name).option->count() == 0 && expected->second != text) {
-        throw BadInput(said(name) + " must be the file of the run that " + said("config") +
-                       " repeats, but its contents have changed: " + text + " instead of " + expected->second);
+    if (expected != expected_.end() && expected->second != text) {
+        std::fprintf(stderr, "%s: %s is not as it was in the run that %s repeats\n", program_.c_str(),
+                     said(name).c_str(), said("config").c_str());
     }
     inputs_[name] = text;
 }
@@ -442,14 +432,14 @@ std::string Options::version() const {
 }
 
 void Options::read_config() {
-    const std::string text = contents(*this, "config");
-    replays_ = is_sidecar(text);
-    for (Setting& setting : read_settings(text, said("config"))) {
-        if (replays_ && setting.section.empty() && setting.name == "program" && setting.values[0] != program_) {
-            throw BadInput(setting.where + " must be " + program_ + ", whose run this is to repeat");
-        }
-        if (replays_ && setting.section == "inputs") expected_[setting.name] = setting.values[0];
-        if (replays_ && setting.section != "given") continue;
+    Config config = study::read_config(contents(*this, "config"), said("config"));
+    replays_ = config.is_sidecar;
+    expected_ = std::move(config.inputs);
+    if (replays_ && !config.program.empty() && config.program != program_) {
+        throw BadInput(said("config") + ": program = " + config.program + " must be " + program_ +
+                       ", whose run this is to repeat");
+    }
+    for (Setting& setting : config.settings) {
         const auto found = entries_.find(setting.name);
         if (found == entries_.end() || setting.name == "config") {
             throw BadInput(setting.where + " must name an option of " + program_ + suggestion(setting.name) +
@@ -458,11 +448,9 @@ void Options::read_config() {
         const Kind kind = found->second.kind;
         const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
         if (replays_ && (writes || setting.name == "jobs")) continue;
-        const bool one_word = setting.values.size() == 1;
-        if (found->second.kind == Kind::flag && !(one_word && setting.values[0] == "true") &&
-            !(one_word && setting.values[0] == "false")) {
-            throw BadInput(setting.where + " must be true or false");
-        }
+        const bool is_truth =
+            setting.values.size() == 1 && (setting.values[0] == "true" || setting.values[0] == "false");
+        if (kind == Kind::flag && !is_truth) throw BadInput(setting.where + " must be true or false");
         found->second.configured = std::move(setting.values);
     }
 }
@@ -549,42 +537,36 @@ void Options::check_inputs() const {
 
 void Options::check_files() const {
     check_inputs();
-    std::vector<Place> inputs, outputs;
-    std::vector<std::string> companions;
-    if (!given("output")) outputs.push_back(Place::output("standard output", "-"));
+    struct File {
+        std::string said, path;
+        bool is_sidecar = false;
+    };
+    std::vector<File> inputs, outputs;
+    if (!given("output")) outputs.push_back({"standard output", "-"});
     for (const auto& [name, entry] : entries_) {
-        const bool reads = entry.kind == Kind::input, has_sidecar = entry.kind == Kind::table;
         if (!given(name) || entry.kind == Kind::value || entry.kind == Kind::flag) continue;
         const std::string path = text(name);
-        if (entry.kind == Kind::folder) {
-            for (const std::string& file : entry.files) {
-                outputs.push_back(Place::output(file + " of " + said(name), path + "/" + file));
-            }
+        if (entry.kind == Kind::input) {
+            if (path != "-") inputs.push_back({said(name), path});
             continue;
         }
-        if (reads) {
-            inputs.push_back(Place::input(said(name), path));
-            continue;
-        }
-        outputs.push_back(Place::output(said(name), path));
-        if (has_sidecar && outputs.back().descriptor < 0 && !is_stream(path)) {
-            outputs.push_back(Place::output(said(name) + ".toml, written beside it,", path + ".toml"));
-            companions.push_back(outputs.back().said);
+        for (const std::string& file : entry.files) outputs.push_back({file + " of " + said(name), path + "/" + file});
+        if (entry.kind == Kind::folder) continue;
+        outputs.push_back({said(name), path});
+        if (entry.kind == Kind::table && path != "-" && !is_stream(path)) {
+            outputs.push_back({said(name) + ".toml, written beside it,", path + ".toml", true});
         }
     }
-    // a repeated run may overwrite the file that describes it: it has been read by then
-    const auto repeats = [&](const Place& output, const Place& input) {
-        const bool is_companion = std::find(companions.begin(), companions.end(), output.said) != companions.end();
-        return replays_ && is_companion && input.said == said("config");
-    };
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (const Place& input : inputs) {
-            if (!same_place(outputs[i], input) || repeats(outputs[i], input)) continue;
-            throw BadInput(outputs[i].said + " must not be a file that this run reads: " + input.said);
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        for (const File& input : inputs) {
+            // a repeated run may overwrite the file that describes it: it has been read by then
+            if (replays_ && output->is_sidecar && input.said == said("config")) continue;
+            if (!same_place(output->path, input.path)) continue;
+            throw BadInput(output->said + " must not be a file that this run reads: " + input.said);
         }
-        for (std::size_t k = i + 1; k < outputs.size(); ++k) {
-            if (!same_place(outputs[i], outputs[k])) continue;
-            throw BadInput(outputs[k].said + " must not be written to as well as " + outputs[i].said);
+        for (auto other = output + 1; other != outputs.end(); ++other) {
+            if (!same_place(output->path, other->path)) continue;
+            throw BadInput(other->said + " must not be written to as well as " + output->said);
         }
     }
 }

@@ -163,11 +163,8 @@ public:
     /// Every file read so far except that of --config, by option, with its checksum.
     const std::map<std::string, std::string>& inputs() const { return inputs_; }
 
-    /// Why the file beside the results cannot repeat this run, or what else it takes; empty if nothing.
-    std::string replay_note() const;
-
-    /// To be called with the contents of each file that is read. Throws BadInput if this run repeats another one, whose
-    /// file was different.
+    /// To be called with the contents of each file that is read. Says on standard error if this run repeats another one
+    /// and the contents were different.
     void note_input(const std::string& name, std::string_view contents) const;
 
 private:
