@@ -21,23 +21,6 @@ namespace study {
 
 namespace {
 
-/// Breaks lines at blanks so that none is longer than `width`, unless a word is.
-std::string wrap(const std::string& text, std::size_t width) {
-    std::istringstream words(text);
-    std::string word, result;
-    std::size_t column = 0;
-    while (words >> word) {
-        if (column > 0) {
-            const bool breaks = column + 1 + word.size() > width;
-            result += breaks ? '\n' : ' ';
-            column = breaks ? 0 : column + 1;
-        }
-        result += word;
-        column += word.size();
-    }
-    return result;
-}
-
 // `what` is expected: "a number" of a list, or "one number".
 double to_number(const std::string& name, const std::string& text, const std::string& what, const Rule& rule) {
     const std::optional<double> value = detail::parse_number<double>(text);
@@ -88,6 +71,22 @@ std::string checksum(std::string_view text) {
     std::array<char, 32> result;
     std::snprintf(result.data(), result.size(), "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
     return result.data();
+}
+
+std::string wrap(const std::string& text, std::size_t width) {
+    std::istringstream words(text);
+    std::string word, result;
+    std::size_t column = 0;
+    while (words >> word) {
+        if (column > 0) {
+            const bool breaks = column + 1 + word.size() > width;
+            result += breaks ? '\n' : ' ';
+            column = breaks ? 0 : column + 1;
+        }
+        result += word;
+        column += word.size();
+    }
+    return result;
 }
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {

@@ -274,6 +274,12 @@ std::string shown_name(const std::string& column) {
     return found == names.end() ? column : found->second;
 }
 
+void raise_to_drawn(Plot& plot) {
+    for (Series& series : plot.series) {
+        for (auto& point : series.points) point.second = std::max(point.second, least_drawn);
+    }
+}
+
 bool can_be_drawn(const Plot& plot) {
     return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
         return std::any_of(series.points.begin(), series.points.end(),

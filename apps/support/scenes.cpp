@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "errors.hpp"
@@ -185,19 +186,29 @@ const std::vector<std::string>& all_setting_columns() {
     return columns;
 }
 
-Row setting_cells(const Scene& scene) {
-    return {scene.is_plane() ? "plane" : "strip",
-            aspect_cell(scene.contact),
-            scene.contact.poisson_ratio(),
-            scene.size_ratio,
-            scene.epsilon,
-            scene.quadrature,
-            scene.nodes};
+Row scene_cells(const Scene& scene, const std::vector<std::string>& columns) {
+    const std::map<std::string, Cell> cells{{"method", scene.method},
+                                            {"derivative", scene.derivative},
+                                            {"mesh", scene.mesh_name},
+                                            {"n", scene.n()},
+                                            {"alpha_L", scene.alpha_L},
+                                            {"alpha_T", scene.alpha_T},
+                                            {"lambda", scene.lambda},
+                                            {"kernel", scene.is_plane() ? "plane" : "strip"},
+                                            {"aspect", aspect_cell(scene.contact)},
+                                            {"poisson", scene.contact.poisson_ratio()},
+                                            {"size_ratio", scene.size_ratio},
+                                            {"epsilon", scene.epsilon},
+                                            {"quadrature", scene.quadrature},
+                                            {"nodes", scene.nodes}};
+    Row row;
+    for (const std::string& column : columns) row.push_back(cells.at(column));
+    return row;
 }
 
-Row all_setting_cells(const Scene& scene) {
-    return joined({scene.method, scene.derivative, scene.mesh_name}, setting_cells(scene));
-}
+Row setting_cells(const Scene& scene) { return scene_cells(scene, setting_columns()); }
+
+Row all_setting_cells(const Scene& scene) { return scene_cells(scene, all_setting_columns()); }
 
 Cell aspect_cell(const rollbem::Contact<double>& contact) {
     return std::isfinite(contact.aspect()) ? Cell(contact.aspect()) : Cell("inf");

@@ -61,6 +61,9 @@ const std::vector<std::string>& all_setting_columns();
 Row setting_cells(const Scene& scene);
 Row all_setting_cells(const Scene& scene);
 
+/// The cells under these columns: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those above.
+Row scene_cells(const Scene& scene, const std::vector<std::string>& columns);
+
 /// b/a, "inf" if it is infinite.
 Cell aspect_cell(const rollbem::Contact<double>& contact);
 
