@@ -292,6 +292,7 @@ int main(int argc, char** argv) {
     options.refuse_group("Discretisation", "each patch has uniform strips and node differences", {"n"});
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
+    options.not_with({"shard"}, "rows");
     options.refuse("plot", "draw friction on patches with patch_study");
     options.footer(R"(Example: the table of steel, by two threads; then the same by 4 machines
   creep_table --output table.csv --jobs 2
@@ -318,7 +319,6 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
         if (!whole && scenes > 0) given.ignored("check", "with --shard: a part is no table");
         const bool to_file = given.given("output") && given.text("output") != "-";
         if (scenes > 0 && !to_file) given.ignored("check", "without --output FILE");
-        if (given.given("rows")) given.ignored("shard", "with --rows");
         std::optional<study::OutputFile> binary;
         if (whole && to_file) binary.emplace(given.text("output") + ".bin", "--output");
         const Job job = make_job(given);

@@ -201,6 +201,11 @@ int main(int argc, char** argv) {
     study::StateSpaceFiles::add_options(options, "one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
+    const std::vector<std::string> friction{"longitudinal", "lateral", "spin"};
+    options.not_with({"stability", "state-space"}, "omega");
+    for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
+    options.only_with({"pressure", "tractions", "transient"}, friction);
+    options.not_with({"tractions"}, "transient");
     options.footer(patch::help, patch::topics);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -208,21 +213,10 @@ int main(int argc, char** argv) {
         const bool harmonic = given.given("omega");
         std::vector<double> omegas;
         if (harmonic) {
-            given.ignored("stability", "with --omega");
-            given.ignored("state-space", "with --omega");
             omegas = given.numbers("omega",
                                    {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
         }
         const bool rubs = patch::asks_for_friction(given);
-        if (rubs) {
-            for (const char* name : {"stability", "omega", "state-space"}) given.ignored(name, "with friction");
-        } else {
-            for (const char* name : {"pressure", "tractions", "transient"}) {
-                given.ignored(name, "without --longitudinal, --lateral or --spin");
-            }
-        }
-        if (!given.flag("transient")) patch::refuse_transient_options(given);
-        if (!given.given("state-space")) given.ignored("states", "without --state-space");
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }

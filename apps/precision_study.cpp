@@ -322,6 +322,8 @@ int main(int argc, char** argv) {
     study::Options options("precision_study",
                            "Error against run time: which scheme gives a required precision at the least cost?");
     add_options(options);
+    options.not_with({"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"},
+                     "front");
     options.footer(precision::help);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -355,10 +357,6 @@ int main(int argc, char** argv) {
             compute(patches);
         } else if (given.given("front")) {
             // 2. Rows from a file.
-            for (const char* name :
-                 {"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"}) {
-                given.ignored(name, "with --front");
-            }
             read = precision::read_points(given, quantities);
             precision::mark_front(read);
             table.rows_of_task.assign(read.size(), 1);

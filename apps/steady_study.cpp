@@ -38,7 +38,8 @@ const study::Sheet<Steady> sheet{
     {{"c11", "creep coefficient -F/(a G xi), F per unit width",
       [](const Steady& s) { return s.status == study::ok ? s.c11 : std::nan(""); }},
      {"c11_exact",
-      "pi/(2(1-nu)), the plane limit b >> a, whatever the kernel: with the strip kernel relative_error cannot fall below "
+      "pi/(2(1-nu)), the plane limit b >> a, whatever the kernel: with the strip kernel relative_error cannot fall "
+      "below "
       "a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --aspect inf has none",
       [](const Steady& s) { return s.exact; }},
      {"c11_ratio", "c11/c11_exact", [](const Steady& s) { return s.ratio(); }},
@@ -54,9 +55,11 @@ const study::Sheet<Steady> sheet{
       [](const Steady& s) { return s.error_estimate; }},
      {"status",
       "if it is not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
-      "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to full "
+      "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to "
+      "full "
       "adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 elements is "
-      "wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is above 1e-2, as "
+      "wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is above 1e-2, "
+      "as "
       "with few states in narrow strips (4 at b/a = 0.3)",
       [](const Steady& s) { return s.status; }}},
     study::settings};

@@ -52,15 +52,10 @@ History make_history(const study::Options& options, double until) {
     History history;
     history.load = read_load(options, until);
     if (options.given("lateral-ratio")) history.lateral = options.number("lateral-ratio", study::finite());
-    if (!history.lateral) options.ignored("spin-ratio", "without --lateral-ratio");
     if (options.given("spin-ratio")) history.spin = options.number("spin-ratio", study::finite());
-    if (options.given("shift")) {
-        options.ignored("from", "with --shift, which starts from rest");
-        history.shift = options.number("shift", study::finite());
-    }
+    if (options.given("shift")) history.shift = options.number("shift", study::finite());
     history.from_steady = options.choice("from", {"rest", "steady"}) == "steady";
     if (options.given("sine")) {
-        options.ignored("creepage-ratio", "with --sine");
         const study::Sine sine = study::read_sine(options);
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
@@ -220,7 +215,6 @@ private:
 }  // namespace
 
 void run_transient(const study::Options& options, const Pressure& pressure) {
-    for (const char* name : {"tractions", "fit-border"}) options.ignored(name, "with --transient");
     const study::Steps steps = study::read_steps(options);
     Problem problem{.history = make_history(options, double(steps.count) * steps.dq),
                     .dq = steps.dq,
@@ -230,7 +224,6 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
                     .hertz = pressure.hertz,
                     .checked = !options.flag("unchecked")};
     const History& history = problem.history;
-    options.ignored("sweep", "with --transient");
     using rollbem::Integrator;
     problem.integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 

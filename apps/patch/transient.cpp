@@ -250,30 +250,32 @@ void add_transient_options(study::Options& options) {
     options.add_flag("transient",
                      "with one value of each creepage: roll in time, one row for each step; lengths over a, N, a and b "
                      "at load_ratio 1");
-    study::add_steps(options, "with --transient: ");
-    options.add("from", "rest|steady", "with --transient: the state that the run starts from", "rest");
-    options.add("load-sine", "A,LENGTH",
-                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
-                "(dimensionless)");
-    options.add_input("load",
-                      "with --transient: CSV file with the columns q_over_a,load_ratio and, if known, a_ratio,b_ratio: "
-                      "N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its rows, which must "
-                      "cover the run (dimensionless); without them both are the cube root of load_ratio");
+    study::add_steps(options, "transient");
+    options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
+    options
+        .add("load-sine", "A,LENGTH",
+             "load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
+             "(dimensionless)")
+        .only_with({"transient"});
+    options
+        .add_input("load",
+                   "CSV file with the columns q_over_a,load_ratio and, if known, a_ratio,b_ratio: "
+                   "N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its rows, which must "
+                   "cover the run (dimensionless); without them both are the cube root of load_ratio")
+        .only_with({"transient"});
     options.replaces("load-sine", {"load"});
-    options.add_flag("breathing",
-                     "with --load-sine or --load: the mesh follows the ellipse, as it does by default where --load has "
-                     "a_ratio,b_ratio and the load never vanishes; --breathing=false: it covers the largest one");
-    options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
-}
-
-void refuse_transient_options(const study::Options& options) {
-    for (const char* name : {"dq", "until", "from", "load-sine", "load", "breathing", "integrator"}) {
-        options.ignored(name, "without --transient");
-    }
+    options.not_with({"load"}, "load-sine");
+    options.only_with({"breathing"}, {"transient"});
+    options
+        .add_flag("breathing",
+                  "the mesh follows the ellipse, as it does by default where --load has "
+                  "a_ratio,b_ratio and the load never vanishes; --breathing=false: it covers the largest one")
+        .only_with({"load-sine", "load"}, ": the contact does not change");
+    options.add("integrator", "NAME", "sdirk2 (second order) or implicit-euler (first)", "sdirk2")
+        .only_with({"transient"});
 }
 
 void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
-    options.ignored("tractions", "with --transient");
     const Pressure pressure(options);
     const study::Steps steps = study::read_steps(options);
     const std::vector<CreepPoint> points = read_points(options, patches);

@@ -82,13 +82,9 @@ double LoadHistory::next_stop(double from, double to) const {
 
 std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further) {
     const bool breathing = options.flag("breathing");
-    if (!options.given("load-sine") && !options.given("load")) {
-        options.ignored("breathing", "without --load-sine or --load: the contact does not change");
-        return std::nullopt;
-    }
+    if (!options.given("load-sine") && !options.given("load")) return std::nullopt;
     options.ignored("pressure", "under a load that varies: how the contact of a table grows is not known");
     if (!options.given("load-sine")) return load_of_table(options, until, breathing, further);
-    options.ignored("load", "with --load-sine");
     return load_of_sine(options, breathing);
 }
 

@@ -37,13 +37,13 @@ inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 /// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
 Sine read_sine(const Options& options);
 
-/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
-/// --help. Throws BadInput.
+/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. With `mode`, only that option
+/// makes steps. Throws BadInput.
 struct Steps {
     double dq;
     std::size_t count;
 };
-void add_steps(Options& options, const std::string& when);
+void add_steps(Options& options, const std::string& mode = "");
 Steps read_steps(const Options& options);
 
 /// The name of an integrator in options and columns.

@@ -38,6 +38,12 @@ std::ptrdiff_t to_integer(const std::string& name, const std::string& text, std:
     return *value;
 }
 
+/// "--one, --two or --three"
+std::string dashed(std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, "--");
+    return listed(names, "or");
+}
+
 }  // namespace
 
 Rule between(double low, double high) {
@@ -144,6 +150,8 @@ Options::Options(std::string program, const std::string& purpose)
 
     replaces("alpha", {"alpha-L", "alpha-T"});
     replaces("edges", {"n", "mesh", "size-ratio", "epsilon"});
+    not_with({"alpha-L", "alpha-T"}, "alpha");
+    not_with({"mesh", "n"}, "edges");
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
@@ -172,8 +180,8 @@ Options::~Options() = default;
 
 void Options::group(const std::string& heading) { group_ = heading; }
 
-void Options::add(const std::string& name, const std::string& value, const std::string& help,
-                  const std::string& default_text) {
+Options::Added Options::add(const std::string& name, const std::string& value, const std::string& help,
+                            const std::string& default_text) {
     const std::string nothing;
     CLI::Option* option = app_->add_option("--" + name, nothing);
     // Every use of the option is kept; how many there may be is checked when its values are read.
@@ -181,29 +189,72 @@ void Options::add(const std::string& name, const std::string& value, const std::
     option->group(group_);
     entries_[name] = {option, help, ""};
     set_default(name, default_text);
+    return {*this, name};
 }
 
-void Options::add_file(const std::string& name, const std::string& help, Kind kind) {
+Options::Added Options::add_file(const std::string& name, const std::string& help, Kind kind) {
     add(name, "FILE", help);
     entries_[name].kind = kind;
+    return {*this, name};
 }
 
-void Options::add_input(const std::string& name, const std::string& help) { add_file(name, help, Kind::input); }
+Options::Added Options::add_input(const std::string& name, const std::string& help) {
+    return add_file(name, help, Kind::input);
+}
 
-void Options::add_output(const std::string& name, const std::string& help) { add_file(name, help, Kind::output); }
+Options::Added Options::add_output(const std::string& name, const std::string& help) {
+    return add_file(name, help, Kind::output);
+}
 
-void Options::add_table(const std::string& name, const std::string& help) { add_file(name, help, Kind::table); }
+Options::Added Options::add_table(const std::string& name, const std::string& help) {
+    return add_file(name, help, Kind::table);
+}
 
-void Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
+Options::Added Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
     add(name, "DIR", help);
     entries_[name].kind = Kind::folder;
     entries_[name].files = std::move(files);
+    return {*this, name};
 }
 
-void Options::add_flag(const std::string& name, const std::string& help) {
-    CLI::Option* option = app_->add_flag("--" + name, help);
+Options::Added Options::add_flag(const std::string& name, const std::string& help) {
+    CLI::Option* option = app_->add_flag("--" + name);
     option->group(group_);
     entries_[name] = {option, help, "", Kind::flag};
+    set_default(name, "");
+    return {*this, name};
+}
+
+const Options::Added& Options::Added::only_with(const std::vector<std::string>& modes, const std::string& why) const {
+    const std::string shown = options_.entry(name_).help;
+    options_.set_help(name_, "with " + dashed(modes) + ": " + shown);
+    options_.only_with({name_}, modes, why);
+    return *this;
+}
+
+const Options::Added& Options::Added::not_with(const std::string& mode, const std::string& why) const {
+    options_.not_with({name_}, mode, why);
+    return *this;
+}
+
+void Options::not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why) {
+    for (const std::string& name : names) limits_.push_back({name, {mode}, false, why});
+}
+
+void Options::only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
+                        const std::string& why) {
+    for (const std::string& name : names) limits_.push_back({name, modes, true, why});
+}
+
+void Options::check_limits() const {
+    const auto is_on = [&](const std::string& mode) {
+        return entry(mode).kind == Kind::flag ? flag(mode) : given(mode);
+    };
+    for (const Limit& limit : limits_) {
+        const bool on = std::any_of(limit.modes.begin(), limit.modes.end(), is_on);
+        if (on == limit.needs) continue;
+        ignored(limit.name, (limit.needs ? "without " : "with ") + dashed(limit.modes) + limit.why);
+    }
 }
 
 void Options::set_default(const std::string& name, const std::string& default_text) {
@@ -279,6 +330,7 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
         if (given(name)) throw BadInput(said(name) + " cannot be used here: " + reason);
     }
     check_files();
+    check_limits();
     return std::nullopt;
 }
 

@@ -74,24 +74,41 @@ public:
     /// Heading in --help of the options added next.
     void group(const std::string& heading);
 
+    /// An option that was declared, to say in which modes of the study it has an effect.
+    class Added {
+    public:
+        Added(Options& options, std::string name) : options_(options), name_(std::move(name)) {}
+
+        /// Has an effect with one of these options only: --help says so, and without them it is bad input. `why`
+        /// follows the message.
+        const Added& only_with(const std::vector<std::string>& modes, const std::string& why = "") const;
+
+        /// Has no effect with that option.
+        const Added& not_with(const std::string& mode, const std::string& why = "") const;
+
+    private:
+        Options& options_;
+        std::string name_;
+    };
+
     /// Declares --name VALUE. Say the unit in `help`, or that the value is dimensionless.
-    void add(const std::string& name, const std::string& value, const std::string& help,
-             const std::string& default_text = "");
+    Added add(const std::string& name, const std::string& value, const std::string& help,
+              const std::string& default_text = "");
 
     /// Declares --name FILE, a file that is read. No output may be the same file.
-    void add_input(const std::string& name, const std::string& help);
+    Added add_input(const std::string& name, const std::string& help);
 
     /// Declares --name FILE, a file that is written. No other file of the run may be the same.
-    void add_output(const std::string& name, const std::string& help);
+    Added add_output(const std::string& name, const std::string& help);
 
     /// The same with a file beside it, FILE.toml.
-    void add_table(const std::string& name, const std::string& help);
+    Added add_table(const std::string& name, const std::string& help);
 
     /// Declares --name DIR, a folder that `files` are written to.
-    void add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
+    Added add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
 
     /// Declares --name, which takes no value.
-    void add_flag(const std::string& name, const std::string& help);
+    Added add_flag(const std::string& name, const std::string& help);
 
     void set_default(const std::string& name, const std::string& default_text);
 
@@ -104,6 +121,13 @@ public:
     /// The same for all options under a heading except `allowed`.
     void refuse_group(const std::string& heading, const std::string& reason,
                       const std::vector<std::string>& allowed = {});
+
+    /// As Added::not_with, for several options.
+    void not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why = "");
+
+    /// As Added::only_with, for several options, but without a word in --help.
+    void only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
+                   const std::string& why = "");
 
     /// Says that --name takes the place of `others`: a configuration file's values of one side give way to the other
     /// side on the command line.
@@ -181,7 +205,18 @@ private:
         std::vector<std::string> files{};       ///< of a folder
     };
 
-    void add_file(const std::string& name, const std::string& help, Kind kind);
+    /// Where an option has no effect: without any of the modes, or with the one.
+    struct Limit {
+        std::string name;
+        std::vector<std::string> modes;
+        bool needs;
+        std::string why;
+    };
+
+    Added add_file(const std::string& name, const std::string& help, Kind kind);
+
+    /// Throws BadInput for an option that its limits exclude.
+    void check_limits() const;
 
     /// Throws BadInput if two inputs are standard input.
     void check_inputs() const;
@@ -222,6 +257,7 @@ private:
     std::unique_ptr<CLI::App> app_;
     std::map<std::string, Entry> entries_;
     std::vector<std::pair<std::string, std::string>> refused_;
+    std::vector<Limit> limits_;
     std::vector<std::string> words_;
     std::vector<Topic> topics_;
     std::vector<std::pair<std::string, std::vector<std::string>>> alternatives_;

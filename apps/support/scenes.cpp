@@ -51,10 +51,6 @@ MeshPointer mesh_from_file(const Options& options) {
 /// The name of the mesh in the columns and, for every n, its gradings.
 std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const Options& options) {
     const bool from_file = options.given("edges");
-    if (from_file) {
-        options.ignored("mesh", "with --edges");
-        options.ignored("n", "with --edges");
-    }
     const std::string name = from_file ? "edges" : options.choice("mesh", mesh_names());
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
     const auto topology = rollbem::topology_named(name);  // none with --edges
@@ -93,8 +89,6 @@ std::vector<std::pair<double, double>> make_alphas(const Options& options) {
     const Rule rule = between(-2, 2);
     std::vector<std::pair<double, double>> alphas;
     if (options.given("alpha")) {
-        options.ignored("alpha-L", "with --alpha");
-        options.ignored("alpha-T", "with --alpha");
         for (const double alpha : options.numbers("alpha", rule)) alphas.emplace_back(alpha, alpha);
         return alphas;
     }
@@ -190,7 +184,7 @@ Row scene_cells(const Scene& scene, const std::vector<std::string>& columns) {
     const std::map<std::string, Cell> cells{{"method", scene.method},
                                             {"derivative", scene.derivative},
                                             {"mesh", scene.mesh_name},
-                                            {"n", scene.n()},
+                                            {"n", scene.n() > 0 ? Cell(scene.n()) : Cell()},
                                             {"alpha_L", scene.alpha_L},
                                             {"alpha_T", scene.alpha_T},
                                             {"lambda", scene.lambda},

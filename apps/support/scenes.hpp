@@ -41,7 +41,7 @@ struct Scene {
     rollbem::AnyScheme scheme{};
     rollbem::AnyKernel<double> kernel;
 
-    Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh->size(); }
+    Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : 0; }
 
     /// What n counts, for the axis of a plot.
     std::string n_label() const { return std::string("number of ") + (chebyshev ? "states" : "elements") + " n"; }

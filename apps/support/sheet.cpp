@@ -10,7 +10,8 @@ std::string help_line(const std::string& name, const std::string& meaning) {
     std::string start = "  " + name, text;
     start.resize(std::max(start.size() + 1, indent), ' ');
     if (start.size() > indent) start += '\n' + std::string(indent, ' ');
-    for (const char c : wrap(meaning, 110 - indent)) text += c == '\n' ? '\n' + std::string(indent, ' ') : std::string{c};
+    for (const char c : wrap(meaning, 110 - indent))
+        text += c == '\n' ? '\n' + std::string(indent, ' ') : std::string{c};
     return start + text + '\n';
 }
 

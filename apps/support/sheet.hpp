@@ -19,8 +19,12 @@ namespace study {
 template <class Result>
 struct Column {
     std::string name, meaning;
-    std::function<Cell(const Result&)> value;
+    std::function<Cell(const Result&)> value{};  ///< without, it is the scene's column of that name
 };
+
+/// What takes the results of a scene, one by one.
+template <class Result>
+using Results = std::function<void(const Result&)>;
 
 /// "name  meaning" as a line of --help, wrapped.
 std::string help_line(const std::string& name, const std::string& meaning);
@@ -28,9 +32,14 @@ std::string help_line(const std::string& name, const std::string& meaning);
 template <class Result>
 class Sheet {
 public:
-    /// `before` and `behind` are names of columns of the scene, separated by commas.
-    Sheet(const std::string& before, std::vector<Column<Result>> own, const std::string& behind)
-        : before_(cells_of(before)), own_(std::move(own)), behind_(cells_of(behind)) {}
+    /// `before` and `behind` are names of columns of the scene, separated by commas; so is the name of an own column
+    /// without a value.
+    Sheet(const std::string& before, const std::vector<Column<Result>>& own, const std::string& behind)
+        : before_(names_of(before)), behind_(names_of(behind)) {
+        for (const Column<Result>& column : own) {
+            for (const std::string& name : names_of(column.name)) own_.push_back({name, column.meaning, column.value});
+        }
+    }
 
     std::vector<std::string> names() const {
         std::vector<std::string> result = before_;
@@ -41,13 +50,19 @@ public:
     /// The own columns for --help.
     std::string help() const {
         std::string text;
-        for (const Column<Result>& column : own_) text += help_line(column.name, column.meaning);
+        for (std::size_t i = 0; i < own_.size(); ++i) {  // columns that share a meaning stand together
+            std::string names = own_[i].name;
+            while (i + 1 < own_.size() && own_[i + 1].meaning == own_[i].meaning) names += ", " + own_[++i].name;
+            text += help_line(names, own_[i].meaning);
+        }
         return text;
     }
 
     Row row(const Scene& scene, const Result& result) const {
         Row row = scene_cells(scene, before_);
-        for (const Column<Result>& column : own_) row.push_back(column.value(result));
+        for (const Column<Result>& column : own_) {
+            row.push_back(column.value ? column.value(result) : scene_cells(scene, {column.name})[0]);
+        }
         return joined(std::move(row), scene_cells(scene, behind_));
     }
 
@@ -58,7 +73,7 @@ public:
         for (std::size_t i = 0; i < scenes.size(); ++i) table.rows_of_task[i] = std::size_t(rows(scenes[i]));
         table.compute = [=, this, &scenes](std::size_t task, RowRange range, const Emit& emit) {
             const Scene& scene = scenes[task];
-            compute(scene, range, [&](const Result& result) { emit(row(scene, result)); });
+            compute(scene, range, Results<Result>([&](const Result& result) { emit(row(scene, result)); }));
         };
         return table;
     }
@@ -68,7 +83,7 @@ public:
     Table table(const std::vector<Scene>& scenes, const Compute& compute) const {
         return table(
             scenes, [](const Scene&) { return 1; },
-            [=](const Scene& scene, RowRange, const auto& emit) { emit(compute(scene)); });
+            [=](const Scene& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
     }
 
     /// Adds the column `y` over the column `x`, a curve for each combination of the scene's columns but `x` and those of
@@ -83,6 +98,10 @@ public:
     }
 
 private:
+    static std::vector<std::string> names_of(const std::string& text) {
+        return text.empty() ? std::vector<std::string>{} : cells_of(text);
+    }
+
     std::vector<std::string> before_;
     std::vector<Column<Result>> own_;
     std::vector<std::string> behind_;

@@ -56,9 +56,11 @@ void StateSpaceFiles::add_options(Options& options, const std::string& what) {
                            " as linear differential equations: A.csv, B.csv, C.csv, D.csv and state_space.toml in this "
                            "folder, which is made if it does not exist (dimensionless)",
                        names());
-    options.add("states", "K",
-                "with --state-space: reduce to the K states that matter most (balanced reduction, the steady state "
-                "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)");
+    options
+        .add("states", "K",
+             "reduce to the K states that matter most (balanced reduction, the steady state "
+             "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)")
+        .only_with({"state-space"});
 }
 
 StateSpaceFiles::StateSpaceFiles(const Options& options, Space space, const std::string& conventions,

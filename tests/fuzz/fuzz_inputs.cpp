@@ -85,7 +85,7 @@ void take_friction(const std::vector<std::string>& words) {
     options.add("load-sine", "A,LENGTH", "two numbers");
     options.add_input("load", "a file");
     options.add_flag("breathing", "a flag");
-    study::add_steps(options, "");
+    study::add_steps(options);
     std::vector<const char*> argv{"fuzz"};
     for (const std::string& word : words) argv.push_back(word.c_str());
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
