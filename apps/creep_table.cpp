@@ -302,7 +302,7 @@ int main(int argc, char** argv) {
 Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
 G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
 CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves
-FILE.unfinished; the same command goes on from there.
+FILE.part; the same command goes on from there.
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
 is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
 has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
