@@ -7,7 +7,7 @@
 #include "friction/pressure.hpp"
 #include "friction/steady.hpp"
 #include "friction/transient.hpp"
-#include "support/non_steady.hpp"
+#include "support/load_history.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 
@@ -73,32 +73,14 @@ int main(int argc, char** argv) {
     options.replaces("creepage-ratio", {"sine"});
     options.add("shift", "W", "rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)")
         .only_with({"transient"});
-    options
-        .add("load-sine", "A,LENGTH",
-             "load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
-             "(dimensionless)")
-        .only_with({"transient"});
-    options
-        .add_input("load",
-                   "CSV file with the columns q_over_a,load_ratio: N/N_0 over the distance rolled "
-                   "in a_0, linear between its rows, which must cover the run (dimensionless)")
-        .only_with({"transient"});
-    options.replaces("load-sine", {"load"});
-    options.not_with({"load"}, "load-sine");
-    options.only_with({"breathing"}, {"transient"});
+    study::add_run_options(options,
+                           ": N/N_0 over the distance rolled in a_0, linear between its rows, which must cover the run "
+                           "(dimensionless)",
+                           "the mesh follows the half-length of the contact, with --kernel plane; otherwise it covers "
+                           "the largest contact");
+    options.not_with({"from"}, "shift", ", which starts from rest");
     options.only_with({"lambda"}, {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
     options.not_with({"creepage-ratio"}, "sine");
-    options
-        .add_flag("breathing",
-                  "the mesh follows the half-length of the contact, with --kernel "
-                  "plane; otherwise it covers the largest contact")
-        .only_with({"load-sine", "load"}, ": the contact does not change");
-    options.add("from", "rest|steady", "the state that the run starts from", "rest")
-        .only_with({"transient"})
-        .not_with("shift", ", which starts from rest");
-    study::add_steps(options, "transient");
-    options.add("integrator", "NAME", "sdirk2 (second order) or implicit-euler (first)", "sdirk2")
-        .only_with({"transient"});
     options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
         .only_with({"transient"});
     options.footer(friction::help, friction::topics);

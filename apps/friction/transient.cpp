@@ -45,7 +45,6 @@ struct History {
 
     Ratios at(double q) const { return {omega ? amplitude * std::sin(*omega * q) : amplitude, lateral, spin}; }
     double load_at(double q) const { return load ? load->at(q) : 1; }
-    double next_stop(double from, double to) const { return load ? load->next_stop(from, to) : to; }
 };
 
 History make_history(const study::Options& options, double until) {
@@ -150,13 +149,11 @@ private:
                      creep_work(now_, next, history_.at(low), history_.at(high), both_ends));
             return next.status;
         };
-        while (from < end && ended_.empty()) {
-            const double to = history_.next_stop(from, end);
-            if (const auto failed = study::roll(from, to, step)) {
-                rounds += next.rounds;
-                keep(next, *failed, 0);
-            }
-            from = to;
+        if (!ended_.empty()) return;
+        const auto failed = study::roll(from, end, history_.load ? &*history_.load : nullptr, step);
+        if (failed) {
+            rounds += next.rounds;
+            keep(next, *failed, 0);
         }
         now_.rounds = rounds;
     }

@@ -32,6 +32,10 @@ struct LoadHistory {
     double next_stop(double from, double to) const;
 };
 
+/// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator, all
+/// for --transient. `load` and `breathing` are what --help says of these besides.
+void add_run_options(Options& options, const std::string& load, const std::string& breathing);
+
 /// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
 /// have the columns `further` besides. Throws BadInput.
 std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further = "");
