@@ -20,26 +20,18 @@ near() {
 }
 
 # --- bad input: options that need elements
-for study in steady traction stability frequency 'transient --step 1'; do
-    s="$programs/${study%% *}_study --method chebyshev --output x.csv"
-    case $study in *' '*) s="$s ${study#* }" ;; esac
-    for option in mesh=cosine edges=e size-ratio=2 epsilon=0.4 quadrature=exact nodes=centres derivative=fd alpha=0.5 alpha-L=0 \
-        alpha-T=0.63; do
-        bad "--${option%=*} = ${option#*=} has no effect with --method chebyshev" $s --$option
-    done
-    bad '--lambda = 1' $s --lambda 1
-    bad '--n = 0 must be an integer in [1, 10000]' $s --n 0
-    bad '--n = 10001 must be an integer in [1, 10000]' $s --n 8,10001
-    bad '--n = 2.5 must be' $s --n 2.5
-    bad '--aspect = 1e-4 must be at least 0.001 with --method chebyshev' $s --aspect 1e-4
-    bad '--aspect = 0 must be positive' $s --aspect 0
-    "$programs/${study%% *}_study" --help | grep -q 'Chebyshev states' || fail "--help of $study"
+for option in mesh=cosine edges=e size-ratio=2 epsilon=0.4 quadrature=exact nodes=centres derivative=fd alpha=0.5 alpha-L=0 \
+    alpha-T=0.63; do
+    bad "--${option%=*} = ${option#*=} has no effect with --method chebyshev" $steady --$option
 done
-for study in stability frequency 'transient --step 1'; do
-    s="$programs/${study%% *}_study --method chebyshev --output x.csv"
-    case $study in *' '*) s="$s ${study#* }" ;; esac
-    bad '--aspect = inf must be positive and finite' $s --aspect inf
-    bad '--aspect = 0.1 must be larger than' $s --kernel plane --aspect 0.1
+bad '--lambda = 1 has no effect with --method chebyshev' $stability --lambda 1
+bad '--n = 0 must be an integer in [1, 10000]' $steady --n 0
+bad '--n = 10001 must be an integer in [1, 10000]' $steady --n 8,10001
+bad '--aspect = 1e-4 must be at least 0.001 with --method chebyshev' $steady --aspect 1e-4
+bad '--aspect = inf must be positive and finite' $stability --aspect inf
+bad '--aspect = 0.1 must be larger than' $stability --kernel plane --aspect 0.1
+for study in steady traction stability frequency transient; do
+    "$programs/${study}_study" --help | grep -q 'Chebyshev states' || fail "--help of $study"
 done
 bad '--method = chebyshev must be collocation or galerkin with --critical' $stability --critical
 bad '--method = nodes must be collocation or galerkin with --critical' ${stability%% *} --method nodes --critical
