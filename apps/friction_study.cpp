@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     options.not_with({"creepage-ratio"}, "sine");
     options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
         .only_with({"transient"});
-    options.footer(friction::help, friction::topics);
+    options.footer(friction::help, friction::topics());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The pressure.

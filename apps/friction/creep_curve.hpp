@@ -74,7 +74,8 @@ struct CreepResult {
     std::string status{};
 };
 
-const std::vector<std::string>& creep_columns();
+std::vector<std::string> creep_columns();
+std::string creep_help();  ///< their meanings
 
 study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const CreepPoint& point,
                      const CreepResult& result);

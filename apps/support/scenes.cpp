@@ -180,23 +180,28 @@ const std::vector<std::string>& all_setting_columns() {
     return columns;
 }
 
+Cell scene_cell(const Scene& scene, const std::string& column) {
+    static const std::map<std::string, Cell (*)(const Scene&)> cells{
+        {"method", [](const Scene& s) { return Cell(s.method); }},
+        {"derivative", [](const Scene& s) { return Cell(s.derivative); }},
+        {"mesh", [](const Scene& s) { return Cell(s.mesh_name); }},
+        {"n", [](const Scene& s) { return s.n() > 0 ? Cell(s.n()) : Cell(); }},
+        {"alpha_L", [](const Scene& s) { return Cell(s.alpha_L); }},
+        {"alpha_T", [](const Scene& s) { return Cell(s.alpha_T); }},
+        {"lambda", [](const Scene& s) { return Cell(s.lambda); }},
+        {"kernel", [](const Scene& s) { return Cell(s.is_plane() ? "plane" : "strip"); }},
+        {"aspect", [](const Scene& s) { return aspect_cell(s.contact); }},
+        {"poisson", [](const Scene& s) { return Cell(s.contact.poisson_ratio()); }},
+        {"size_ratio", [](const Scene& s) { return Cell(s.size_ratio); }},
+        {"epsilon", [](const Scene& s) { return Cell(s.epsilon); }},
+        {"quadrature", [](const Scene& s) { return Cell(s.quadrature); }},
+        {"nodes", [](const Scene& s) { return Cell(s.nodes); }}};
+    return cells.at(column)(scene);
+}
+
 Row scene_cells(const Scene& scene, const std::vector<std::string>& columns) {
-    const std::map<std::string, Cell> cells{{"method", scene.method},
-                                            {"derivative", scene.derivative},
-                                            {"mesh", scene.mesh_name},
-                                            {"n", scene.n() > 0 ? Cell(scene.n()) : Cell()},
-                                            {"alpha_L", scene.alpha_L},
-                                            {"alpha_T", scene.alpha_T},
-                                            {"lambda", scene.lambda},
-                                            {"kernel", scene.is_plane() ? "plane" : "strip"},
-                                            {"aspect", aspect_cell(scene.contact)},
-                                            {"poisson", scene.contact.poisson_ratio()},
-                                            {"size_ratio", scene.size_ratio},
-                                            {"epsilon", scene.epsilon},
-                                            {"quadrature", scene.quadrature},
-                                            {"nodes", scene.nodes}};
     Row row;
-    for (const std::string& column : columns) row.push_back(cells.at(column));
+    for (const std::string& column : columns) row.push_back(scene_cell(scene, column));
     return row;
 }
 

@@ -62,6 +62,7 @@ Row setting_cells(const Scene& scene);
 Row all_setting_cells(const Scene& scene);
 
 /// The cells under these columns: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those above.
+Cell scene_cell(const Scene& scene, const std::string& column);
 Row scene_cells(const Scene& scene, const std::vector<std::string>& columns);
 
 /// b/a, "inf" if it is infinite.

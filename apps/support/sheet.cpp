@@ -7,11 +7,11 @@ namespace study {
 
 std::string help_line(const std::string& name, const std::string& meaning) {
     constexpr std::size_t indent = 20;
+    const std::string margin(indent, ' ');
     std::string start = "  " + name, text;
-    start.resize(std::max(start.size() + 1, indent), ' ');
-    if (start.size() > indent) start += '\n' + std::string(indent, ' ');
-    for (const char c : wrap(meaning, 110 - indent))
-        text += c == '\n' ? '\n' + std::string(indent, ' ') : std::string{c};
+    if (start.size() >= indent) start += '\n';
+    start.append(start.size() < indent ? indent - start.size() : indent, ' ');
+    for (const char c : wrap(meaning, 110 - indent)) text += c == '\n' ? '\n' + margin : std::string{c};
     return start + text + '\n';
 }
 

@@ -61,7 +61,7 @@ public:
     Row row(const Scene& scene, const Result& result) const {
         Row row = scene_cells(scene, before_);
         for (const Column<Result>& column : own_) {
-            row.push_back(column.value ? column.value(result) : scene_cells(scene, {column.name})[0]);
+            row.push_back(column.value ? column.value(result) : scene_cell(scene, column.name));
         }
         return joined(std::move(row), scene_cells(scene, behind_));
     }
