@@ -98,8 +98,8 @@ public:
     };
 
     /// The contact that carries the vertical load [N] at this lateral position, roll and yaw; the height of `position`
-    /// is not used. `friction` is the force along s over the normal force, positive on the wheel towards positive s, by
-    /// which friction supports the wheel: N (cos delta + friction sin delta) is vertical.
+    /// is not used. `friction` is the force of friction on the rail along s over the normal force N: the rail carries
+    /// N (cos delta + friction sin delta).
     Contact carry(const WheelsetPosition& position, double load, double friction, Workspace& workspace,
                   const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
