@@ -297,6 +297,7 @@ std::string sidecar_text(const Options& options) {
     text += "\n[machine]\n";
     entry("cpu", cpu_name());
     text += "\n[conventions]\n";
+    if (!options.conventions().empty()) return text + options.conventions();
     entry("x", "rolling direction in units of the half-length a; leading edge at x/a = 1, trailing edge at x/a = -1");
     entry("elements", "numbered from the trailing edge to the leading edge");
     entry("signs", "traction acts on body 1 (the wheel); positive creepage gives negative traction and force");

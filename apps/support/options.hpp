@@ -109,6 +109,10 @@ public:
     /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
     void footer(const std::string& text, std::vector<Topic> topics = {});
 
+    /// Replaces what the file beside the results says of axes, signs and units: lines of TOML.
+    void set_conventions(std::string text) { conventions_ = std::move(text); }
+    const std::string& conventions() const { return conventions_; }
+
     std::string version() const;  ///< program, version and git revision
     /// Reads the command line. Returns a text to print instead of running (--help, --version); throws BadInput.
     std::optional<std::string> parse(int argc, const char* const* argv);
@@ -218,7 +222,7 @@ private:
     template <class Number, class Read>
     std::vector<Number> list(const std::string& name, const Read& read) const;
 
-    std::string program_, group_;
+    std::string program_, group_, conventions_;
     std::unique_ptr<CLI::App> app_;
     std::map<std::string, Entry> entries_;
     std::vector<std::pair<std::string, std::string>> refused_;
