@@ -157,7 +157,7 @@ study::Row row_of(const Settings& settings, const Case& at, const Contacts& cont
                   force(sign * of.lateral, solved),
                   force(sign * of.moment, solved),
                   force(of.power, solved),
-                  settings.friction->n * settings.friction->strips,
+                  rubs ? study::Cell(of.elements) : none,
                   contacts.pitch_rate};
     }
     study::Row row{at.shift,

@@ -18,10 +18,12 @@ struct FrictionSettings {
 
 /// On a patch seen as that of a right wheel.
 struct PatchForces {
-    rollbem::Creepage<double> creepage;    ///< of the rail on the wheel, CONTACT's CKSI, CETA and CPHI
-    double longitudinal, lateral, moment;  ///< on the wheel [N, N, N m], the moment about the reference point
-    double power;                          ///< that friction turns into heat [W]
-    rollbem::StepStatus status;
+    rollbem::Creepage<double> creepage;  ///< of the rail on the wheel, CONTACT's CKSI, CETA and CPHI
+    double longitudinal = 0, lateral = 0,
+           moment = 0;  ///< on the wheel [N, N, N m], the moment about the reference point
+    double power = 0;   ///< that friction turns into heat [W]
+    Eigen::Index elements = 0;
+    rollbem::StepStatus status = rollbem::StepStatus::not_finite;
 };
 
 /// By steady rolling on the patch's own outline, under its own pressures.

@@ -109,9 +109,9 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
     const bool csv = ends_with(file, ".csv");
     if (csv) {
         points = read_csv(options, name);
-        const double unit = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1e-3 : 1;
+        const double per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000 : 1;
         for (std::vector<double>* of : {&points.y, &points.z}) {
-            for (double& value : *of) value *= unit;
+            for (double& value : *of) value /= per_metre;
         }
     } else if (ends_with(file, ending)) {
         points = read_simpack(options, name);

@@ -17,7 +17,7 @@ namespace profile {
 void add_options(study::Options& options) {
     options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
                          {"n"});
-    options.set_default("n", "16");
+    options.set_default("n", "12");
     options.set_help("n", "with --friction: elements of each strip, 1 to 100 (dimensionless)");
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is as wide as profiles and load make it");
@@ -45,7 +45,9 @@ void add_options(study::Options& options) {
     options.add("pitch-rate", "LIST",
                 "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
                 "longitudinal creepages of both wheels add up to 0");
-    options.add("strips", "M", "with --friction: strips of a patch, 1 to 100 (dimensionless)", "9");
+    options.add("strips", "M",
+                "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy (dimensionless)",
+                "13");
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study",
                        {});

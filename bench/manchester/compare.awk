@@ -35,6 +35,7 @@ $own["patch"] == 1 {
 function add(name, unit, difference) {
     if (!(name in count)) { order[++names] = name; of[name] = unit; largest[name] = -1 }
     if (difference < 0) difference = -difference
+    if ($own["status"] != "ok" && $own["status"] != "doubtful_plane") difference = 1e9
     sum[name] += difference
     ++count[name]
     if (difference > largest[name]) { largest[name] = difference; where[name] = side "," shift }
