@@ -3,16 +3,16 @@
 # c = sqrt(area/pi). With -v rows=1 forces and moments of each wheel instead, both signs as on the wheel.
 /^#/ { next }
 $1 == "side" { for (i = 1; i <= NF; ++i) ref[$i] = i; next }
-$1 == "shift" { for (i = 1; i <= NF; ++i) own[$i] = i; if (rows) print "side,shift,longitudinal,lateral,moment,contact_longitudinal,contact_lateral,contact_moment,time_ms"; else print "quantity,unit,mean,largest,side,shift_mm"; next }
+$1 == "shift" { for (i = 1; i <= NF; ++i) own[$i] = i; if (rows) print "side,shift,longitudinal,lateral,moment,contact_longitudinal,contact_lateral,contact_moment"; else print "quantity,unit,mean,largest,side,shift_mm"; next }
 NR == FNR { for (name in ref) contact[$1, $2 + 0, name] = $ref[name]; next }
 $own["patch"] == 1 {
     side = $own["side"]; shift = 1000 * $own["shift"]; shift = sprintf("%.1f", shift) + 0
     N = contact[side, shift, "load"]; limit = 0.3 * N; c = sqrt(contact[side, shift, "area"] / 3.14159265358979)
     if (rows) {
         M = 300 * $own["load"]; C = 1000 * sqrt($own["area"] / 3.14159265358979)
-        printf "%s,%s,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.1f\n", side, shift, 1000 * $own["longitudinal_force"] / M, 1000 * $own["lateral_force"] / M, \
+        printf "%s,%s,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", side, shift, 1000 * $own["longitudinal_force"] / M, 1000 * $own["lateral_force"] / M, \
             1e6 * $own["spin_moment"] / M / C, -contact[side, shift, "fx"] / limit, -contact[side, shift, "fs"] / limit, \
-            -contact[side, shift, "mn"] / limit / c, $own["time_us"] / 1000
+            -contact[side, shift, "mn"] / limit / c
         next
     }
     if (side == "right" && shift == 5) next
