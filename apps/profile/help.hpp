@@ -25,7 +25,8 @@ together with those of friction. Status may then be that of friction, with the f
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 --positions: a row for each position. --smooth is for worn or measured profiles: the smoothest curve that leaves the
-points by that root mean square; half to all of the noise of the device is a good value.
+points by that root mean square, in y and z together, which should be the noise of the device: with less, patches break
+up (few_cells).
 )";
 
 }  // namespace profile
